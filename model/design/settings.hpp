@@ -1,0 +1,152 @@
+// Settings of a drive, in SI units (speeds in rpm): what a drives/*.toml file says, key by key.
+//
+// A member's name is its key in the file, a struct is a section, the default value is taken when
+// the key is absent.  std::optional marks a value that the design library works out if the file
+// does not name it.  What each key means, its unit and its range stand in ONE table,
+// settings_keys.hpp: the loader, the checks and the documentation all read that table.
+//
+// Doc: docs/design.md   Test: tests/model/design/settings_test.cpp
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steplock::design {
+
+enum class Shape { kTrapezoidal, kSinusoidal, kTable };
+enum class Reference { kVirtualNeutral, kHalfBus, kStarPoint };
+enum class Chopping { kHighSide, kComplementary };
+enum class Source { kBemf, kHall };
+enum class Sampling { kOnTime, kOffTime, kBoth };
+enum class Detector { kOncePerTurn, kEveryStep };
+enum class LoopForm { kPerSecond, kPerStep };
+
+struct DriveSection {
+  std::string name, source, notes;
+  std::vector<std::string> assumed;  // "section.key: reason", for what the source does not publish
+};
+
+struct MotorSection {
+  double resistance_ohm = 0, inductance_h = 0, mutual_h = 0, flux_vs = 0;
+  int pole_pairs = 0;
+  Shape shape = Shape::kTrapezoidal;
+  double flat_top_deg = 120;
+  bool rounded_flanks = true;
+  std::vector<double> table;
+  double inertia_kgm2 = 0;
+  double coulomb_nm = 0, viscous_nms = 0;
+  std::optional<double> static_nm;
+  double cogging_nm = 0;
+  int cogging_periods = 24;
+  double rated_current_a = 0;
+};
+
+struct LoadSection {
+  double inertia_kgm2 = 0, opposing_nm = 0, fan_nms2 = 0;
+};
+
+struct InverterSection {
+  double bus_v = 0, bus_resistance_ohm = 0.05, bus_capacitance_f = 470e-6;
+  bool bus_sinks = true;
+  double on_resistance_ohm = 0.01, diode_drop_v = 0.55, diode_resistance_ohm = 0.005;
+  double dead_time_s = 1e-6;
+};
+
+struct SensorsSection {
+  Reference reference = Reference::kVirtualNeutral;
+  std::array<double, 3> comparator_offset_v = {};
+  double comparator_hysteresis_v = 0.01, comparator_delay_s = 100e-9;
+  double comparator_noise_v = 0, comparator_noise_interval_s = 1e-6;
+  double limit_a = 0, limit_hysteresis_a = 0.1, limit_delay_s = 200e-9;
+  std::array<double, 3> hall_error_deg = {};
+  double hall_delay_s = 0;
+  int seed = 1;
+};
+
+struct AccuracySection {
+  double tolerance = 1e-7, max_step_s = 100e-6;
+};
+
+struct ControlSection {
+  double clock_hz = 12e6, pwm_hz = 30e3;
+  std::optional<double> tick_s;
+  Source source = Source::kBemf;
+  Chopping chopping = Chopping::kHighSide;
+  bool centred = false;
+  double minimum_pulse_s = 1e-6;
+  double limit_blanking_s = 2e-6;
+  double limit_off_time_s = 20e-6;
+  Sampling sampling = Sampling::kBoth;
+  double blanking_s = 4e-6, sample_every_s = 2e-6;
+  int samples = 4;
+};
+
+struct LoopSection {
+  LoopForm form = LoopForm::kPerStep;
+  Detector detector = Detector::kEveryStep;
+  int divide = 0;
+  double advance_deg = 0, lead_error_deg = 15;
+  std::optional<double> delay_s;
+  double bandwidth = 0.2, damping = 1.0;                   // per step
+  std::optional<double> pole_ratio;                        // both forms
+  double rho = 3, zeta = 0.7, lambda = 10, n_c = 20;       // per second, Eqs. (9)-(17)
+  std::optional<double> f_m_hz, k_l;
+  std::optional<double> r_ohm, c1_f, c2_f;                 // named components win over Eqs. (15)-(17)
+  std::optional<double> minimum_rpm, maximum_rpm;
+};
+
+struct StartSection {
+  double kappa_nm = 0, gamma = 4.28;                       // Eqs. (19)-(22)
+  std::optional<double> xi, k_v, t_a_s;                    // Eq. (23)
+  std::optional<double> settle_s, reset_s, reset_current_a, start_current_a;
+  std::optional<double> ramp_rpm_s, hand_over_rpm;
+  double window_deg = 12;
+  int good_crossings = 12;
+  std::optional<double> pull_in_s;
+  double observe_s = 0.01;
+  std::optional<double> slow_down_s, brake_s;
+  std::optional<double> brake_current_a;
+  double rest_s = 0.05;
+  int retries = 3;
+};
+
+struct SpeedSection {
+  std::optional<double> bandwidth_rad_s, kp_duty_per_rpm, ki_duty_per_rpm_s;
+  std::optional<double> slew_rpm_s, duty_slew_per_s;
+  double minimum_duty = 0.02, maximum_duty = 1.0;
+};
+
+struct ProtectionSection {
+  int misses = 12;
+  std::optional<double> stall_rpm, slip_duty;
+  double freewheel_deg = 28;
+  double wrong_lock_s = 0.1;
+  int over_current = 8;
+};
+
+struct ScenarioSection {
+  double speed_rpm = 0, duration_s = 2, start_angle_deg = 0, start_speed_rpm = 0;
+  double run_s = 1e-3;
+  std::optional<double> load_step_s, load_off_s, load_step_nm;
+  std::optional<double> reverse_s, stop_s;
+  bool reverse = false, brake_to_stop = true;
+};
+
+struct Settings {
+  DriveSection drive;
+  MotorSection motor;
+  LoadSection load;
+  InverterSection inverter;
+  SensorsSection sensors;
+  AccuracySection accuracy;
+  ControlSection control;
+  LoopSection loop;
+  StartSection start;
+  SpeedSection speed;
+  ProtectionSection protection;
+  ScenarioSection scenario;
+};
+
+}  // namespace steplock::design
