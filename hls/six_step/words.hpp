@@ -1,0 +1,130 @@
+// The words of the six-step drive: what firmware sets, and what it reads back.
+//
+// Every word is an input of the top and may change at any clock; where a change takes effect later,
+// its comment says when.  Formats: u0.16 is an unsigned fraction with 16 bits behind the point.
+// "Turn" alone is a turn of the VCO: one commutation step, 60 electrical degrees, when divide = 0.
+// A "tick" is `tick_periods` PWM periods, about a millisecond: the time base of everything slow.
+//
+// Doc: docs/theory.md
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+
+namespace steplock {
+
+using Clocks = UInt<14>;     // durations up to a PWM period
+using Frequency = UInt<26>;  // u0.32, VCO turns per clock, below 2^-6
+using Phase = UInt<16>;      // u0.16, turns of one commutation step
+using PhaseError = Int<16>;  // s0.16, turns of one step: +-30 electrical degrees
+using Duty = UInt<16>;       // u1.15, 0x8000 is 100 %
+using Ticks = UInt<12>;      // about milliseconds
+
+enum class Sampling : std::uint8_t { kOnTime, kOffTime, kBoth };
+enum class Detector : std::uint8_t { kOncePerTurn, kEveryStep };
+enum class Bandwidth : std::uint8_t { kPerSecond, kPerStep };
+enum class Source : std::uint8_t { kBemf, kHall };
+
+struct PwmWords {
+  Clocks period = 0;             // clocks; 0 keeps the bridge off; taken at the period's start
+  Clocks minimum = 0;            // clocks; shorter on or off times become 0 % or 100 %
+  bool centred = false;          // pulses centred in the period instead of at its start
+  bool complementary = false;    // the chopped leg's low side conducts in the off-time
+  UInt<8> dead_time = 0;         // clocks; the floor fixed at synthesis wins
+  UInt<8> tick_periods = 1;      // PWM periods per tick; 0 counts as 1
+};
+
+struct LimitWords {
+  UInt<8> blanking = 0;          // clocks after switch-on in which the comparator is not believed
+  UInt<12> off_time = 0;         // clocks; 0 disables the current limit
+};
+
+struct BemfWords {
+  Sampling sampling = Sampling::kBoth;
+  UInt<10> blanking = 0;         // clocks after each edge of the chopped gate
+  UInt<8> sample_every = 1;      // clocks between samples; 0 counts as 1
+  UInt<4> samples = 1;           // of the filter, 1 to 15; 0 counts as 1
+};
+
+struct LoopWords {
+  Detector detector = Detector::kEveryStep;
+  Bandwidth bandwidth = Bandwidth::kPerStep;
+  UInt<2> divide = 0;            // N = 6 * 2^divide VCO turns per electrical turn
+  Phase expected = 0x8000;       // u0.16: where in the step the crossing belongs; 1/2 + advance / 60 deg
+  Phase lead_error = 0x4000;     // u0.16: error taken when the level before the crossing never showed
+  UInt<10> delay = 0;            // clocks from the crossing at the motor to the sample, taken back
+  UInt<16> ki = 0;               // u2.14
+  UInt<16> kp = 0;               // u2.14
+  UInt<16> pole = 0x8000;        // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole
+  Frequency scale = 0;           // u0.32: stands for the VCO frequency in the per-second form
+  Frequency minimum = 0;         // limits of the integrator and of the output
+  Frequency maximum = 0;
+};
+
+struct StartWords {
+  Ticks settle = 0;              // first pattern, so that a rotor opposite to the reset position moves
+  Ticks reset = 0;               // reset pattern: t_r of Eq. (22)
+  Duty reset_duty = 0;
+  Duty start_duty = 0;           // during acceleration and pull-in
+  UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration
+  Frequency hand_over = 0;       // f_a: the end of the ramp
+  Phase window = 0;              // u0.16: a crossing closer than this to its place is a good one
+  UInt<6> good_crossings = 0;    // in a row, for lock (and for catching)
+  Ticks pull_in = 0;             // time limit from hand-over to lock
+  Ticks observe = 0;             // time to look for a rotor that already spins; 0 skips it
+  Ticks slow_down = 0;           // time limit for slowing to hand-over speed before a reversal
+  Ticks brake = 0;               // one braking interval, between two looks
+  Duty brake_duty = 0;
+  Ticks rest = 0;                // gates off between a failure and the next try
+  UInt<4> retries = 0;           // failed tries before the fault latches
+};
+
+struct SpeedWords {
+  Frequency target = 0;          // u0.32
+  UInt<20> slew = 0;             // u0.32 per tick
+  UInt<4> shift = 0;             // speeds are normalised: frequency >> shift fits 15 bits
+  UInt<16> kp = 0;               // u4.12: duty per normalised speed error (s1.15 against u1.15)
+  UInt<16> ki = 0;               // u0.16 per tick
+  UInt<16> bemf = 0;             // u4.12: duty whose mean voltage equals the back-EMF, per normalised speed
+  Duty minimum = 0;
+  Duty maximum = 0;
+  UInt<12> duty_slew = 0;        // u1.15 per tick
+};
+
+struct ProtectionWords {
+  UInt<6> misses = 0;            // score at which a lock counts as lost: a miss adds 2, a good crossing takes 1
+  Frequency stall = 0;           // u0.32: slower than this in speed control is a stall
+  Duty slip = 0;                 // duty above the back-EMF's that no right lock shows
+  Phase freewheel = 0;           // u0.16: freewheeling for longer than this part of a step is wrong
+  Ticks wrong_lock = 0;          // for how long; 0 disables the test
+  UInt<4> over_current = 0;      // limit hits in a row with the comparator never released; 0 disables
+};
+
+struct Words {
+  PwmWords pwm;
+  LimitWords limit;
+  BemfWords bemf;
+  LoopWords loop;
+  StartWords start;
+  SpeedWords speed;
+  ProtectionWords protection;
+  Source source = Source::kBemf;
+};
+
+struct Command {
+  bool configured = false;       // the words are valid; until then all six gates are off
+  bool run = false;
+  bool reverse = false;
+  bool brake_to_stop = false;    // else coast
+  bool clear_fault = false;      // a rising edge re-arms, once `run` is low and the cause is gone
+};
+
+enum class State : std::uint8_t {
+  kIdle, kObserve, kBrake, kSettle, kReset, kAccelerate, kPullIn, kRun, kSlowDown, kRest, kFault
+};
+
+enum class Reason : std::uint8_t {
+  kNone, kFaultPin, kOverCurrent, kStepOut, kStall, kWrongLock, kNoLock, kCannotStop, kHallCode
+};
+
+}  // namespace steplock
