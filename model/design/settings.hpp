@@ -93,7 +93,7 @@ struct LoopSection {
   std::optional<double> pole_ratio;                        // both forms
   double rho = 3, zeta = 0.7, lambda = 10, n_c = 20;       // per second, Eqs. (9)-(17)
   std::optional<double> f_m_hz, k_l;
-  std::optional<double> r_ohm, c1_f, c2_f;                 // named components win over Eqs. (15)-(17)
+  std::optional<double> r_ohm, c1_f, c2_f;                 // named ones win over Eqs. (15)-(17)
   std::optional<double> minimum_rpm, maximum_rpm;
 };
 

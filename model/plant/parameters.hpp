@@ -57,7 +57,7 @@ struct Bus {
   double voltage = 24;          // V, of the source behind its resistance, > 0
   double resistance = 0.05;     // ohm; 0 makes a stiff bus, whose voltage never moves
   double capacitance = 470e-6;  // F, at the bridge; > 0 unless the bus is stiff
-  bool sinks = true;            // false: a supply that cannot take current back, the bus may rise
+  bool sinks = true;            // false: a supply that takes no current back; needs resistance > 0
 };
 
 struct Bridge {
@@ -95,7 +95,7 @@ struct Sensing {
 };
 
 struct Accuracy {
-  double tolerance = 1e-7;    // relative, per integration step, [1e-12, 1e-3]
+  double tolerance = 1e-8;    // relative, per integration step, [1e-12, 1e-3]
   double max_step = 100e-6;   // s, longest step and farthest horizon of next_event(), (0, 1]
 };
 

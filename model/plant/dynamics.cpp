@@ -1,0 +1,72 @@
+#include "model/plant/dynamics.hpp"
+
+#include <algorithm>
+
+namespace steplock::plant {
+
+Dynamics::Dynamics(const Parameters& p)
+    : bridge_(p.bridge),
+      back_emf_(p.motor.shape),
+      resistance_(p.motor.resistance),
+      inductance_(p.motor.inductance - p.motor.mutual),
+      inverse_inductance_(1 / inductance_),
+      pole_pairs_(p.motor.pole_pairs),
+      torque_constant_(p.motor.flux * p.motor.pole_pairs),
+      inertia_(p.motor.inertia + p.load.inertia),
+      inverse_inertia_(1 / inertia_),
+      coulomb_(p.motor.coulomb_friction),
+      static_(p.motor.static_friction),
+      viscous_(p.motor.viscous_friction),
+      fan_(p.motor.fan_friction),
+      cogging_torque_(p.motor.cogging_torque),
+      cogging_periods_(p.motor.cogging_periods),
+      cogging_rate_(cogging_periods_ / pole_pairs_),
+      cogging_offset_(p.motor.cogging_phase),
+      stiff_bus_(p.bus.resistance == 0),
+      source_sinks_(p.bus.sinks),
+      bus_resistance_(p.bus.resistance),
+      bus_conductance_(stiff_bus_ ? 0 : 1 / p.bus.resistance),
+      capacitance_(stiff_bus_ ? 0 : p.bus.capacitance),
+      inverse_capacitance_(stiff_bus_ ? 0 : 1 / p.bus.capacitance) {
+  // A hundredth of what the motor could reach at this bus.
+  const double current = 0.01 * p.bus.voltage / resistance_;
+  const double speed = torque_constant_ > 0 ? 0.01 * p.bus.voltage / torque_constant_ : 1;
+  scale_ = {current, current, current, speed, 1.0, p.bus.voltage};
+}
+
+Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) const {
+  Regime regime;
+  regime.active = in.active_torque;
+  regime.source_voltage = in.source_voltage;
+  regime.source_conducts = source_sinks_ || y[kBus] <= in.source_voltage ? 1 : 0;
+  regime.hold = static_ + in.opposing_torque;
+  regime.cogging_phase =
+      std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
+
+  const double w = y[kSpeed];
+  const Phases shape = back_emf_(back_emf_.piece(y[kAngle], 1), y[kAngle]);
+  const double pull = torque_constant_ * (shape[0] * y[0] + shape[1] * y[1] + shape[2] * y[2]) +
+                      cogging(regime, y[kAngle]) - regime.active;
+  regime.turning = w != 0 || std::abs(pull) > regime.hold ? 1 : 0;
+  regime.direction = (w != 0 ? w : pull) < 0 ? -1 : 1;
+  regime.dry = regime.direction * (coulomb_ + in.opposing_torque);
+  regime.piece = back_emf_.piece(y[kAngle], regime.direction);
+
+  Phases emf;
+  for (int k = 0; k < 3; ++k) emf[k] = torque_constant_ * w * shape[k];
+  regime.circuit =
+      Circuit::resolve(bridge_, in.gates, {y[kIu], y[kIv], y[kIw]}, emf, y[kBus]);
+  return regime;
+}
+
+Energy Dynamics::stored(const Regime& regime, const Variables& y) const {
+  Energy energy;
+  energy.kinetic = 0.5 * inertia_ * y[kSpeed] * y[kSpeed];
+  energy.magnetic = 0.5 * inductance_ * (y[kIu] * y[kIu] + y[kIv] * y[kIv] + y[kIw] * y[kIw]);
+  energy.capacitor = 0.5 * capacitance_ * y[kBus] * y[kBus];
+  energy.cogging = -cogging_torque_ / cogging_periods_ *
+                   std::cos(cogging_rate_ * y[kAngle] + regime.cogging_phase);
+  return energy;
+}
+
+}  // namespace steplock::plant
