@@ -89,23 +89,23 @@ struct LoopSection {
   int divide = 0;
   double advance_deg = 0, lead_error_deg = 15;
   std::optional<double> delay_s;
-  double bandwidth = 0.2, damping = 1.0;                   // per step
-  std::optional<double> pole_ratio;                        // both forms
-  double rho = 3, zeta = 0.7, lambda = 10, n_c = 20;       // per second, Eqs. (9)-(17)
+  double bandwidth = 0.2, damping = 1.0;              // per step
+  std::optional<double> pole_ratio;                   // both forms
+  double rho = 3, zeta = 0.7, lambda = 10, n_c = 20;  // per second, Eqs. (9)-(17)
   std::optional<double> f_m_hz, k_l;
-  std::optional<double> r_ohm, c1_f, c2_f;                 // named ones win over Eqs. (15)-(17)
+  std::optional<double> r_ohm, c1_f, c2_f;  // named ones win over Eqs. (15)-(17)
   std::optional<double> minimum_rpm, maximum_rpm;
 };
 
 struct StartSection {
-  double kappa_nm = 0, gamma = 4.28;                       // Eqs. (19)-(22)
-  std::optional<double> xi, k_v, t_a_s;                    // Eq. (23)
+  double kappa_nm = 0, gamma = 4.28;     // Eqs. (19)-(22)
+  std::optional<double> xi, k_v, t_a_s;  // Eq. (23)
   std::optional<double> settle_s, reset_s, reset_current_a, start_current_a;
   std::optional<double> ramp_rpm_s, hand_over_rpm;
   double window_deg = 12;
   int good_crossings = 12;
   std::optional<double> pull_in_s;
-  double observe_s = 0.01;
+  std::optional<double> observe_s;
   std::optional<double> slow_down_s, brake_s;
   std::optional<double> brake_current_a;
   double rest_s = 0.05;

@@ -170,7 +170,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("window_deg", t.window_deg, "deg", "a crossing closer to its place is good", 1, 29);
   k("good_crossings", t.good_crossings, "", "in a row, for lock", 1, 63);
   k("pull_in_s", t.pull_in_s, "s", "time limit from hand-over to lock; default 1 s", 1e-3, 4);
-  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it", 0, 4);
+  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it; default: enough", 0, 4);
   k("slow_down_s", t.slow_down_s, "s", "time limit before a reversal; default 2 s", 1e-3, 4);
   k("brake_s", t.brake_s, "s", "one braking interval", 1e-3, 4);
   k("brake_current_a", t.brake_current_a, "A", "at most, from hand-over speed; default: rated", 1e-3,
@@ -206,7 +206,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("run_s", n.run_s, "s", "when `run` rises", 0, 100);
   k("load_step_s", n.load_step_s, "s", "when the load torque rises by load_step_nm", 0, 100);
   k("load_off_s", n.load_off_s, "s", "when it falls again", 0, 100);
-  k("load_step_nm", n.load_step_nm, "N m", "default: half the load torque at set speed", 0, 1e3);
+  k("load_step_nm", n.load_step_nm, "N m", "default: half the torque of the rated current", 0, 1e3);
   k("reverse_s", n.reverse_s, "s", "when the direction is changed", 0, 100);
   k("stop_s", n.stop_s, "s", "when `run` falls", 0, 100);
   k("reverse", n.reverse, "", "starts in reverse direction");

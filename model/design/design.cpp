@@ -1,0 +1,248 @@
+// See design.hpp for the rules; problems() is in problems.cpp.
+#include "model/design/design.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/design/start.hpp"
+
+namespace steplock::design {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceleration may cause
+
+// Back-EMF shape of phase u at an electrical angle, peak 1.
+double shape_at(const MotorSection& m, double degrees) {
+  const double a = degrees - 360 * std::floor(degrees / 360);
+  switch (m.shape) {
+    case Shape::kSinusoidal: return std::sin(a * kPi / 180);
+    case Shape::kTable: {
+      if (m.table.empty()) return 0;
+      const double place = a / 360 * double(m.table.size());
+      const auto k = std::size_t(place);
+      const double next = m.table[(k + 1) % m.table.size()];
+      return m.table[k % m.table.size()] + (place - double(k)) * (next - m.table[k % m.table.size()]);
+    }
+    default: {
+      const double flank = (180 - m.flat_top_deg) / 2;  // from zero to the top
+      const double half = a < 180 ? a : a - 180, from_zero = std::min(half, 180 - half);
+      return (a < 180 ? 1 : -1) * std::min(1.0, from_zero / flank);
+    }
+  }
+}
+
+// Mean of shape_u - shape_v over step 0, where U and V conduct.
+double mean_line_shape(const MotorSection& m) {
+  double sum = 0;
+  for (int k = 0; k < 60; ++k) sum += shape_at(m, 30.5 + k) - shape_at(m, 30.5 + k - 120);
+  return sum / 60;
+}
+
+double duty_for(const Settings& s, double current, double resistance) {
+  const auto& i = s.inverter;
+  const double dead = i.dead_time_s * s.control.pwm_hz;
+  const double duty = s.control.chopping == Chopping::kComplementary
+                          ? current * resistance / i.bus_v + dead
+                          : (current * resistance + i.diode_drop_v) / (i.bus_v + i.diode_drop_v);
+  return std::clamp(duty, 0.0, s.speed.maximum_duty);
+}
+
+void set_bridge(const Settings& s, Parameters& p) {
+  const auto& c = s.control;
+  p.source = c.source;
+  p.pwm = {.period = 1 / c.pwm_hz,
+           .minimum = c.minimum_pulse_s,
+           .dead_time = s.inverter.dead_time_s,
+           .centred = c.centred,
+           .complementary = c.chopping == Chopping::kComplementary,
+           .tick_periods = std::max(1, int(std::lround(c.tick_s.value_or(1e-3) * c.pwm_hz)))};
+  p.limit = {.blanking = c.limit_blanking_s, .off_time = c.limit_off_time_s};
+  p.bemf = {.sampling = c.sampling,
+            .blanking = c.blanking_s,
+            .sample_every = c.sample_every_s,
+            .samples = c.samples};
+}
+
+void set_loop(const Settings& s, Design& d) {
+  const auto& l = s.loop;
+  auto& p = d.parameters.loop;
+  p = {.detector = l.detector,
+       .form = l.form,
+       .divide = l.divide,
+       .expected = 0.5 + l.advance_deg / 60,
+       .lead_error = l.lead_error_deg / 60,
+       .delay = l.delay_s.value_or(s.sensors.comparator_delay_s)};
+  p.maximum = steps_per_second(s, l.maximum_rpm.value_or(1.3 * d.motor.no_load * 30 / kPi));
+  if (l.form == LoopForm::kPerStep) {
+    const PerStep f = per_step(l.bandwidth, l.damping, l.pole_ratio.value_or(0));
+    p.integral = f.integral, p.proportional = f.proportional, p.pole = f.pole;
+    d.continuous = d.sampled = margins(open_loop(f), 1e-3, kPi * 0.999);
+    return;
+  }
+  d.specification = {.rho = l.rho, .zeta = l.zeta, .lambda = l.lambda, .n_c = l.n_c,
+                     .f_m = l.f_m_hz.value_or(s.scenario.speed_rpm / 60 * s.motor.pole_pairs),
+                     .k_l = l.k_l.value_or(0.0189)};
+  d.components = components(d.specification);
+  if (l.r_ohm) d.components.r = *l.r_ohm;
+  if (l.c1_f) d.components.c1 = *l.c1_f;
+  if (l.c2_f) d.components.c2 = *l.c2_f;
+  d.k_l = l.k_l.value_or(loop_gain_for(d.components));
+  const PerSecond f = per_second(d.components, d.k_l);
+  p.integral = f.integral, p.proportional = f.proportional, p.pole = f.omega_p;
+  d.continuous = margins(open_loop(f), f.omega_p * 1e-3, f.omega_p * 1e3);
+}
+
+// The acceleration, in steps/s^2, that the loop follows with kFollow of a step at this frequency.
+double followed(const LoopParameters& l, double frequency) {
+  const bool per_step = l.form == LoopForm::kPerStep;
+  return kFollow * l.integral * (per_step ? frequency * frequency : 1);
+}
+
+// The lowest frequency at which this acceleration is followed.
+double frequency_to_follow(const LoopParameters& l, double acceleration) {
+  if (l.form == LoopForm::kPerStep) return std::sqrt(acceleration / (kFollow * l.integral));
+  return 0;  // independent of the frequency: the ramp is what it is
+}
+
+void set_start(const Settings& s, Design& d) {
+  const auto& t = s.start;
+  auto& p = d.parameters.start;
+  const auto& m = d.motor;
+  const double steps = 6 * s.motor.pole_pairs / (2 * kPi);  // per mechanical radian
+  d.start_current = t.start_current_a.value_or(s.motor.rated_current_a);
+  d.reset_current = t.reset_current_a.value_or(s.motor.rated_current_a);
+  d.kappa = t.kappa_nm > 0 ? t.kappa_nm
+                           : reset_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.reset_current);
+  d.reset_time_formula = reset_time(d.kappa, m.inertia, t.gamma);
+  p.reset = t.reset_s.value_or(d.reset_time_formula);
+  p.settle = t.settle_s.value_or(p.reset / 2);
+  // Two phases in parallel, in series with the third.
+  p.reset_duty = duty_for(s, d.reset_current, 0.75 * m.r_loop);
+  p.start_duty = duty_for(s, d.start_current, m.r_loop);
+
+  const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
+  const double spare = std::max(0.1 * m.k_e * d.start_current, m.k_e * d.start_current - friction);
+  const double full = spare / m.inertia * steps;  // steps/s^2
+  const auto& e = s.sensors;
+  double offset = 0;
+  for (const double o : e.comparator_offset_v) offset = std::max(offset, std::abs(o));
+  const double doubt = offset + e.comparator_hysteresis_v / 2 + 3 * e.comparator_noise_v;
+  const double seen = 10 * doubt / s.motor.flux_vs * 6 / (2 * kPi);  // steps/s
+  const double set = steps_per_second(s, s.scenario.speed_rpm);
+  const double derived =
+      std::clamp(std::max(seen, frequency_to_follow(d.parameters.loop, full)), 0.04 * set, 0.4 * set);
+  p.hand_over = t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : derived;
+
+  p.ramp = full / 3;
+  std::optional<double> time = t.t_a_s;
+  if (!time && t.xi && t.k_v) time = acceleration_time(*t.xi, m.inertia, *t.k_v, m.k_e);
+  if (time) p.ramp = p.hand_over / *time;
+  if (t.ramp_rpm_s) p.ramp = steps_per_second(s, *t.ramp_rpm_s);
+  d.acceleration_time = p.hand_over / p.ramp;
+  d.hand_over_rpm = rpm_of(s, p.hand_over);
+  d.ramp_rpm_s = rpm_of(s, p.ramp);
+
+  p.window = t.window_deg / 60;
+  p.good_crossings = t.good_crossings;
+  p.pull_in = t.pull_in_s.value_or(1.0);
+  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.25));
+  p.slow_down = t.slow_down_s.value_or(2.0);
+  p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
+  // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus.
+  const double brake_current = t.brake_current_a.value_or(2 * s.motor.rated_current_a);
+  const double e_brake = m.k_e * 1.25 * p.hand_over / steps;
+  p.brake_duty =
+      std::clamp(1 - (e_brake - brake_current * m.r_loop) / s.inverter.bus_v, 0.0, 1.0);
+  p.rest = t.rest_s;
+  p.retries = t.retries;
+}
+
+void set_speed(const Settings& s, Design& d) {
+  const auto& v = s.speed;
+  auto& p = d.parameters.speed;
+  const auto& m = d.motor;
+  const auto& loop = d.parameters.loop;
+  const double steps = 6 * s.motor.pole_pairs / (2 * kPi), bus = s.inverter.bus_v;
+  const double f_a = d.parameters.start.hand_over;
+  const double loop_bandwidth = loop.form == LoopForm::kPerStep
+                                    ? s.loop.bandwidth * f_a
+                                    : d.components.omega_g();
+  const double bandwidth =
+      v.bandwidth_rad_s.value_or(std::min(loop_bandwidth / 5, 0.1 / d.parameters.pwm.tick()));
+  const double per_rpm = 1 / steps_per_second(s, 1.0);
+  p.target = steps_per_second(s, s.scenario.speed_rpm);
+  p.kp = bandwidth * m.tau_m * m.k_e / bus / steps;
+  p.ki = p.kp * std::max(1 / m.tau_m, bandwidth / 4);
+  if (v.kp_duty_per_rpm) p.kp = *v.kp_duty_per_rpm * per_rpm;
+  if (v.ki_duty_per_rpm_s) p.ki = *v.ki_duty_per_rpm_s * per_rpm;
+  p.bemf = m.k_e / bus / steps;
+
+  const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
+  const double torque = m.k_e * s.motor.rated_current_a;
+  const double able = 0.4 * std::max(0.1 * torque, torque - friction) / m.inertia * steps;
+  p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s)
+                        : std::min(able, followed(loop, f_a) / 2);
+  p.duty_slew = v.duty_slew_per_s.value_or(std::max(
+      3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.1));
+  p.minimum = v.minimum_duty;
+  p.maximum = v.maximum_duty;
+}
+
+void set_protection(const Settings& s, Design& d) {
+  const auto& q = s.protection;
+  auto& p = d.parameters.protection;
+  p.misses = q.misses;
+  p.stall = q.stall_rpm ? steps_per_second(s, *q.stall_rpm) : 0.4 * d.parameters.start.hand_over;
+  p.slip = q.slip_duty.value_or(
+      std::min(2.0, 1.5 * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
+  p.freewheel = q.freewheel_deg / 60;
+  p.wrong_lock = q.wrong_lock_s;
+  p.over_current = q.over_current;
+}
+
+}  // namespace
+
+double steps_per_second(const Settings& s, double rpm) { return rpm * s.motor.pole_pairs / 10; }
+double rpm_of(const Settings& s, double f) { return f * 10 / s.motor.pole_pairs; }
+
+MotorConstants motor_constants(const Settings& s) {
+  MotorConstants m;
+  m.k_e = mean_line_shape(s.motor) * s.motor.flux_vs * s.motor.pole_pairs;
+  m.r_loop = 2 * (s.motor.resistance_ohm + s.inverter.on_resistance_ohm);
+  m.inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
+  m.tau_m = m.inertia * m.r_loop / (m.k_e * m.k_e);
+  m.tau_e = 2 * (s.motor.inductance_h - s.motor.mutual_h) / m.r_loop;
+  m.no_load = s.inverter.bus_v / m.k_e;
+  return m;
+}
+
+double load_step_torque(const Settings& s) {
+  return s.scenario.load_step_nm.value_or(0.5 * motor_constants(s).k_e * s.motor.rated_current_a);
+}
+
+Design design_drive(const Settings& s) {
+  Design d;
+  d.motor = motor_constants(s);
+  d.rated_torque = d.motor.k_e * s.motor.rated_current_a;
+  set_bridge(s, d.parameters);
+  set_loop(s, d);
+  set_start(s, d);
+  const auto& start = d.parameters.start;
+  auto& loop = d.parameters.loop;
+  loop.minimum = s.loop.minimum_rpm ? steps_per_second(s, *s.loop.minimum_rpm)
+                                    : start.hand_over / 4;
+  if (loop.form == LoopForm::kPerSecond) {
+    const double interval =
+        (loop.detector == Detector::kEveryStep ? 1 : 6) / start.hand_over;
+    d.sampled = margins(open_loop_sampled(per_second(d.components, d.k_l),
+                                          d.parameters.pwm.tick(), interval),
+                        loop.pole * 1e-3, kPi / d.parameters.pwm.tick() * 0.999);
+  }
+  set_speed(s, d);
+  set_protection(s, d);
+  return d;
+}
+
+}  // namespace steplock::design

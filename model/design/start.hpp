@@ -1,0 +1,35 @@
+// Start sequence by Amano's Eqs. (18)-(23): how long to reset, how long to accelerate.
+//
+//     J theta'' + sigma theta' + kappa theta = 0      (18)-(20), with the sign of a restoring torque
+//     f_r = sqrt(kappa / J) / gamma                   (21)
+//     t_r = gamma / sqrt(kappa / J)                   (22)
+//     t_a = xi J K_v / K_t                            (23)
+//
+// The paper prints t_r = 0.622 s where Eq. (22) with its own constants gives 0.266 s; a drive file may
+// name t_r and t_a itself, and the formula is what it is.
+//
+// Doc: docs/design.md   Test: tests/model/design/start_test.cpp
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace steplock::design {
+
+inline double reset_resonance(double kappa, double inertia, double gamma) {  // Hz, Eq. (21)
+  return std::sqrt(kappa / inertia) / gamma;
+}
+inline double reset_time(double kappa, double inertia, double gamma) {  // s, Eq. (22)
+  return gamma / std::sqrt(kappa / inertia);
+}
+inline double acceleration_time(double xi, double inertia, double k_v, double k_t) {  // s, Eq. (23)
+  return xi * inertia * k_v / k_t;
+}
+
+// kappa of Eq. (19): stiffness at the reset position of a rotor held by `current` through U and V to
+// W, per mechanical radian.  The field of that pattern has 3/2 of one phase's amplitude.
+inline double reset_stiffness(double flux, int pole_pairs, double current) {  // N m/rad
+  return 1.5 * flux * pole_pairs * pole_pairs * current;
+}
+
+}  // namespace steplock::design

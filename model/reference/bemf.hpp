@@ -1,0 +1,77 @@
+// Back-EMF comparator logic: finds the zero crossing of the floating phase within a step.
+//
+//     after   = comparator of the floating phase, inverted when the crossing falls
+//     valid   = `blanking` past the last chop edge and commutation, in a chop state to be sampled
+//     filter  = up/down counter 0 .. samples, starts at `samples`, so that a clamp that looks like
+//               "after" (freewheeling of the phase switched off) must end first: before_seen
+//     place   = middle between the last sample "before" at counter 0 and the first one "after":
+//               the filter's delay and any gap of blanking leave no bias
+//
+// Doc: docs/theory.md   Test: tests/model/reference/bemf_test.cpp
+#pragma once
+
+#include "model/reference/commutation.hpp"
+#include "model/reference/oscillator.hpp"
+
+namespace steplock::reference {
+
+constexpr bool crossing_rises(int step, bool reverse) { return (step % 2 == 1) != reverse; }
+
+class Bemf {
+ public:
+  explicit Bemf(const design::BemfParameters& p) : p_(p) {}
+
+  // `active`: the drive is being commutated; else nothing is sampled.
+  void update(double t, const Pins& pins, const Oscillator& vco, bool reverse, bool chop,
+              bool active) {
+    crossing_ = false;
+    if (vco.commutated() || !active) {
+      counter_ = p_.samples;
+      before_seen_ = done_ = false;
+      freewheel_ = 0;
+    }
+    if (vco.commutated() || chop != chop_ || !active) valid_from_ = t + p_.blanking;
+    chop_ = chop;
+    active_ = active && !done_ &&
+              (p_.sampling == design::Sampling::kBoth ||
+               chop == (p_.sampling == design::Sampling::kOnTime));
+    if (t >= next()) take(t, pins, vco, reverse);
+  }
+  double next() const { return active_ ? std::max(valid_from_, sampled_ + p_.sample_every) : kNever; }
+
+  bool crossing() const { return crossing_; }              // found in this update
+  double crossing_phase() const { return place_; }         // turns of the step
+  bool before_seen() const { return before_seen_; }
+  double freewheel() const { return freewheel_; }          // turns of the step, once before_seen
+
+ private:
+  void take(double t, const Pins& pins, const Oscillator& vco, bool reverse) {
+    sampled_ = t;
+    const bool level = pins.comparator[kFloating[vco.step()]];
+    const bool after = level == crossing_rises(vco.step(), reverse);
+    const double phase = vco.phase(t);
+    if (after) {
+      if (counter_ == 0) first_after_ = phase;
+      if (counter_ < p_.samples) ++counter_;
+      if (counter_ == p_.samples && before_seen_) {
+        crossing_ = done_ = true;
+        active_ = false;
+        place_ = (last_before_ + first_after_) / 2;
+      }
+      return;
+    }
+    if (counter_ > 0) --counter_;
+    if (counter_ > 0) return;
+    last_before_ = phase;
+    if (!before_seen_) freewheel_ = phase;
+    before_seen_ = true;
+  }
+
+  design::BemfParameters p_;
+  double valid_from_ = 0, sampled_ = -kNever;
+  double last_before_ = 0, first_after_ = 0, place_ = 0, freewheel_ = 0;
+  int counter_ = 0;
+  bool chop_ = false, active_ = false, before_seen_ = false, done_ = false, crossing_ = false;
+};
+
+}  // namespace steplock::reference

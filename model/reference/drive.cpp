@@ -1,0 +1,212 @@
+// See drive.hpp for the chain; here it is walked once per event.
+#include "model/reference/drive.hpp"
+
+#include <cassert>
+
+namespace steplock::reference {
+
+Drive::Drive(const design::Parameters& p)
+    : p_(p),
+      pwm_(p.pwm),
+      limit_(p.limit),
+      bemf_(p.bemf),
+      detector_(p.loop),
+      filter_(p.loop),
+      speed_(p.speed, p.pwm.tick()),
+      sequence_(p.start, p.source, p.pwm.tick()),
+      protection_(p.protection, p.pwm.tick()),
+      decoder_(p.bemf.samples * p.bemf.sample_every),
+      guard_(p.pwm),
+      target_(p.speed.target) {}
+
+bool Drive::loop_closed() const {
+  return p_.source == design::Source::kBemf &&
+         (sequence_.state() == State::kPullIn || sequence_.locked());
+}
+
+bool Drive::commutating() const {
+  return sequence_.state() == State::kAccelerate || sequence_.state() == State::kPullIn ||
+         sequence_.locked();
+}
+
+Mode Drive::mode() const {
+  switch (sequence_.state()) {
+    case State::kSettle: return Mode::kSettle;
+    case State::kReset: return Mode::kReset;
+    case State::kBrake: return Mode::kBrake;
+    default: return commutating() ? Mode::kDrive : Mode::kOff;
+  }
+}
+
+Output Drive::update(double t, const Pins& pins, const Command& command) {
+  assert(t <= next_ * (1 + 1e-12));
+  pwm_.update(t);
+  limit_.update(t, pwm_.on(), pins.limit);
+  limited_ |= limit_.hit();
+  const bool before_seen = bemf_.before_seen();
+  const double freewheel = bemf_.freewheel();
+  vco_.update(t, sequence_.reverse());
+  bemf_.update(t, pins, vco_, sequence_.reverse(), limit_.on(),
+               commutating() && p_.source == design::Source::kBemf);
+
+  // Phase detector: the step that ended is the one before the present one.
+  const int ended = (vco_.step() + (sequence_.reverse() ? 1 : 5)) % 6;
+  const int looked_at = vco_.commutated() ? ended : vco_.step();
+  const bool u_rises = kFloating[looked_at] == 0 && crossing_rises(looked_at, sequence_.reverse());
+  detector_.update({.crossing = bemf_.crossing(),
+                    .crossing_phase = bemf_.crossing_phase(),
+                    .before_seen = before_seen,
+                    .step_ended = vco_.commutated() && commutating(),
+                    .counts = u_rises || p_.loop.detector == design::Detector::kEveryStep,
+                    .window = p_.start.window});
+  if (loop_closed()) {
+    if (p_.loop.form == design::LoopForm::kPerStep) {
+      if (detector_.updated()) filter_.step(detector_.error());
+    } else if (pwm_.tick()) {
+      filter_.run(detector_.error(), p_.pwm.tick());
+    }
+    if (filter_.frequency() != vco_.frequency()) vco_.set_frequency(t, filter_.frequency());
+  }
+
+  const bool hall = p_.source == design::Source::kHall;
+  decoder_.update(t, hall ? pins.hall : pins.comparator);
+  caught_ = 0;
+  if (sequence_.state() == State::kObserve) observe(t);
+  if (hall && sequence_.locked()) follow_halls(t);
+
+  protection_.update({.running = sequence_.locked(),
+                      .tick = pwm_.tick(),
+                      .commutated = vco_.commutated() && !hall,
+                      .good = detector_.good(),
+                      .missed = detector_.missed(),
+                      .hall = hall,
+                      .hall_illegal = decoder_.illegal(),
+                      .fault_pin = pins.fault,
+                      .frequency = filter_.frequency(),
+                      .slip = speed_.duty() - speed_.bemf_duty(filter_.frequency()),
+                      .freewheel = vco_.commutated() ? freewheel : bemf_.freewheel(),
+                      .stuck = limit_.stuck()});
+  sequence_.update({.tick = pwm_.tick(),
+                    .command = command,
+                    .fatal = protection_.fatal(),
+                    .lost = protection_.lost(),
+                    .fault_pin = pins.fault,
+                    .updated = detector_.updated(),
+                    .good = detector_.good(),
+                    .ramp_done = ramp_done_,
+                    .frequency = filter_.frequency(),
+                    .caught = caught_});
+  const bool missed = detector_.missed();
+  if (sequence_.entered()) enter_state(t);
+  if (pwm_.tick()) on_tick(t);
+
+  const Gates wanted = gates_wanted(mode(), vco_.step(), limit_.on(), p_.pwm.complementary);
+  guard_.update(t, wanted, mode() != Mode::kOff);
+
+  next_ = std::min({pwm_.next(t), limit_.next(t), vco_.next(), bemf_.next(), decoder_.next(),
+                    guard_.next()});
+  if (next_ <= t) next_ = std::nextafter(t, kNever);
+  return {.gates = guard_.gates(),
+          .state = sequence_.state(),
+          .reason = sequence_.reason(),
+          .locked = sequence_.locked(),
+          .step = vco_.step(),
+          .frequency = filter_.frequency(),
+          .step_phase = vco_.phase(t),
+          .phase_error = detector_.error(),
+          .duty = speed_.duty(),
+          .chop = limit_.on(),
+          .commutate = vco_.commutated(),
+          .crossing = bemf_.crossing(),
+          .missed = missed,
+          .crossing_phase = bemf_.crossing_phase(),
+          .freewheel = bemf_.freewheel()};
+}
+
+// A rotor that coasts shows all three back-EMFs: their signs are the sector, their changes the speed.
+void Drive::observe(double t) {
+  if (!decoder_.settled()) return;
+  const double turns = filter_.frequency() * (t - changed_);
+  const int way = decoder_.direction();
+  const bool steady = way != 0 && way == way_ && std::abs(1 - turns) < 0.125;
+  steady_ = steady ? steady_ + 1 : 0;
+  way_ = way;
+  changed_ = t;
+  if (way != 0) filter_.catch_up(turns);
+  if (steady_ < p_.start.good_crossings || filter_.frequency() < p_.start.hand_over / 2) return;
+  caught_ = (way > 0) != sequence_.reverse() ? 1 : -1;
+}
+
+void Drive::follow_halls(double t) {
+  const double turns = filter_.frequency() * (t - changed_);
+  if (!decoder_.settled() && turns < 2) return;
+  filter_.catch_up(turns);
+  changed_ = t;
+  if (decoder_.settled()) {
+    vco_.load(t, (decoder_.sector() + (sequence_.reverse() ? 3 : 0)) % 6, 0);
+  }
+}
+
+void Drive::enter_state(double t) {
+  switch (sequence_.state()) {
+    case State::kObserve:
+      decoder_.restart();
+      filter_.load(p_.start.hand_over);
+      steady_ = way_ = 0;
+      changed_ = t;
+      break;
+    case State::kAccelerate:
+      filter_.load(0);
+      vco_.stop(t);
+      vco_.load(t, sequence_.reverse() ? 0 : 3, 0.5);
+      detector_.restart();
+      ramp_done_ = false;
+      break;
+    case State::kRun:
+      if (caught_ > 0) {
+        const int s = decoder_.sector();
+        vco_.load(t, sequence_.reverse() ? s : (s + 5) % 6, 0.5);
+        vco_.set_frequency(t, filter_.frequency());
+        detector_.restart();
+        const double duty = speed_.bemf_duty(filter_.frequency());
+        speed_.follow(duty, duty, filter_.frequency());
+      } else if (p_.source == design::Source::kHall) {
+        filter_.load(p_.loop.minimum);
+        decoder_.restart();
+        speed_.follow(p_.start.start_duty, p_.start.start_duty, 0);
+      }
+      break;
+    default:
+      if (!commutating()) vco_.stop(t);
+      break;
+  }
+}
+
+void Drive::on_tick(double t) {
+  const auto& s = p_.start;
+  const double f = filter_.frequency();
+  double duty = 0;
+  switch (sequence_.state()) {
+    case State::kSettle:
+    case State::kReset: duty = s.reset_duty; break;
+    case State::kBrake: duty = s.brake_duty; break;
+    case State::kAccelerate:
+      filter_.load(std::min(f + s.ramp * p_.pwm.tick(), s.hand_over));
+      vco_.set_frequency(t, filter_.frequency());
+      ramp_done_ = filter_.frequency() >= s.hand_over;
+      [[fallthrough]];
+    case State::kPullIn:
+      duty = std::min(s.start_duty + speed_.bemf_duty(f), p_.speed.maximum);
+      break;
+    default: break;
+  }
+  if (sequence_.locked()) {
+    speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_);
+  } else {
+    speed_.follow(duty, duty, f);
+  }
+  limited_ = false;
+  pwm_.set_duty(speed_.duty());
+}
+
+}  // namespace steplock::reference

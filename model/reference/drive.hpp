@@ -1,0 +1,69 @@
+// The six-step drive in doubles and continuous time: the reference that the fixed-point drive is held
+// against.  Written from the equations; event-driven: nothing changes between two updates.
+//
+//     pins -> comparator logic -> phase detector -> loop filter -> VCO, divider -> commutation -> guard
+//     PWM, current limit -> chop;  frequency -> speed control -> duty;  start sequence above all
+//
+// Use:    double t = 0;
+//         while (t < end) {
+//           t = min(drive.next_event(), plant.next_event(), next command);
+//           plant.advance_to(t);
+//           out = drive.update(t, pins, command);
+//           if (out.gates changed) plant.set_gates(out.gates), and update again if pins changed
+//         }
+//
+// update() may be called at any time up to next_event(); a later time is an error of the caller.
+//
+// Doc: docs/theory.md   Test: tests/model/reference/
+#pragma once
+
+#include "model/reference/bemf.hpp"
+#include "model/reference/phase_locked_loop.hpp"
+#include "model/reference/protection.hpp"
+#include "model/reference/sector_decoder.hpp"
+#include "model/reference/speed_control.hpp"
+#include "model/reference/start_sequence.hpp"
+
+namespace steplock::reference {
+
+class Drive {
+ public:
+  explicit Drive(const design::Parameters&);
+
+  double next_event() const { return next_; }
+  Output update(double t, const Pins&, const Command&);
+
+  // The speed may be set at any time.
+  void set_target(double steps_per_second) { target_ = steps_per_second; }
+  const StartSequence& sequence() const { return sequence_; }
+
+ private:
+  void enter_state(double t);
+  void observe(double t);
+  void follow_halls(double t);
+  void on_tick(double t);
+  Mode mode() const;
+  bool commutating() const;  // steps are applied
+  bool loop_closed() const;
+
+  design::Parameters p_;
+  Pwm pwm_;
+  CurrentLimit limit_;
+  Oscillator vco_;
+  Bemf bemf_;
+  PhaseDetector detector_;
+  LoopFilter filter_;
+  SpeedControl speed_;
+  StartSequence sequence_;
+  Protection protection_;
+  SectorDecoder decoder_;
+  GateGuard guard_;
+
+  double target_, next_ = 0;
+  double changed_ = 0;          // when the decoder's sector last changed
+  int steady_ = 0, way_ = 0;    // changes in a row with a steady period, and their direction
+  int caught_ = 0;
+  bool limited_ = false, ramp_done_ = false;
+};
+
+}  // namespace steplock::reference

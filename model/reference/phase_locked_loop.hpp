@@ -1,0 +1,109 @@
+// Phase detector and loop filter of the digital phase-locked loop.
+//
+//     error   = expected - place of the crossing      turns of a step, positive if the rotor leads
+//     no crossing in the whole step: expected - 1 (it lags) or lead_error (it leads: the level
+//     before the crossing never showed)
+//
+// The loop filter per second is the circuit of Fig. 4: a current into C1, beside it R and C2 in
+// series; the voltage on C1 is the frequency.  Between ticks the error is constant, so the two
+// capacitors' voltages have a closed form and no discretisation error is made:
+//
+//     mean m = (C1 V1 + C2 V2) / (C1 + C2):  m' = integral * e      (charge)
+//     f = V1:   f' = (m - f) omega_p + proportional * omega_p * e   (R equalises the two)
+//
+// Doc: docs/theory.md   Test: tests/model/reference/phase_locked_loop_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/design/parameters.hpp"
+
+namespace steplock::reference {
+
+class PhaseDetector {
+ public:
+  explicit PhaseDetector(const design::LoopParameters& p) : p_(p) {}
+
+  struct In {
+    bool crossing = false;
+    double crossing_phase = 0;
+    bool before_seen = false;       // of the step that ends, if step_ended
+    bool step_ended = false;
+    bool counts = true;             // the step's crossing is one that the detector looks at
+    double window = 0;
+  };
+  void update(const In& in) {
+    updated_ = good_ = missed_ = false;
+    if (in.step_ended) {
+      missed_ = in.counts && !found_;
+      if (missed_) take(in.before_seen ? p_.expected - 1 : p_.lead_error);
+      found_ = false;
+    }
+    if (in.crossing && in.counts) {
+      found_ = true;
+      take(p_.expected - in.crossing_phase);
+      good_ = std::abs(error_) < in.window;
+    }
+  }
+  void restart() { found_ = true, error_ = 0; }  // a step entered in its middle is not a miss
+
+  double error() const { return error_; }
+  bool updated() const { return updated_; }
+  bool good() const { return good_; }
+  bool missed() const { return missed_; }
+
+ private:
+  void take(double error) {
+    error_ = std::clamp(error, -0.5, 0.5);
+    updated_ = true;
+  }
+
+  design::LoopParameters p_;
+  double error_ = 0;
+  bool updated_ = false, good_ = false, missed_ = false, found_ = true;
+};
+
+class LoopFilter {
+ public:
+  explicit LoopFilter(const design::LoopParameters& p) : p_(p) {}
+
+  void load(double f) { mean_ = f_ = f; }
+
+  // One crossing, coefficients per step.
+  void step(double error) {
+    const double e = compensated(error), gained = e * f_;
+    integrate(p_.integral * gained);
+    const double v = std::clamp(mean_ + p_.proportional * gained, 0.0, p_.maximum);
+    f_ += p_.pole * (v - f_);
+  }
+  // `dt` seconds with this error, coefficients per second.
+  void run(double error, double dt) {
+    const double e = compensated(error), slope = p_.integral * e, decay = std::exp(-p_.pole * dt);
+    // Exact for the ramp `slope`: where f would stand behind the mean in the long run, and the
+    // rest of the distance to it.
+    const double behind = p_.proportional * e - slope / p_.pole;
+    const double away = f_ - mean_ - behind;
+    integrate(slope * dt);
+    f_ = std::clamp(mean_ + behind + away * decay, 0.0, p_.maximum);
+  }
+  // Newton's iteration for 1 / period, from the turns that passed in the last period.
+  void catch_up(double turns) {
+    mean_ = std::clamp(mean_ * (1 + std::clamp(1 - turns, -0.5, 0.5)), p_.minimum, p_.maximum);
+    f_ = mean_;
+  }
+
+  double frequency() const { return f_; }
+
+ private:
+  double compensated(double error) const { return error + p_.delay * f_; }
+  void integrate(double amount) {
+    const bool winds_up = (amount > 0 && f_ >= p_.maximum) || (amount < 0 && f_ <= p_.minimum);
+    if (!winds_up) mean_ = std::clamp(mean_ + amount, p_.minimum, p_.maximum);
+  }
+
+  design::LoopParameters p_;
+  double mean_ = 0, f_ = 0;
+};
+
+}  // namespace steplock::reference

@@ -1,0 +1,61 @@
+// Protection: when a lock is no longer one (ends the try), and what ends the drive at once.
+//
+//     step-out     score + 2 per missed crossing, - 1 per good one, at `misses`
+//     stall        six steps in a row slower than `stall`
+//     wrong lock   duty - back-EMF's duty > slip, or freewheeling longer than `freewheel` of a step,
+//                  for `wrong_lock` in a row
+//     over-current the limit did not release in `over_current` hits in a row; fault pin: at once
+//
+// Doc: docs/theory.md   Test: tests/model/reference/protection_test.cpp
+#pragma once
+
+#include <cmath>
+
+#include "model/design/parameters.hpp"
+#include "model/reference/signals.hpp"
+
+namespace steplock::reference {
+
+class Protection {
+ public:
+  Protection(const design::ProtectionParameters& p, double tick)
+      : p_(p), wrong_ticks_(std::lround(p.wrong_lock / tick)) {}
+
+  struct In {
+    bool running = false, tick = false, commutated = false, good = false, missed = false;
+    bool hall = false, hall_illegal = false, fault_pin = false;
+    double frequency = 0, slip = 0, freewheel = 0;
+    int stuck = 0;
+  };
+  void update(const In& in) {
+    if (!in.running) {
+      score_ = slow_ = wrong_ = illegal_ = 0;
+    } else {
+      if (in.missed) score_ += 2;
+      if (in.good && score_ > 0) --score_;
+      if (in.commutated) slow_ = in.frequency < p_.stall ? slow_ + 1 : 0;
+      if (in.tick) {
+        wrong_ = in.slip > p_.slip || in.freewheel > p_.freewheel ? wrong_ + 1 : 0;
+        illegal_ = in.hall && in.hall_illegal ? illegal_ + 1 : 0;
+      }
+    }
+    fatal_ = lost_ = Reason::kNone;
+    if (p_.over_current > 0 && in.stuck >= p_.over_current) fatal_ = Reason::kOverCurrent;
+    if (in.fault_pin) fatal_ = Reason::kFaultPin;
+    if (illegal_ >= 2) lost_ = Reason::kHallCode;
+    if (wrong_ticks_ > 0 && wrong_ >= wrong_ticks_) lost_ = Reason::kWrongLock;
+    if (slow_ >= 6) lost_ = Reason::kStall;
+    if (p_.misses > 0 && score_ >= p_.misses) lost_ = Reason::kStepOut;
+  }
+
+  Reason lost() const { return lost_; }    // give up this try
+  Reason fatal() const { return fatal_; }  // latch a fault
+
+ private:
+  design::ProtectionParameters p_;
+  long wrong_ticks_;
+  int score_ = 0, slow_ = 0, wrong_ = 0, illegal_ = 0;
+  Reason lost_ = Reason::kNone, fatal_ = Reason::kNone;
+};
+
+}  // namespace steplock::reference

@@ -1,0 +1,46 @@
+// Speed control, once per tick: PI from the loop's frequency to the duty, with slew limits.
+//
+//     duty = integral + kp (ref - f)        integral' = ki (ref - f), frozen against a limit
+//     ref moves towards the target by at most slew
+//
+// Doc: docs/theory.md   Test: tests/model/reference/speed_control_test.cpp
+#pragma once
+
+#include <algorithm>
+
+#include "model/design/parameters.hpp"
+
+namespace steplock::reference {
+
+class SpeedControl {
+ public:
+  SpeedControl(const design::SpeedParameters& p, double tick) : p_(p), tick_(tick) {}
+
+  double bemf_duty(double f) const { return p_.bemf * f; }
+
+  // Not in control: what the start sequence asks for.
+  void follow(double duty, double integral, double f) {
+    duty_ = duty;
+    integral_ = integral;
+    reference_ = f;
+  }
+  void tick(double target, double f, bool limited) {
+    const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
+    reference_ += std::clamp(target - reference_, -move, move);
+    const double error = reference_ - f;
+    const double low = std::max(p_.minimum, duty_ - slew), high = std::min(p_.maximum, duty_ + slew);
+    const double wanted = integral_ + p_.kp * error;
+    const bool winds_up = (error > 0 && (wanted >= high || limited)) || (error < 0 && wanted <= low);
+    if (!winds_up) integral_ = std::clamp(integral_ + p_.ki * tick_ * error, p_.minimum, p_.maximum);
+    duty_ = std::clamp(wanted, low, high);
+  }
+
+  double duty() const { return duty_; }
+  double reference() const { return reference_; }
+
+ private:
+  design::SpeedParameters p_;
+  double tick_, duty_ = 0, integral_ = 0, reference_ = 0;
+};
+
+}  // namespace steplock::reference

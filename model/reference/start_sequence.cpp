@@ -1,0 +1,121 @@
+// See start_sequence.hpp for the states; each case below is one arrow's condition.
+#include "model/reference/start_sequence.hpp"
+
+#include <cmath>
+
+namespace steplock::reference {
+
+StartSequence::StartSequence(const design::StartParameters& p, design::Source source, double tick)
+    : p_(p), source_(source), tick_(tick) {}
+
+void StartSequence::enter(State s) {
+  state_ = s;
+  ticks_ = 0;
+  good_ = 0;
+  entered_ = true;
+}
+
+bool StartSequence::time_is_up(double seconds) const {
+  return ticks_ >= std::lround(seconds / tick_);
+}
+
+void StartSequence::begin_try() {
+  if (source_ == design::Source::kHall) return enter(State::kRun);
+  if (std::lround(p_.observe / tick_) > 0) return enter(State::kObserve);
+  stopped();
+}
+
+// Nothing turns, as far as one can see.
+void StartSequence::stopped() {
+  brakes_ = 0;
+  enter(stopping_ ? State::kIdle : State::kSettle);
+}
+
+void StartSequence::fail(Reason why) {
+  reason_ = why;
+  enter(State::kRest);
+}
+
+void StartSequence::update(const In& in) {
+  entered_ = false;
+  const bool clear = in.command.clear_fault && !clear_was_;
+  clear_was_ = in.command.clear_fault;
+  if (in.tick) ++ticks_;
+
+  if (in.fatal != Reason::kNone && state_ != State::kFault) {
+    reason_ = in.fatal;
+    return enter(State::kFault);
+  }
+  if (!in.command.run || !in.command.configured) retries_ = 0;
+
+  switch (state_) {
+    case State::kIdle:
+      stopping_ = false;
+      brakes_ = 0;
+      if (!in.command.run || !in.command.configured) return;
+      reverse_ = in.command.reverse;
+      reason_ = Reason::kNone;
+      return begin_try();
+    case State::kFault:
+      if (clear && !in.command.run && !in.fault_pin) {
+        reason_ = Reason::kNone;
+        enter(State::kIdle);
+      }
+      return;
+    case State::kRun:
+    case State::kSlowDown: return run(in);
+    default: break;
+  }
+
+  if (!in.command.configured || (!in.command.run && !stopping_)) return enter(State::kIdle);
+  switch (state_) {
+    case State::kObserve:
+      if (in.caught > 0 && !stopping_) return enter(State::kRun);
+      if (in.caught != 0) {
+        if (++brakes_ <= 255) return enter(State::kBrake);
+        reason_ = Reason::kCannotStop;
+        return enter(State::kFault);
+      }
+      if (time_is_up(p_.observe)) stopped();
+      return;
+    case State::kBrake:
+      if (!time_is_up(p_.brake)) return;
+      reverse_ = in.command.reverse;
+      return begin_try();
+    case State::kSettle:
+      if (time_is_up(p_.settle)) enter(State::kReset);
+      return;
+    case State::kReset:
+      if (time_is_up(p_.reset)) enter(State::kAccelerate);
+      return;
+    case State::kAccelerate:
+      if (in.ramp_done) enter(State::kPullIn);
+      return;
+    case State::kPullIn:
+      if (in.updated) good_ = in.good ? good_ + 1 : 0;
+      if (good_ >= p_.good_crossings) return enter(State::kRun);
+      if (time_is_up(p_.pull_in)) fail(Reason::kNoLock);
+      return;
+    case State::kRest:
+      if (!time_is_up(p_.rest)) return;
+      if (++retries_ > p_.retries) return enter(State::kFault);
+      return begin_try();
+    default: return;
+  }
+}
+
+void StartSequence::run(const In& in) {
+  if (in.lost != Reason::kNone) return fail(in.lost);
+  if (ticks_ >= 1024 && state_ == State::kRun) retries_ = 0;
+  if (!in.command.configured) return enter(State::kIdle);
+  if (!in.command.run && !in.command.brake_to_stop) return enter(State::kIdle);
+  stopping_ = !in.command.run;
+  if (state_ == State::kRun) {
+    if (stopping_ || in.command.reverse != reverse_) enter(State::kSlowDown);
+    return;
+  }
+  if (!stopping_ && in.command.reverse == reverse_) return enter(State::kRun);
+  if (in.frequency <= 1.25 * p_.hand_over || time_is_up(p_.slow_down)) enter(State::kBrake);
+}
+
+}  // namespace steplock::reference

@@ -1,0 +1,59 @@
+// Start sequence of Fig. 5, made safe: look for a spinning rotor, settle, reset, accelerate, pull in,
+// run; slow down and brake before a reversal or a stop; bounded retries, then a latched fault.
+//
+//     kIdle -> kObserve -> kSettle -> kReset -> kAccelerate -> kPullIn -> kRun
+//                 |  caught, right way ---------------------------------^  |
+//                 |  caught, wrong way                                     | reverse, or stop by brake
+//              kBrake <--------------------------------------------- kSlowDown
+//     a failed try: kRest -> kObserve, `retries` times, then kFault
+//
+// Doc: docs/theory.md   Test: tests/model/reference/start_sequence_test.cpp
+#pragma once
+
+#include "model/design/parameters.hpp"
+#include "model/reference/signals.hpp"
+
+namespace steplock::reference {
+
+class StartSequence {
+ public:
+  StartSequence(const design::StartParameters&, design::Source, double tick);
+
+  struct In {
+    bool tick = false;
+    Command command;
+    Reason fatal = Reason::kNone, lost = Reason::kNone;  // from Protection
+    bool fault_pin = false;
+    bool updated = false, good = false;  // the phase detector took an error; it was a good one
+    bool ramp_done = false;
+    double frequency = 0;                // steps/s
+    int caught = 0;                      // observing: the rotor turns, +1 as wanted, -1 the other way
+  };
+  void update(const In&);
+
+  State state() const { return state_; }
+  Reason reason() const { return reason_; }
+  bool reverse() const { return reverse_; }
+  bool entered() const { return entered_; }  // the state is new in this update
+  bool locked() const { return state_ == State::kRun || state_ == State::kSlowDown; }
+  int retries() const { return retries_; }
+
+ private:
+  void enter(State);
+  void begin_try();
+  void stopped();
+  void fail(Reason);
+  bool time_is_up(double seconds) const;
+  void run(const In&);
+
+  design::StartParameters p_;
+  design::Source source_;
+  double tick_;
+  State state_ = State::kIdle;
+  Reason reason_ = Reason::kNone;
+  long ticks_ = 0;  // since the state was entered
+  int good_ = 0, retries_ = 0, brakes_ = 0;
+  bool reverse_ = false, stopping_ = false, entered_ = false, clear_was_ = false;
+};
+
+}  // namespace steplock::reference
