@@ -1,0 +1,172 @@
+#include "hls/six_step/protection.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplock {
+namespace {
+
+Protection::In running() {
+  Protection::In in;
+  in.running = true;
+  in.frequency = 1000;
+  in.words = {.misses = 8,
+              .stall = 100,
+              .slip = 5000,
+              .freewheel = 0x8000,
+              .wrong_lock = 10,
+              .over_current = 4};
+  return in;
+}
+
+Protection::Out repeat(Protection& dut, const Protection::In& in, int clocks) {
+  Protection::Out out;
+  for (int i = 0; i < clocks; ++i) out = dut.tick(in);
+  return out;
+}
+
+TEST(Protection, IsSilentInAGoodLock) {
+  Protection dut;
+  auto in = running();
+  in.good = in.commutate = in.tick = true;
+  for (int i = 0; i < 1000; ++i) {
+    const auto out = dut.tick(in);
+    ASSERT_FALSE(out.lost || out.fatal || out.freewheel_long);
+    ASSERT_EQ(out.reason, Reason::kNone);
+  }
+}
+
+TEST(Protection, FourMissesInARowAreAStepOut) {
+  Protection dut;
+  auto in = running();
+  in.missed = true;
+  EXPECT_FALSE(repeat(dut, in, 3).lost);
+  const auto out = dut.tick(in);
+  EXPECT_TRUE(out.lost);
+  EXPECT_EQ(out.reason, Reason::kStepOut);
+}
+
+TEST(Protection, OneMissInThreeIsForgiven) {
+  Protection dut;
+  auto in = running();
+  for (int i = 0; i < 300; ++i) {
+    in.missed = i % 3 == 0;
+    in.good = !in.missed;
+    ASSERT_FALSE(dut.tick(in).lost);
+  }
+}
+
+TEST(Protection, MissesOutsideSpeedControlDoNotCount) {
+  Protection dut;
+  auto in = running();
+  in.missed = true;
+  in.running = false;
+  repeat(dut, in, 100);
+  in.running = true;
+  EXPECT_FALSE(dut.tick(in).lost);
+}
+
+TEST(Protection, SixSlowStepsAreAStallAndFiveAreNot) {
+  Protection dut;
+  auto in = running();
+  in.commutate = true;
+  in.frequency = 99;
+  EXPECT_FALSE(repeat(dut, in, 5).lost);
+  in.frequency = 100;
+  dut.tick(in);
+  in.frequency = 99;
+  EXPECT_FALSE(repeat(dut, in, 5).lost);
+  EXPECT_EQ(dut.tick(in).reason, Reason::kStall);
+}
+
+TEST(Protection, TooMuchDutyForTheSpeedIsAWrongLock) {
+  Protection dut;
+  auto in = running();
+  in.tick = true;
+  in.bemf_duty = 10000;
+  in.duty = 15000;
+  EXPECT_FALSE(repeat(dut, in, 100).lost);  // exactly `slip` is allowed
+  in.duty = 15001;
+  EXPECT_FALSE(repeat(dut, in, 9).lost);
+  EXPECT_EQ(dut.tick(in).reason, Reason::kWrongLock);
+}
+
+TEST(Protection, BrakingDutyIsNoWrongLock) {
+  Protection dut;
+  auto in = running();
+  in.tick = true;
+  in.bemf_duty = 30000;
+  EXPECT_FALSE(repeat(dut, in, 100).lost);
+}
+
+TEST(Protection, LongFreewheelingIsAWrongLockAndIsCounted) {
+  Protection dut;
+  auto in = running();
+  in.tick = in.commutate = true;
+  in.freewheel = 0x8001;
+  EXPECT_TRUE(dut.tick(in).freewheel_long);
+  EXPECT_EQ(repeat(dut, in, 9).reason, Reason::kWrongLock);
+}
+
+TEST(Protection, AWrongLockMustLast) {
+  Protection dut;
+  auto in = running();
+  in.tick = true;
+  for (int i = 0; i < 200; ++i) {
+    in.duty = i % 10 == 9 ? 0 : 20000;
+    ASSERT_FALSE(dut.tick(in).lost);
+  }
+}
+
+TEST(Protection, FaultPinIsFatalInTheSameClockInAnyState) {
+  for (const bool run : {false, true}) {
+    Protection dut;
+    auto in = running();
+    in.running = run;
+    in.fault_pin = true;
+    const auto out = dut.tick(in);
+    EXPECT_TRUE(out.fatal);
+    EXPECT_EQ(out.reason, Reason::kFaultPin);
+  }
+}
+
+TEST(Protection, ACurrentThatNeverFallsIsFatal) {
+  Protection dut;
+  auto in = running();
+  in.running = false;
+  in.stuck = 3;
+  EXPECT_FALSE(dut.tick(in).fatal);
+  in.stuck = 4;
+  EXPECT_EQ(dut.tick(in).reason, Reason::kOverCurrent);
+}
+
+TEST(Protection, AnIllegalHallCodeForTwoTicksEndsTheTry) {
+  Protection dut;
+  auto in = running();
+  in.tick = in.hall = in.hall_illegal = true;
+  EXPECT_FALSE(dut.tick(in).lost);
+  dut.tick(in);
+  EXPECT_EQ(dut.tick(in).reason, Reason::kHallCode);
+}
+
+TEST(Protection, HallCodesMeanNothingWithoutHalls) {
+  Protection dut;
+  auto in = running();
+  in.tick = in.hall_illegal = true;
+  EXPECT_FALSE(repeat(dut, in, 100).lost);
+}
+
+TEST(Protection, ZeroDisablesEachTestThatSaysSo) {
+  Protection dut;
+  auto in = running();
+  in.words.wrong_lock = 0;
+  in.words.over_current = 0;
+  in.tick = true;
+  in.duty = 0x8000;
+  in.stuck = 15;
+  const auto out = repeat(dut, in, 5000);
+  EXPECT_FALSE(out.lost);
+  EXPECT_FALSE(out.fatal);
+}
+
+}  // namespace
+}  // namespace steplock

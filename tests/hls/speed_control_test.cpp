@@ -1,0 +1,175 @@
+#include "hls/six_step/speed_control.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+namespace steplock {
+namespace {
+
+constexpr double kFull = 32768.0;  // duty of 100 %, and normalised full-scale speed
+
+SpeedControl::In typical() {
+  SpeedControl::In in;
+  in.period = 1600;
+  in.words.shift = 4;
+  in.words.slew = 1 << 19;
+  in.words.kp = 2 << 12;
+  in.words.ki = 6554;  // a tenth per tick
+  in.words.bemf = 1 << 12;
+  in.words.maximum = 0x8000;
+  in.words.duty_slew = 4095;
+  return in;
+}
+
+// One tick and the clocks that its products take.
+SpeedControl::Out update(SpeedControl& dut, SpeedControl::In in) {
+  in.tick = true;
+  dut.tick(in);
+  in.tick = false;
+  for (int i = 0; i < 110; ++i) dut.tick(in);
+  return dut.tick(in);
+}
+
+TEST(SpeedControl, TakesTheStartDutyAndScalesItToThePeriod) {
+  SpeedControl dut;
+  auto in = typical();
+  in.fixed_duty = 0x4000;
+  const auto out = update(dut, in);
+  EXPECT_EQ(out.duty, Duty(0x4000));
+  EXPECT_EQ(out.on_clocks, Clocks(800));
+}
+
+TEST(SpeedControl, FullDutyIsTheWholePeriodAndNoneIsNone) {
+  SpeedControl dut;
+  auto in = typical();
+  for (const int period : {1, 400, 1599, 16383}) {
+    in.period = period;
+    in.fixed_duty = 0x8000;
+    EXPECT_EQ(update(dut, in).on_clocks, Clocks(period));
+    in.fixed_duty = 0;
+    EXPECT_EQ(update(dut, in).on_clocks, Clocks(0));
+  }
+}
+
+TEST(SpeedControl, FollowsTheBackEmfWhileObserving) {
+  SpeedControl dut;
+  auto in = typical();
+  in.mode = SpeedMode::kFollow;
+  in.frequency = 16384 << 4;
+  in.words.bemf = 6144;  // 1.5
+  const auto out = update(dut, in);
+  EXPECT_EQ(out.bemf_duty, Duty(24576));
+  EXPECT_EQ(out.duty, out.bemf_duty);
+}
+
+TEST(SpeedControl, BeginsWithoutAJump) {
+  SpeedControl dut;
+  auto in = typical();
+  in.fixed_duty = 9000;
+  in.frequency = 5000 << 4;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = in.frequency;
+  EXPECT_EQ(update(dut, in).duty, Duty(9000));
+}
+
+TEST(SpeedControl, ReferenceMovesByTheSlewAndThenStays) {
+  SpeedControl dut;
+  auto in = typical();
+  in.words.ki = 0;
+  in.words.kp = 1 << 12;
+  in.words.slew = 100 << 4;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 250 << 4;
+  // The duty is the distance of the reference from standstill, in normalised speed.
+  EXPECT_EQ(update(dut, in).duty, Duty(100));
+  EXPECT_EQ(update(dut, in).duty, Duty(200));
+  EXPECT_EQ(update(dut, in).duty, Duty(250));
+  EXPECT_EQ(update(dut, in).duty, Duty(250));
+  in.target = 0;
+  EXPECT_EQ(update(dut, in).duty, Duty(150));
+}
+
+TEST(SpeedControl, DutyMovesByItsSlewOnly) {
+  SpeedControl dut;
+  auto in = typical();
+  in.words.duty_slew = 10;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = Frequency::max();
+  EXPECT_EQ(update(dut, in).duty, Duty(10));
+  EXPECT_EQ(update(dut, in).duty, Duty(20));
+}
+
+// Held against a limit for a thousand ticks, the duty leaves it on the first tick after the error
+// turned: nothing was wound up.
+TEST(SpeedControl, DoesNotWindUpAtItsLimits) {
+  for (const bool high : {true, false}) {
+    SpeedControl dut;
+    auto in = typical();
+    in.words.kp = 0;
+    in.words.minimum = 1000;
+    in.words.maximum = 20000;
+    in.fixed_duty = 10000;
+    in.frequency = 10000 << 4;
+    update(dut, in);
+    in.mode = SpeedMode::kControl;
+    in.target = (high ? 15000 : 5000) << 4;
+    for (int i = 0; i < 1000; ++i) update(dut, in);
+    const auto held = update(dut, in).duty;
+    EXPECT_EQ(held, Duty(high ? 20000 : 1000));
+    in.frequency = (high ? 16000 : 4000) << 4;
+    const auto left = update(dut, in).duty;
+    EXPECT_EQ(left < held, high);
+    EXPECT_EQ(left > held, !high);
+  }
+}
+
+TEST(SpeedControl, DoesNotWindUpWhileTheCurrentLimitCuts) {
+  SpeedControl dut;
+  auto in = typical();
+  in.words.kp = 0;
+  in.fixed_duty = 10000;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 5000 << 4;
+  in.limited = true;
+  for (int i = 0; i < 100; ++i) update(dut, in);
+  EXPECT_EQ(update(dut, in).duty, Duty(10000));
+  in.limited = false;
+  update(dut, in);  // the last cut still counts in this one
+  EXPECT_GT(update(dut, in).duty, Duty(10000));
+}
+
+// The control law in doubles; what may differ is the truncation of each product: the speed error by
+// one unit (times kp and ki), the proportional product by one, the integral's upper half by one.
+RC_GTEST_PROP(SpeedControl, EqualsTheLawToTheLastBits, ()) {
+  auto in = typical();
+  in.words.kp = *rc::gen::inRange(0, 4 << 12);
+  in.words.ki = *rc::gen::inRange(0, 20000);
+  in.words.slew = (1 << 20) - 1;
+  in.fixed_duty = *rc::gen::inRange(8000, 24000);
+  in.frequency = *rc::gen::inRange(8000 << 4, 24000 << 4);
+  SpeedControl dut;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = in.frequency.raw() + *rc::gen::inRange(-400 * 16, 400 * 16);
+
+  const double kp = double(in.words.kp.raw()) / 4096;
+  const double ki = double(in.words.ki.raw()) / 65536;
+  const double error = (double(in.target.raw()) - double(in.frequency.raw())) / 16;
+  double integral = double(in.fixed_duty.raw());
+  for (int i = 1; i <= 5; ++i) {
+    const double last = double(update(dut, in).duty.raw());
+    integral += ki * error;
+    const double expected = integral + kp * error;
+    if (expected < 0 || expected > kFull || std::abs(expected - last) > 1000) break;
+    RC_ASSERT(std::abs(last - expected) <= 2 + kp + i * ki);
+  }
+}
+
+}  // namespace
+}  // namespace steplock
