@@ -24,12 +24,11 @@ int Arc::plan(const Dynamics& dynamics, const Regime& regime, const Variables& s
   int tries = 0;
   for (;;) {
     ++tries;
-    const double error =
-        step_.attempt(start, h, dynamics.scale(),
-                      [&](const Variables& y, Variables& slope, Powers& power) {
-                        dynamics.derivative(regime_, y, slope, power);
-                      }) /
-        accuracy.tolerance;
+    const double error = step_.attempt(start, h, dynamics.scale(),
+                                       [&](const Variables& y, Variables& slope, Powers& power) {
+                                         dynamics.derivative(regime_, y, slope, power);
+                                       }) /
+                         accuracy.tolerance;
     // The usual controller for an error that grows with h^5.
     const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-8), -0.2), 0.2, 4.0);
     step = std::min(h * factor, accuracy.max_step);
@@ -101,13 +100,18 @@ double Arc::value(Guard guard, const Point& point) const {
   switch (guard.kind) {
     case Kind::kCurrent:
       return regime_.circuit.mode[guard.leg] == LegMode::kLowDiode ? y[guard.leg] : -y[guard.leg];
-    case Kind::kLowClamp: return v + regime_.circuit.drop;
-    case Kind::kHighClamp: return y[kBus] + regime_.circuit.drop - v;
+    case Kind::kLowClamp:
+      return v + regime_.circuit.drop;
+    case Kind::kHighClamp:
+      return y[kBus] + regime_.circuit.drop - v;
     case Kind::kCorner:
       return regime_.direction > 0 ? regime_.piece.high - y[kAngle] : y[kAngle] - regime_.piece.low;
-    case Kind::kReversal: return regime_.direction * y[kSpeed];
-    case Kind::kBreakaway: return regime_.hold - std::abs(point.out.pull);
-    case Kind::kSource: break;
+    case Kind::kReversal:
+      return regime_.direction * y[kSpeed];
+    case Kind::kBreakaway:
+      return regime_.hold - std::abs(point.out.pull);
+    case Kind::kSource:
+      break;
   }
   const double below = regime_.source_voltage - y[kBus];
   return regime_.source_conducts != 0 ? below : -below;

@@ -66,7 +66,8 @@ double BackEmf::spline(double angle) const {
   const std::int64_t j = i + 1 == n ? 0 : i + 1;
   return before * value_[i] + after * value_[j] +
          (before * (before * before - 1) * curvature_[i] +
-          after * (after * after - 1) * curvature_[j]) / 6;
+          after * (after * after - 1) * curvature_[j]) /
+             6;
 }
 
 }  // namespace steplock::plant

@@ -2,10 +2,10 @@
 //
 //     shape_k(theta) = shape(theta - 120 deg * k),   crosses zero rising at theta = 0, peak 1
 //
-// A trapezoid has corners.  Between two of them a Piece holds one cubic per phase, smooth beyond its
-// own ends, so that an integration step never sees a corner: the caller ends the step at `low` or
-// `high` and takes the next piece.  Sine and table (a periodic cubic spline, continuous to the second
-// derivative) are one piece of unlimited length.
+// A trapezoid has corners.  Between two of them a Piece holds one cubic per phase, smooth beyond
+// its own ends, so that an integration step never sees a corner: the caller ends the step at `low`
+// or `high` and takes the next piece.  Sine and table (a periodic cubic spline, continuous to the
+// second derivative) are one piece of unlimited length.
 //
 // Angles in electrical radians.  Doc: docs/plant.md   Test: tests/model/plant/bemf_test.cpp
 #pragma once

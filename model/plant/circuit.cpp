@@ -57,10 +57,19 @@ void Circuit::set(int leg, LegMode leg_mode, const Bridge& bridge) {
   on[leg] = leg_mode != LegMode::kFloating;
   share[leg] = lift[leg] = resistance[leg] = 0;
   switch (leg_mode) {
-    case LegMode::kFloating: break;
-    case LegMode::kHighSwitch: share[leg] = 1; resistance[leg] = bridge.on_resistance; break;
-    case LegMode::kLowSwitch: resistance[leg] = bridge.on_resistance; break;
-    case LegMode::kBoth: share[leg] = 0.5; resistance[leg] = bridge.on_resistance / 2; break;
+    case LegMode::kFloating:
+      break;
+    case LegMode::kHighSwitch:
+      share[leg] = 1;
+      resistance[leg] = bridge.on_resistance;
+      break;
+    case LegMode::kLowSwitch:
+      resistance[leg] = bridge.on_resistance;
+      break;
+    case LegMode::kBoth:
+      share[leg] = 0.5;
+      resistance[leg] = bridge.on_resistance / 2;
+      break;
     case LegMode::kHighDiode:
       share[leg] = 1;
       lift[leg] = bridge.diode_drop;

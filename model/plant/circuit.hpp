@@ -10,7 +10,8 @@
 //     low switch     0      0       on
 //     high diode     1      +drop   diode        i < 0
 //     low diode      0      -drop   diode        i > 0
-//     both on        1/2    0       on / 2       reported by the plant; its own current is not modelled
+//     both on        1/2    0       on / 2       reported by the plant; its own current is not
+//     modelled
 //
 // If nothing conducts, three equal resistors from the terminals to ground hold the mean of the
 // terminals at zero, and the low diodes keep the lowest terminal above -drop: the star point is the
@@ -53,8 +54,8 @@ class Circuit {
     }
     out.neutral = sum * inverse_count;
     if (inverse_count == 0) {
-      out.neutral = std::max(-(emf[0] + emf[1] + emf[2]) / 3,
-                             -drop - std::min({emf[0], emf[1], emf[2]}));
+      out.neutral =
+          std::max(-(emf[0] + emf[1] + emf[2]) / 3, -drop - std::min({emf[0], emf[1], emf[2]}));
     }
     for (int k = 0; k < 3; ++k) {
       if (on[k] == 0) out.voltage[k] = out.neutral + emf[k];

@@ -40,8 +40,7 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
   regime.source_voltage = in.source_voltage;
   regime.source_conducts = source_sinks_ || y[kBus] <= in.source_voltage ? 1 : 0;
   regime.hold = static_ + in.opposing_torque;
-  regime.cogging_phase =
-      std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
+  regime.cogging_phase = std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
 
   const double w = y[kSpeed];
   const Phases shape = back_emf_(back_emf_.piece(y[kAngle], 1), y[kAngle]);
@@ -54,8 +53,7 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
 
   Phases emf;
   for (int k = 0; k < 3; ++k) emf[k] = torque_constant_ * w * shape[k];
-  regime.circuit =
-      Circuit::resolve(bridge_, in.gates, {y[kIu], y[kIv], y[kIw]}, emf, y[kBus]);
+  regime.circuit = Circuit::resolve(bridge_, in.gates, {y[kIu], y[kIv], y[kIw]}, emf, y[kBus]);
   return regime;
 }
 

@@ -43,14 +43,14 @@ struct Inputs {
 struct Regime {
   Circuit circuit;
   BackEmf::Piece piece;
-  double direction = 1;         // sign of the speed; of the coming speed when leaving rest
-  double turning = 1;           // 0 while friction holds the rotor
-  double dry = 0;               // N m, coulomb + opposing, times direction
-  double hold = 0;              // N m, what friction and load hold at rest
-  double active = 0;            // N m
-  double source_voltage = 0;    // V
-  double source_conducts = 1;   // 0 while the source blocks
-  double cogging_phase = 0;     // rad, at electrical angle 0 of this step
+  double direction = 1;        // sign of the speed; of the coming speed when leaving rest
+  double turning = 1;          // 0 while friction holds the rotor
+  double dry = 0;              // N m, coulomb + opposing, times direction
+  double hold = 0;             // N m, what friction and load hold at rest
+  double active = 0;           // N m
+  double source_voltage = 0;   // V
+  double source_conducts = 1;  // 0 while the source blocks
+  double cogging_phase = 0;    // rad, at electrical angle 0 of this step
 };
 
 // Everything algebraic at one state.

@@ -62,8 +62,8 @@ void check(Checks& c, const Motor& m) {
   check(c, m.shape);
   c.positive("motor.inertia", m.inertia);
   c.not_negative("motor.cogging_torque", m.cogging_torque);
-  c.that(m.cogging_periods >= 1, "motor.cogging_periods is " + std::to_string(m.cogging_periods) +
-                                     "; must be 1 or above");
+  c.that(m.cogging_periods >= 1,
+         "motor.cogging_periods is " + std::to_string(m.cogging_periods) + "; must be 1 or above");
   c.finite("motor.cogging_phase", m.cogging_phase);
   c.not_negative("motor.coulomb_friction", m.coulomb_friction);
   c.not_negative("motor.static_friction", m.static_friction);

@@ -31,16 +31,16 @@ struct BackEmfShape {
 };
 
 struct Motor {
-  double resistance = 0.382;                            // ohm, per phase, > 0
-  double inductance = 188e-6;                           // H, self-inductance L of a phase
-  double mutual = 0;                                    // H, M (usually negative); L - M > 0
-  double flux = 0.03966 / (2 * std::numbers::pi);       // V s/rad, peak, per electrical rad/s, >= 0
-  int pole_pairs = 4;                                   // 1 .. 100
+  double resistance = 0.382;                       // ohm, per phase, > 0
+  double inductance = 188e-6;                      // H, self-inductance L of a phase
+  double mutual = 0;                               // H, M (usually negative); L - M > 0
+  double flux = 0.03966 / (2 * std::numbers::pi);  // V s/rad, peak, per electrical rad/s, >= 0
+  int pole_pairs = 4;                              // 1 .. 100
   BackEmfShape shape = {};
-  double inertia = 7.06e-6;        // kg m^2, rotor, > 0
-  double cogging_torque = 0;       // N m, amplitude: torque = -amplitude sin(periods * angle + phase)
-  int cogging_periods = 24;        // per mechanical turn, >= 1
-  double cogging_phase = 0;        // rad
+  double inertia = 7.06e-6;   // kg m^2, rotor, > 0
+  double cogging_torque = 0;  // N m, amplitude: torque = -amplitude sin(periods * angle + phase)
+  int cogging_periods = 24;   // per mechanical turn, >= 1
+  double cogging_phase = 0;   // rad
   double coulomb_friction = 1e-3;  // N m, dry friction while turning, >= 0
   double static_friction = 1e-3;   // N m, breakaway torque at rest, >= coulomb_friction
   double viscous_friction = 0;     // N m s/rad, >= 0
@@ -66,15 +66,16 @@ struct Bridge {
   double diode_resistance = 0.005;  // ohm, slope of the body diode, >= 0
 };
 
-// One analog comparator, output high when its input exceeds `offset`, with `hysteresis` split evenly
-// around it.  Noise is white, held for `noise_interval` (bandwidth 1/2 of its inverse) and drawn from
-// (seed, comparator, number of the interval): it does not depend on how the run is cut into steps.
+// One analog comparator, output high when its input exceeds `offset`, with `hysteresis` split
+// evenly around it.  Noise is white, held for `noise_interval` (bandwidth 1/2 of its inverse) and
+// drawn from (seed, comparator, number of the interval): it does not depend on how the run is cut
+// into steps.
 struct Comparator {
-  double offset = 0;              // V (A for the current limit)
-  double hysteresis = 0.01;       // V (A), full width, >= 0
-  double delay = 100e-9;          // s, transport delay to the pin, >= 0
-  double noise = 0;               // V (A), standard deviation, >= 0
-  double noise_interval = 1e-6;   // s, > 0
+  double offset = 0;             // V (A for the current limit)
+  double hysteresis = 0.01;      // V (A), full width, >= 0
+  double delay = 100e-9;         // s, transport delay to the pin, >= 0
+  double noise = 0;              // V (A), standard deviation, >= 0
+  double noise_interval = 1e-6;  // s, > 0
 };
 
 struct Sensing {
@@ -87,16 +88,16 @@ struct Sensing {
   std::array<Comparator, 3> comparator = {};
   // Common shunt under the three low-side sources: its current is what returns from the bridge to
   // ground, so a current that freewheels through two low sides does not show in it.
-  double limit_threshold = 10;    // A, > 0; Comparator::offset is added to it
+  double limit_threshold = 10;  // A, > 0; Comparator::offset is added to it
   Comparator limit = {.hysteresis = 0.1, .delay = 100e-9};
   std::array<double, 3> hall_error_deg = {};  // electrical degrees, late if positive, |error| < 30
-  double hall_delay = 0;          // s, >= 0
-  std::uint64_t seed = 1;         // of all noise
+  double hall_delay = 0;                      // s, >= 0
+  std::uint64_t seed = 1;                     // of all noise
 };
 
 struct Accuracy {
-  double tolerance = 1e-8;    // relative, per integration step, [1e-12, 1e-3]
-  double max_step = 100e-6;   // s, longest step and farthest horizon of next_event(), (0, 1]
+  double tolerance = 1e-8;   // relative, per integration step, [1e-12, 1e-3]
+  double max_step = 100e-6;  // s, longest step and farthest horizon of next_event(), (0, 1]
 };
 
 struct Parameters {

@@ -53,8 +53,8 @@ struct Plant::Core {
 
   void plan_from(const Variables& y) {
     arc_start = now;
-    steps += arc.plan(dynamics, dynamics.regime(y, inputs, turns), y, parameters.accuracy,
-                      next_step);
+    steps +=
+        arc.plan(dynamics, dynamics.regime(y, inputs, turns), y, parameters.accuracy, next_step);
     arc_end = arc_start + arc.length();
   }
 

@@ -56,9 +56,9 @@ struct InitialState {
 
 // Integrals since the start, and what is stored now, all in J.
 struct Energy {
-  double supplied = 0;        // by the source, behind its resistance
+  double supplied = 0;  // by the source, behind its resistance
   double copper = 0, bridge = 0, bus_resistance = 0, friction = 0;  // turned into heat
-  double load = 0;            // work done on the load torques
+  double load = 0;                                                  // work done on the load torques
   double kinetic = 0, magnetic = 0, capacitor = 0, cogging = 0;     // stored now
   double stored_at_start = 0;
 
@@ -71,21 +71,21 @@ struct Energy {
 };
 
 struct State {
-  double time = 0;                      // s
-  std::array<double, 3> current = {};   // A, into the motor
-  std::array<double, 3> voltage = {};   // V, terminals
-  double neutral = 0;                   // V, star point
-  double virtual_neutral = 0;           // V, mean of the terminals
-  std::array<double, 3> emf = {};       // V, back-EMF of each phase
-  double bus_voltage = 0;               // V, at the bridge
-  double source_current = 0;            // A, out of the source
-  double shunt_current = 0;             // A, from the bridge to ground
-  double torque = 0;                    // N m, electromagnetic
-  double speed = 0;                     // rad/s, mechanical
-  double angle = 0;                     // rad, mechanical, unwrapped
-  double electrical_angle = 0;          // rad, unwrapped
-  bool stuck = false;                   // held by friction
-  std::array<bool, 3> floating = {};    // neither switch nor diode of the leg conducts
+  double time = 0;                     // s
+  std::array<double, 3> current = {};  // A, into the motor
+  std::array<double, 3> voltage = {};  // V, terminals
+  double neutral = 0;                  // V, star point
+  double virtual_neutral = 0;          // V, mean of the terminals
+  std::array<double, 3> emf = {};      // V, back-EMF of each phase
+  double bus_voltage = 0;              // V, at the bridge
+  double source_current = 0;           // A, out of the source
+  double shunt_current = 0;            // A, from the bridge to ground
+  double torque = 0;                   // N m, electromagnetic
+  double speed = 0;                    // rad/s, mechanical
+  double angle = 0;                    // rad, mechanical, unwrapped
+  double electrical_angle = 0;         // rad, unwrapped
+  bool stuck = false;                  // held by friction
+  std::array<bool, 3> floating = {};   // neither switch nor diode of the leg conducts
   Energy energy = {};
 };
 
@@ -110,17 +110,17 @@ class Plant {
   // From time() on.  Pins that answer without delay have their new value on return.
   void set_gates(const Gates&);
   const Gates& gates() const;
-  void set_load_torque(double opposing);   // N m, >= 0, against the motion
-  void set_active_torque(double torque);   // N m, towards negative speed
-  void set_bus_voltage(double source);     // V, > 0
-  void set_limit_threshold(double amps);   // A, > 0
+  void set_load_torque(double opposing);  // N m, >= 0, against the motion
+  void set_active_torque(double torque);  // N m, towards negative speed
+  void set_bus_voltage(double source);    // V, > 0
+  void set_limit_threshold(double amps);  // A, > 0
 
   // How often a leg had both gates on.  The leg then stands at half the bus; no current spike is
   // modelled, the count is the finding.
   std::uint64_t shoot_throughs() const;
 
   State state() const;
-  std::uint64_t steps() const;             // integration steps so far, rejected ones included
+  std::uint64_t steps() const;  // integration steps so far, rejected ones included
 
  private:
   struct Core;

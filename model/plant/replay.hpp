@@ -16,7 +16,7 @@
 namespace steplock::plant {
 
 struct GateEvent {
-  double time = 0;         // s, not falling from one event to the next
+  double time = 0;  // s, not falling from one event to the next
   Gates gates = {};
   double load_torque = 0;  // N m, opposing, >= 0
 };

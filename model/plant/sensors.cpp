@@ -25,8 +25,7 @@ Sensors::Sensors(const Sensing& sensing)
     : reference_(sensing.reference),
       seed_(sensing.seed),
       limit_offset_(sensing.limit.offset),
-      signal_{sensing.comparator[0], sensing.comparator[1], sensing.comparator[2],
-              sensing.limit} {
+      signal_{sensing.comparator[0], sensing.comparator[1], sensing.comparator[2], sensing.limit} {
   set_limit_threshold(sensing.limit_threshold);
   for (int s = 0; s < kSignals; ++s) delay_[s] = s < kHall ? signal_[s].delay : sensing.hall_delay;
   for (int k = 0; k < 3; ++k) {
@@ -46,9 +45,12 @@ double Sensors::input(int signal, const Point& point) const {
   if (signal == kLimit) return point.out.bridge_current;
   const Phases& v = point.out.terminals.voltage;
   switch (reference_) {
-    case Sensing::Reference::kVirtualNeutral: return v[signal] - (v[0] + v[1] + v[2]) / 3;
-    case Sensing::Reference::kHalfBus: return v[signal] - point.y[kBus] / 2;
-    default: return v[signal] - point.out.terminals.neutral;
+    case Sensing::Reference::kVirtualNeutral:
+      return v[signal] - (v[0] + v[1] + v[2]) / 3;
+    case Sensing::Reference::kHalfBus:
+      return v[signal] - point.y[kBus] / 2;
+    default:
+      return v[signal] - point.out.terminals.neutral;
   }
 }
 
@@ -154,12 +156,12 @@ void Sensors::search_hall(int hall, const Arc& arc, double time) {
   const double half_turn = kTurn / 2;
   const double direction = arc.regime().direction;
   const double from = (points[0].y[kAngle] - hall_edge_[hall]) / half_turn;
-  const double edge = (direction > 0 ? std::floor(from) + 1 : std::floor(from)) * half_turn +
-                      hall_edge_[hall];
+  const double edge =
+      (direction > 0 ? std::floor(from) + 1 : std::floor(from)) * half_turn + hall_edge_[hall];
   const auto left = [&](const Variables& y) { return direction * (edge - y[kAngle]); };
-  const double at = falls_below_zero([&](double t) { return left(arc.at(t)); }, 0,
-                                     left(points[0].y), arc.length(), left(points[2].y),
-                                     kEventTolerance);
+  const double at =
+      falls_below_zero([&](double t) { return left(arc.at(t)); }, 0, left(points[0].y),
+                       arc.length(), left(points[2].y), kEventTolerance);
   add(kHall + hall, time + at, !level);
 }
 

@@ -8,8 +8,8 @@
 // pin after the signal's transport delay.  If the arc is left early, the crossings beyond that
 // instant are forgotten, those before it stay on their way to the pin.
 //
-// Noise is held for noise_interval.  Over one such cell the input is taken from the parabola through
-// the arc's begin, middle and end, whose error is far below any noise worth modelling.
+// Noise is held for noise_interval.  Over one such cell the input is taken from the parabola
+// through the arc's begin, middle and end, whose error is far below any noise worth modelling.
 //
 // Doc: docs/plant.md   Test: tests/model/plant/sensors_test.cpp
 #pragma once
@@ -72,10 +72,10 @@ class Sensors {
   double limit_offset_;
   std::array<Comparator, 4> signal_;  // three comparators and the limit
   std::array<double, kSignals> delay_;
-  std::array<double, 3> hall_edge_;   // rad, electrical angle at which the Hall rises
+  std::array<double, 3> hall_edge_;        // rad, electrical angle at which the Hall rises
   std::array<bool, kSignals> level_ = {};  // before the delay, at the time last reached
-  std::vector<Change> planned_;       // of the present arc, by crossing
-  std::vector<Change> underway_;      // crossed, not yet arrived, by arrival
+  std::vector<Change> planned_;            // of the present arc, by crossing
+  std::vector<Change> underway_;           // crossed, not yet arrived, by arrival
   double next_ = 0;
   Pins pins_;
 };
