@@ -111,8 +111,10 @@ void set_start(const Settings& s, Design& d) {
   auto& p = d.parameters.start;
   const auto& m = d.motor;
   const double steps = 6 * s.motor.pole_pairs / (2 * kPi);  // per mechanical radian
-  d.start_current = t.start_current_a.value_or(s.motor.rated_current_a);
-  d.reset_current = t.reset_current_a.value_or(s.motor.rated_current_a);
+  const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
+  d.start_current =
+      t.start_current_a.value_or(std::max(s.motor.rated_current_a / 2, 3 * friction / m.k_e));
+  d.reset_current = t.reset_current_a.value_or(d.start_current);
   d.kappa = t.kappa_nm > 0 ? t.kappa_nm
                            : reset_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.reset_current);
   d.reset_time_formula = reset_time(d.kappa, m.inertia, t.gamma);
@@ -122,7 +124,6 @@ void set_start(const Settings& s, Design& d) {
   p.reset_duty = duty_for(s, d.reset_current, 0.75 * m.r_loop);
   p.start_duty = duty_for(s, d.start_current, m.r_loop);
 
-  const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double spare = std::max(0.1 * m.k_e * d.start_current, m.k_e * d.start_current - friction);
   const double full = spare / m.inertia * steps;  // steps/s^2
   const auto& e = s.sensors;
@@ -132,10 +133,10 @@ void set_start(const Settings& s, Design& d) {
   const double seen = 10 * doubt / s.motor.flux_vs * 6 / (2 * kPi);  // steps/s
   const double set = steps_per_second(s, s.scenario.speed_rpm);
   const double derived =
-      std::clamp(std::max(seen, frequency_to_follow(d.parameters.loop, full)), 0.04 * set, 0.4 * set);
+      std::clamp(std::max(seen, frequency_to_follow(d.parameters.loop, full / 2)), 0.04 * set, 0.4 * set);
   p.hand_over = t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : derived;
 
-  p.ramp = full / 3;
+  p.ramp = 0.4 * full;
   std::optional<double> time = t.t_a_s;
   if (!time && t.xi && t.k_v) time = acceleration_time(*t.xi, m.inertia, *t.k_v, m.k_e);
   if (time) p.ramp = p.hand_over / *time;
@@ -147,7 +148,7 @@ void set_start(const Settings& s, Design& d) {
   p.window = t.window_deg / 60;
   p.good_crossings = t.good_crossings;
   p.pull_in = t.pull_in_s.value_or(1.0);
-  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.25));
+  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over / 2, 0.005, 0.1));
   p.slow_down = t.slow_down_s.value_or(2.0);
   p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
   // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus.
@@ -170,7 +171,7 @@ void set_speed(const Settings& s, Design& d) {
                                     ? s.loop.bandwidth * f_a
                                     : d.components.omega_g();
   const double bandwidth =
-      v.bandwidth_rad_s.value_or(std::min(loop_bandwidth / 5, 0.1 / d.parameters.pwm.tick()));
+      v.bandwidth_rad_s.value_or(std::min(loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick()));
   const double per_rpm = 1 / steps_per_second(s, 1.0);
   p.target = steps_per_second(s, s.scenario.speed_rpm);
   p.kp = bandwidth * m.tau_m * m.k_e / bus / steps;
@@ -183,7 +184,7 @@ void set_speed(const Settings& s, Design& d) {
   const double torque = m.k_e * s.motor.rated_current_a;
   const double able = 0.4 * std::max(0.1 * torque, torque - friction) / m.inertia * steps;
   p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s)
-                        : std::min(able, followed(loop, f_a) / 2);
+                        : std::min(able, followed(loop, f_a));
   p.duty_slew = v.duty_slew_per_s.value_or(std::max(
       3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.1));
   p.minimum = v.minimum_duty;

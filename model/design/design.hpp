@@ -4,10 +4,10 @@
 //
 //     K_e      mean line-to-line back-EMF of the two conducting phases, V per mechanical rad/s
 //     duty     of a stalled current: (I R_loop + drop) / (V + drop), R_loop = 2 (R + R_on)
-//     ramp     a third of what the start current can accelerate
+//     ramp     0.4 of what the start current can accelerate
 //     f_a      hand-over: back-EMF ten times the comparators' doubt, and a loop that can follow the
 //              start current's acceleration within 10 degrees
-//     PI       a fifth of the loop's bandwidth at hand-over; speed slew half of what the loop follows
+//     PI       a quarter of the loop's bandwidth at hand-over; speed slew that the loop follows
 //
 // Doc: docs/design.md   Test: tests/model/design/design_test.cpp
 #pragma once
