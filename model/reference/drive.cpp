@@ -194,9 +194,10 @@ void Drive::on_tick(double t) {
       filter_.load(std::min(f + s.ramp * p_.pwm.tick(), s.hand_over));
       vco_.set_frequency(t, filter_.frequency());
       ramp_done_ = filter_.frequency() >= s.hand_over;
-      [[fallthrough]];
-    case State::kPullIn:
       duty = std::min(s.start_duty + speed_.bemf_duty(f), p_.speed.maximum);
+      break;
+    case State::kPullIn:
+      duty = std::min(s.start_duty / 2 + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     default: break;
   }
