@@ -1,0 +1,113 @@
+// Phase detector: the back-EMF against the divided VCO.
+//
+//     crossing        error = expected - crossing_phase      positive: the rotor leads, the VCO must hurry
+//     none, before    error = expected - 1                   the step ended on the level before: it lags
+//     none, after     error = lead_error                     that level never showed: it leads
+//     following       error = 1 - turns since the last change of sector, within +-1/2
+//
+// Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per turn,
+// as in Amano 2003.  `Following` serves a rotor that is not driven by the VCO's steps: one that is
+// being caught, or one with Hall sensors.  Each legal change of sector measures an interval; two turns
+// without a change count as a miss, with the VCO too fast.
+//
+//     error        s0.16 of a step, held until the next update
+//     latency      1 clock: all outputs are registers but `good`, one comparison behind them
+//     registers    21 bits     multipliers  none
+//
+// Doc: docs/blocks/phase_detector.md   Test: tests/hls/phase_detector_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/six_step/words.hpp"
+
+namespace steplock {
+
+enum class Watch : std::uint8_t { kNothing, kCrossings, kSectors };
+
+class PhaseDetector {
+ public:
+  struct In {
+    Watch watch = Watch::kNothing;  // what the error is made of
+    bool crossing = false;          // strobe: the back-EMF crossed zero
+    Phase crossing_phase = 0;       // u0.16, where in the step
+    bool before_seen = false;       // the level before the crossing showed in this step
+    bool commutate = false;         // first clock of a new step
+    UInt<3> step = 0;               // 0 to 5
+    bool reverse = false;           // the step counts down
+    bool changed = false;           // strobe: the sector moved by one
+    bool elapsed = false;           // strobe: a step's worth of VCO turns is over
+    Phase phase = 0;                // u0.16, turns of this step
+    Detector detector = Detector::kEveryStep;
+    Phase expected = 0x8000;        // u0.16, the crossing's place in the step
+    Phase lead_error = 0;           // u0.16, error when the level before never showed
+    Phase window = 0;               // u0.16, errors below are good
+  };
+
+  struct Out {
+    PhaseError error = 0;  // s0.16, turns of one step
+    bool update = false;   // strobe: the error is new
+    bool good = false;     // strobe: it is within the window (following: within 1/8)
+    bool missed = false;   // strobe: it stands for a crossing that was not found
+  };
+
+  Out tick(const In& in) {
+    const Phase magnitude = wrap<Phase>(error_.negative() ? ~error_ : error_);
+    const Phase window = in.watch == Watch::kSectors ? Phase(0x2000) : in.window;
+    const Out out{.error = error_,
+                  .update = update_,
+                  .good = update_ && !missed_ && magnitude < window,
+                  .missed = missed_};
+    update_ = missed_ = false;
+    if (in.watch == Watch::kCrossings) {
+      watch_crossings(in);
+    } else {
+      answered_ = true;  // no miss for a step that began unwatched
+      if (in.watch == Watch::kSectors) watch_sectors(in);
+    }
+    if (in.commutate) turned_ = false;
+    return out;
+  }
+
+ private:
+  void watch_crossings(const In& in) {
+    if (in.commutate) {
+      if (!answered_) {
+        set(before_ ? in.expected : in.lead_error, before_ ? Phase::max() : Phase(0));
+        missed_ = true;
+      }
+      // U floats and rises in step 5, or 2 when the rotor turns backwards.
+      answered_ = in.detector == Detector::kOncePerTurn && in.step != (in.reverse ? 2 : 5);
+    } else if (in.crossing && !answered_) {
+      set(in.expected, in.crossing_phase);
+      answered_ = true;
+    }
+    before_ = in.before_seen;
+  }
+
+  void watch_sectors(const In& in) {
+    if (in.changed) {
+      set(turned_ ? UInt<17>(0) : UInt<17>(0x10000), in.phase);
+    } else if (in.elapsed) {
+      if (turned_) {
+        error_ = PhaseError::min();
+        update_ = missed_ = true;
+      }
+      turned_ = !turned_;
+    }
+  }
+
+  void set(UInt<17> place, Phase found) {
+    error_ = saturate<PhaseError>(place - found);
+    update_ = true;
+  }
+
+  PhaseError error_ = 0;  // s0.16
+  bool update_ = false;
+  bool missed_ = false;
+  bool answered_ = true;  // this step has had its crossing, or needs none
+  bool before_ = false;   // before_seen, from the step that a commutation ends
+  bool turned_ = false;   // following: a whole turn since the last change or miss
+};
+
+}  // namespace steplock

@@ -1,0 +1,181 @@
+#include "hls/six_step/loop_filter.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplock {
+namespace {
+
+using In = LoopFilter::In;
+
+constexpr double kTurn = 4294967296.0;    // u0.32
+constexpr double kFine = 1.0 / (1LL << 40);  // the last bit of x, v and y, turns per clock
+constexpr int kSlowest = 200;             // clocks, more than five products
+
+Frequency settle(LoopFilter& dut, const In& in) {
+  LoopFilter::Out out;
+  for (int i = 0; i < kSlowest; ++i) out = dut.tick(in);
+  EXPECT_FALSE(out.busy);
+  return out.frequency;
+}
+
+// One update (or tick), worked on to its end.
+Frequency update(LoopFilter& dut, In in) {
+  in.update = in.tick = true;
+  dut.tick(in);
+  in.update = in.tick = false;
+  return settle(dut, in);
+}
+
+LoopFilter at(double frequency) {
+  LoopFilter dut;
+  dut.tick({.load = true, .load_frequency = Frequency(std::int64_t(frequency * kTurn))});
+  return dut;
+}
+
+In track() {
+  return {.loop = Loop::kTrack, .pole = 0x8000, .maximum = Frequency::max()};
+}
+
+// A constant error e makes x_n = x_0 + n A and v_n = x_n + B with A = ki e s, B = kp e s.  Behind the
+// pole a that is y_n = x_0 + n A + C (1 - (1-a)^n), C = B - A (1-a)/a.  Each update truncates p by one
+// last bit, ki and kp (below 4) multiply that, and each product truncates once more: x is off by at
+// most 5 n bits, v by 5 more, and the pole adds at most one bit at a time to what it forgets.
+RC_GTEST_PROP(LoopFilter, StepResponseIsTheDiscretisedLagLeadFilters, ()) {
+  auto in = track();
+  in.bandwidth = Bandwidth::kPerSecond;
+  in.scale = *rc::gen::inRange(1 << 10, 1 << 20);
+  in.ki = *rc::gen::inRange(1, 1 << 12);
+  in.kp = *rc::gen::inRange(1, 1 << 16);
+  in.pole = *rc::gen::inRange(1 << 10, (1 << 15) + 1);
+  in.error = *rc::gen::inRange(1, 1 << 14);
+
+  const double start = std::ldexp(1.0, -10);
+  const double s = double(in.scale.raw()) / kTurn, e = double(in.error.raw()) / 65536;
+  const double A = double(in.ki.raw()) / 16384 * e * s, B = double(in.kp.raw()) / 16384 * e * s;
+  const double a = double(in.pole.raw()) / 32768, C = B - A * (1 - a) / a;
+
+  auto dut = at(start);
+  for (int n = 1; n <= 40; ++n) {
+    const double y = double(update(dut, in).raw()) / kTurn;
+    const double analytic = start + n * A + C * (1 - std::pow(1 - a, n));
+    // The output shows 32 of the 40 bits.
+    RC_ASSERT(std::abs(y - analytic) < 1 / kTurn + (5 * n + 5 + 1 / a) * kFine);
+  }
+}
+
+// Per step the same error moves the frequency by the same part of itself.
+TEST(LoopFilter, PerStepTheGainFollowsTheFrequency) {
+  auto in = track();
+  in.ki = 0x0400;  // 1/16
+  in.kp = 0;
+  in.error = 0x1000;  // 1/16
+  for (const double f : {1e-6, 1e-4, 1e-3}) {
+    auto dut = at(f);
+    const double moved = double(update(dut, in).raw()) / kTurn / f - 1;
+    EXPECT_NEAR(moved, 1.0 / 256, 2 / (f * kTurn)) << f;
+  }
+}
+
+TEST(LoopFilter, PerSecondTheHeldErrorIntegratesOnTicksAlone) {
+  auto in = track();
+  in.bandwidth = Bandwidth::kPerSecond;
+  in.scale = 1 << 16;
+  in.ki = 0x4000;
+  in.error = 0x4000;
+  auto dut = at(1e-3);
+  const auto before = settle(dut, in);
+  in.update = true;
+  dut.tick(in);
+  in.update = false;
+  EXPECT_EQ(settle(dut, in), before);
+  EXPECT_EQ(update(dut, in) - before, Frequency(1 << 14));
+}
+
+// 100 clocks of delay at 1/1000 turn per clock are a tenth of a turn: with that the error vanishes,
+// but for its last bit and the product's, which ki + kp = 2 pass on.
+TEST(LoopFilter, ConstantDelayIsTakenBack) {
+  auto in = track();
+  in.ki = in.kp = 0x4000;
+  in.delay = 100;
+  in.error = -6554;
+  auto dut = at(1e-3);
+  EXPECT_NEAR(double(update(dut, in).raw()) / kTurn, 1e-3, 2 * 2e-3 / 65536 + 1 / kTurn);
+}
+
+TEST(LoopFilter, TheOutputStaysWithinItsLimits) {
+  auto in = track();
+  in.ki = in.kp = 0x8000;
+  in.minimum = 1000;
+  in.maximum = 500000;
+  auto dut = at(300000 / kTurn);
+  in.error = PhaseError::max();
+  EXPECT_EQ(update(dut, in), Frequency(500000));
+  in.error = PhaseError::min();
+  for (int i = 0; i < 10; ++i) EXPECT_LE(update(dut, in), Frequency(500000));
+  // The proportional part may take the output to a stop, the integrator keeps its minimum.
+  in.error = 0;
+  EXPECT_EQ(update(dut, in), Frequency(1000));
+}
+
+// However long the output stood at its limit, the first errors of the other sign move it off.
+TEST(LoopFilter, DoesNotWindUpAtALimit) {
+  auto in = track();
+  in.ki = 0x0400;
+  in.kp = 0x4000;
+  in.maximum = 1 << 20;
+  auto dut = at((1 << 19) / kTurn);
+  in.error = 0x4000;
+  for (int i = 0; i < 1000; ++i) update(dut, in);
+  in.error = -0x1000;
+  const auto first = update(dut, in);
+  EXPECT_LT(first, Frequency(1 << 20));
+  // The integrator itself never passed what the output showed.
+  in.error = 0;
+  EXPECT_LT(update(dut, in), Frequency(1 << 20));
+}
+
+TEST(LoopFilter, ARampGrowsPerTickFromStandstillBelowTheMinimum) {
+  LoopFilter dut;
+  const In in = {.loop = Loop::kRamp, .ramp = 1234, .minimum = 1 << 20, .maximum = Frequency::max()};
+  for (int n = 1; n <= 20; ++n) EXPECT_EQ(update(dut, in), Frequency(1234 * n));
+}
+
+TEST(LoopFilter, LoadDropsTheWorkInFlight) {
+  auto in = track();
+  in.kp = 0x4000;
+  in.error = 0x4000;
+  auto dut = at(1e-3);
+  in.update = true;
+  dut.tick(in);
+  in.update = false;
+  for (int i = 0; i < 50; ++i) dut.tick(in);
+  in.load = true;
+  in.load_frequency = 777;
+  dut.tick(in);
+  in.load = false;
+  EXPECT_EQ(settle(dut, in), Frequency(777));
+}
+
+// e = 1 - f T with the interval T: the error squares itself at each change of sector.
+RC_GTEST_PROP(LoopFilter, CatchingConvergesToOneOverTheInterval, ()) {
+  const double interval = *rc::gen::inRange(1000, 1000000);
+  auto f = *rc::gen::inRange(50, 200) / 100.0 / interval;
+  auto dut = at(f);
+  for (int change = 0; change < 8; ++change) {
+    const double e = std::clamp(1 - f * interval, -0.5, 0.49998);
+    const In in = {.loop = Loop::kCatch,
+                   .error = PhaseError(std::int32_t(std::floor(e * 65536))),
+                   .pole = 0x8000,
+                   .maximum = Frequency::max()};
+    f = double(update(dut, in).raw()) / kTurn;
+  }
+  // What is left is the last bit of the error, 2^-16, and of the frequency.
+  RC_ASSERT(std::abs(f * interval - 1) < 2.0 / 65536 + 2 * interval / kTurn);
+}
+
+}  // namespace
+}  // namespace steplock
