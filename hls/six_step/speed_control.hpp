@@ -6,9 +6,10 @@
 //     duty       = integral + kp e                           within [minimum, maximum] and duty_slew
 //     on_clocks  = duty * period
 //
-// Outside speed control the duty is the start sequence's (kFixed) or the one whose mean voltage
-// equals the back-EMF (kFollow), and integral and reference follow, so that control begins without a
-// jump, after a start as after catching a rotor.
+// Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
+// mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds up).
+// Integral and reference follow, so that control begins without a jump, after a start as after
+// catching a rotor.
 //
 //     latency      4 products of 16 clocks, 2 shifts of up to 15: at most 110 clocks after the tick;
 //                  a tick that comes earlier is passed over
@@ -24,14 +25,14 @@
 
 namespace steplock {
 
-enum class SpeedMode : std::uint8_t { kFixed, kFollow, kControl };
+enum class SpeedMode : std::uint8_t { kFixed, kAboveBemf, kControl };
 
 class SpeedControl {
  public:
   struct In {
     bool tick = false;                   // starts one update
     SpeedMode mode = SpeedMode::kFixed;  // where the duty comes from
-    Duty fixed_duty = 0;                 // u1.15, for kFixed
+    Duty fixed_duty = 0;                 // u1.15, for kFixed and kAboveBemf
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
@@ -108,7 +109,7 @@ class SpeedControl {
           shifts_ = in.words.shift;
           stage_ = Stage::kIntegral;
         } else {
-          take(in.mode == SpeedMode::kFollow ? saturate<Duty>(product >> 12) : in.fixed_duty);
+          take(in.mode == SpeedMode::kAboveBemf ? above(in, product) : in.fixed_duty);
         }
         break;
       case Stage::kIntegral:
@@ -123,6 +124,11 @@ class SpeedControl {
         stage_ = Stage::kIdle;
         break;
     }
+  }
+
+  static Duty above(const In& in, Int<33> product) {
+    const auto sum = in.fixed_duty + (product >> 12);
+    return sum > in.words.maximum ? in.words.maximum : wrap<Duty>(sum);
   }
 
   // The duty comes from elsewhere; control will begin from it.

@@ -15,7 +15,8 @@
 //
 // With Hall sensors kRun follows kIdle at once.
 //
-//     latency      1 clock     registers  about 100 bits     multipliers  none
+//     latency      1 clock: outputs follow the state
+//     registers    about 45 bits     multipliers  none
 //
 // Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
@@ -23,6 +24,8 @@
 
 #include "hls/numeric/bits.hpp"
 #include "hls/six_step/commutation.hpp"
+#include "hls/six_step/loop_filter.hpp"
+#include "hls/six_step/phase_detector.hpp"
 #include "hls/six_step/speed_control.hpp"
 #include "hls/six_step/words.hpp"
 
@@ -39,9 +42,8 @@ class StartSequence {
     Frequency frequency = 0;          // u0.32, of the VCO
     bool update = false;              // strobe: the phase detector has a new error
     bool good = false;                // with `update`: it is a small one
-    bool changed = false;             // while observing: the code went to a neighbour
-    bool change_reverse = false;      // with `changed`: downwards
-    UInt<3> sector = 0;               // with `changed`: 0 to 5
+    bool turns_reverse = false;       // while observing: the code last moved downwards
+    UInt<3> sector = 0;               // while observing: 0 to 5
     bool lost = false;                // protection: give up this try
     bool fatal = false;               // protection: latch
     Reason cause = Reason::kNone;     // protection: why
@@ -55,10 +57,11 @@ class StartSequence {
     bool reverse = false;               // direction of this try
     bool running = false;               // locked and under speed control
     SpeedMode mode = SpeedMode::kFixed;
-    Duty duty = 0;                      // u1.15, for kFixed
+    Duty duty = 0;                      // u1.15, for kFixed and kAboveBemf
     Frequency target = 0;               // u0.32, for speed control
-    bool catching = false;              // PLL on the codes, in its catching form
-    bool load = false;                  // PLL open: take load_frequency
+    Watch watch = Watch::kNothing;      // phase detector
+    Loop loop = Loop::kHold;            // loop filter
+    bool load = false;                  // loop filter: take load_frequency
     Frequency load_frequency = 0;       // u0.32
     bool load_step = false;             // one clock: take `step`, in its middle
     UInt<3> step = 0;                   // 0 to 5
@@ -68,6 +71,7 @@ class StartSequence {
   };
 
   Out tick(const In& in) {
+    const Out present = out(in);
     load_step_ = began_ = failed_ = false;
     const bool rearm = in.command.clear_fault && !clear_was_;
     clear_was_ = in.command.clear_fault;
@@ -81,7 +85,7 @@ class StartSequence {
     } else {
       advance(in);
     }
-    return out(in);
+    return present;
   }
 
  private:
@@ -110,7 +114,6 @@ class StartSequence {
   // A try begins, in the direction that is wanted now.
   void begin(const In& in) {
     reverse_ = in.command.reverse;
-    ramp_ = 0;
     if (in.source == Source::kHall) {
       enter(State::kRun, kStable);
     } else if (in.words.observe != 0) {
@@ -121,7 +124,6 @@ class StartSequence {
   }
 
   void brake(const In& in) {
-    reverse_ = in.command.reverse;
     if (brakes_ == 255) {
       latch(Reason::kCannotStop);
     } else {
@@ -157,16 +159,27 @@ class StartSequence {
         break;
       case State::kReset:
         if (over) {
-          load(in.command.reverse ? UInt<3>(0) : UInt<3>(3));
-          reverse_ = in.command.reverse;
-          enter(State::kAccelerate, 0);
+          load(reverse_ ? UInt<3>(0) : UInt<3>(3));
+          enter(State::kAccelerate, Ticks::max());  // a ramp of 0 must end, too
         }
         break;
-      case State::kAccelerate: accelerate(in); break;
+      case State::kAccelerate:
+        if (in.frequency >= in.words.hand_over) {
+          enter(State::kPullIn, in.words.pull_in);
+        } else if (over) {
+          fail(in, Reason::kNoLock);
+        }
+        break;
       case State::kPullIn: pull_in(in, over); break;
       case State::kRun: run(in, over); break;
       case State::kSlowDown:
-        if (over || in.lost || slow(in)) brake(in);
+        if (in.lost) {
+          fail(in, in.cause);
+        } else if (in.command.run && in.command.reverse == reverse_) {
+          enter(State::kRun, kStable);
+        } else if (over || slow(in)) {
+          brake(in);
+        }
         break;
       case State::kRest:
         if (over) begin(in);
@@ -181,20 +194,20 @@ class StartSequence {
   }
 
   void observe(const In& in, bool over) {
-    if (in.changed) {
-      const bool again = in.good && in.change_reverse == turns_reverse_;
-      turns_reverse_ = in.change_reverse;
+    if (in.update) {
+      const bool again = in.good && in.turns_reverse == turns_reverse_;
+      turns_reverse_ = in.turns_reverse;
       good_ = again ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
       const bool turns = again && good_ >= in.words.good_crossings &&
                          in.frequency > (in.words.hand_over >> 1);
-      if (turns && (in.change_reverse != reverse_ || !in.command.run)) {
+      if (turns && (in.turns_reverse != reverse_ || !in.command.run)) {
         brake(in);
         return;
       }
       if (turns) {
-        load(in.change_reverse ? in.sector
-             : in.sector == 0  ? UInt<3>(5)
-                               : wrap<UInt<3>>(in.sector - 1));
+        load(in.turns_reverse ? in.sector
+             : in.sector == 0 ? UInt<3>(5)
+                              : wrap<UInt<3>>(in.sector - 1));
         enter(State::kRun, kStable);
         return;
       }
@@ -216,17 +229,6 @@ class StartSequence {
       enter(State::kIdle, 0);
     } else {
       begin(in);
-    }
-  }
-
-  void accelerate(const In& in) {
-    if (!in.tick) return;
-    const auto faster = ramp_ + in.words.ramp;
-    if (faster >= in.words.hand_over) {
-      ramp_ = in.words.hand_over;
-      enter(State::kPullIn, in.words.pull_in);
-    } else {
-      ramp_ = wrap<Frequency>(faster);
     }
   }
 
@@ -266,8 +268,10 @@ class StartSequence {
     out.load_frequency = in.words.hand_over;
     switch (state_) {
       case State::kObserve:
-        out.catching = out.turn_vco = true;
-        out.mode = SpeedMode::kFollow;
+        out.turn_vco = true;
+        out.watch = Watch::kSectors;
+        out.loop = Loop::kCatch;
+        out.mode = SpeedMode::kAboveBemf;
         break;
       case State::kBrake:
         out.enable = out.load = true;
@@ -282,19 +286,26 @@ class StartSequence {
         out.duty = in.words.reset_duty;
         break;
       case State::kAccelerate:
-        out.enable = out.load = out.turn_vco = true;
-        out.load_frequency = ramp_;
+        out.enable = out.turn_vco = true;
+        out.loop = Loop::kRamp;
         out.pattern = Pattern::kDrive;
+        out.mode = SpeedMode::kAboveBemf;
         out.duty = in.words.start_duty;
         break;
       case State::kPullIn:
         out.enable = out.turn_vco = true;
+        out.watch = Watch::kCrossings;
+        out.loop = Loop::kTrack;
         out.pattern = Pattern::kDrive;
-        out.duty = in.words.start_duty;
+        // With all of it the rotor would keep its lead on the VCO and run away from the loop.
+        out.mode = SpeedMode::kAboveBemf;
+        out.duty = in.words.start_duty >> 1;
         break;
       case State::kRun:
       case State::kSlowDown:
         out.enable = out.turn_vco = out.running = true;
+        out.watch = in.source == Source::kHall ? Watch::kSectors : Watch::kCrossings;
+        out.loop = in.source == Source::kHall ? Loop::kHall : Loop::kTrack;
         out.pattern = Pattern::kDrive;
         out.mode = SpeedMode::kControl;
         break;
@@ -311,13 +322,12 @@ class StartSequence {
   UInt<6> good_ = 0;            // good crossings in a row
   UInt<4> retries_ = 0;         // failed tries
   UInt<8> brakes_ = 0;          // braking intervals of this stop
-  Frequency ramp_ = 0;          // u0.32, of forced steps
   UInt<3> step_ = 0;            // to be loaded
   bool load_step_ = false;
   bool began_ = false;
   bool failed_ = false;
   bool reverse_ = false;        // direction of this try
-  bool turns_reverse_ = false;  // direction of the last change of code
+  bool turns_reverse_ = false;  // direction at the last update while observing
   bool clear_was_ = false;
 };
 

@@ -53,15 +53,19 @@ TEST(SpeedControl, FullDutyIsTheWholePeriodAndNoneIsNone) {
   }
 }
 
-TEST(SpeedControl, FollowsTheBackEmfWhileObserving) {
+TEST(SpeedControl, StaysAboveTheBackEmfBeforeLock) {
   SpeedControl dut;
   auto in = typical();
-  in.mode = SpeedMode::kFollow;
+  in.mode = SpeedMode::kAboveBemf;
   in.frequency = 16384 << 4;
   in.words.bemf = 6144;  // 1.5
   const auto out = update(dut, in);
   EXPECT_EQ(out.bemf_duty, Duty(24576));
   EXPECT_EQ(out.duty, out.bemf_duty);
+  in.fixed_duty = 1000;
+  EXPECT_EQ(update(dut, in).duty, Duty(25576));
+  in.fixed_duty = 0x8000;
+  EXPECT_EQ(update(dut, in).duty, in.words.maximum);
 }
 
 TEST(SpeedControl, BeginsWithoutAJump) {

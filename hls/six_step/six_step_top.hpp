@@ -1,0 +1,261 @@
+// The six-step drive: wires between the blocks, and nothing else.
+//
+//     pins -> Synchroniser -> BemfComparator -> PhaseDetector -> LoopFilter -> VcoCounter -> DivideByN
+//                         \-> HallDecoder ---/                                      |
+//     SpeedControl -> PwmGenerator -> CurrentLimit -------------------------> Commutation -> GateGuard -> gates
+//     StartSequence says who is closed when; Protection and Telemetry watch.
+//
+// The blocks stand in a ring (the VCO's step selects the comparator that moves the VCO), so a few wires
+// cross from one clock to the next: the registers below.  They are the only state here.
+//
+//     fault pin to all six gates off    3 clocks: two of the synchroniser, one of the gate guard
+//     comparator pin to its sample      3 clocks; limit pin to gate off 5 clocks
+//     VCO turn to gates off             3 clocks (docs/blocks/six_step_top.md)
+//
+// Doc: docs/blocks/six_step_top.md   Test: tests/hls/six_step_top_test.cpp
+
+#pragma once
+
+#include "hls/bridge/current_limit.hpp"
+#include "hls/bridge/gate_guard.hpp"
+#include "hls/bridge/pwm_generator.hpp"
+#include "hls/bridge/synchroniser.hpp"
+#include "hls/six_step/bemf_comparator.hpp"
+#include "hls/six_step/commutation.hpp"
+#include "hls/six_step/divide_by_n.hpp"
+#include "hls/six_step/hall_decoder.hpp"
+#include "hls/six_step/loop_filter.hpp"
+#include "hls/six_step/phase_detector.hpp"
+#include "hls/six_step/protection.hpp"
+#include "hls/six_step/speed_control.hpp"
+#include "hls/six_step/start_sequence.hpp"
+#include "hls/six_step/telemetry.hpp"
+#include "hls/six_step/vco_counter.hpp"
+#include "hls/six_step/words.hpp"
+
+namespace steplock {
+
+class SixStepTop {
+ public:
+  struct In {
+    Synchroniser::Pins pins;  // asynchronous
+    Command command;
+    Words words;
+  };
+
+  struct Out {
+    Gates gates;
+    State state = State::kIdle;
+    Reason reason = Reason::kNone;
+    bool locked = false;        // running under speed control
+    bool reverse = false;       // direction of rotation
+    Step step = 0;              // 0 to 5
+    bool chop = false;          // PWM and current limit: on
+    bool commutate = false;     // one clock, the first of a new step
+    bool turn = false;          // the divided VCO signal
+    Frequency frequency = 0;    // u0.32, VCO turns per clock
+    Phase step_phase = 0;       // u0.16, turns of this step
+    PhaseError phase_error = 0; // s0.16, turns of one step
+    bool update = false;        // strobe: the phase error is new
+    bool crossing = false;      // strobe: the back-EMF crossed zero
+    bool missed = false;        // strobe: a step ended without a crossing
+    Phase crossing_phase = 0;   // u0.16, where in the step
+    Phase freewheel = 0;        // u0.16, where in the step freewheeling ended
+    Duty duty = 0;              // u1.15
+    Telemetry::Out counts;
+  };
+
+  Out tick(const In& in) {
+    const Words& words = in.words;
+    const auto pins = synchroniser_.tick(in.pins);
+    const bool hall = words.source == Source::kHall;
+    const auto sectors = hall_.tick({.u = hall ? pins.hall_u : pins.comparator_u,
+                                     .v = hall ? pins.hall_v : pins.comparator_v,
+                                     .w = hall ? pins.hall_w : pins.comparator_w,
+                                     .hold = words.bemf.blanking});
+
+    const auto start = start_.tick({.tick = tick_,
+                                    .command = in.command,
+                                    .source = words.source,
+                                    .words = words.start,
+                                    .target = words.speed.target,
+                                    .frequency = frequency_,
+                                    .update = update_,
+                                    .good = good_,
+                                    .turns_reverse = sectors.reverse,
+                                    .sector = sectors.sector,
+                                    .lost = lost_,
+                                    .fatal = fatal_,
+                                    .cause = cause_});
+
+    // With Hall sensors the sector is the step, in reverse with the current turned round.
+    const bool follow = start.watch == Watch::kSectors;
+    const bool new_sector = follow && (sectors.moved || sectors.jumped);
+    const Step hall_step = !start.reverse       ? sectors.sector
+                           : sectors.sector < 3 ? wrap<Step>(sectors.sector + 3)
+                                                : wrap<Step>(sectors.sector - 3);
+    const auto divider = divide_.tick({.pulse = pulse_,
+                                       .phase = phase_,
+                                       .divide = words.loop.divide,
+                                       .reverse = start.reverse,
+                                       .hold = follow,
+                                       .load = start.load_step || new_sector,
+                                       .step = start.load_step ? start.step : hall_step,
+                                       .half = start.load_step});
+    const Step step = hall ? hall_step : divider.step;
+
+    const auto bemf = bemf_.tick({.u = pins.comparator_u,
+                                  .v = pins.comparator_v,
+                                  .w = pins.comparator_w,
+                                  .step = step,
+                                  .reverse = start.reverse,
+                                  .commutate = divider.commutate,
+                                  .chop = chop_,
+                                  .phase = divider.phase,
+                                  .words = words.bemf});
+    const auto detector = detector_.tick({.watch = start.watch,
+                                          .crossing = bemf.crossing,
+                                          .crossing_phase = bemf.crossing_phase,
+                                          .before_seen = bemf.before_seen,
+                                          .commutate = divider.commutate,
+                                          .step = step,
+                                          .reverse = start.reverse,
+                                          .changed = sectors.moved,
+                                          .elapsed = divider.elapsed,
+                                          .phase = divider.phase,
+                                          .detector = words.loop.detector,
+                                          .expected = words.loop.expected,
+                                          .lead_error = words.loop.lead_error,
+                                          .window = words.start.window});
+    const auto filter = filter_.tick({.loop = start.loop,
+                                      .error = detector.error,
+                                      .update = detector.update,
+                                      .tick = tick_,
+                                      .load = start.load,
+                                      .load_frequency = start.load_frequency,
+                                      .ramp = words.start.ramp,
+                                      .bandwidth = words.loop.bandwidth,
+                                      .delay = words.loop.delay >> int(words.loop.divide.raw()),
+                                      .ki = words.loop.ki,
+                                      .kp = words.loop.kp,
+                                      .pole = words.loop.pole,
+                                      .scale = words.loop.scale,
+                                      .minimum = words.loop.minimum,
+                                      .maximum = words.loop.maximum});
+    const bool load_phase = start.load_step || new_sector;
+    const auto vco = vco_.tick({.enable = start.turn_vco,
+                                .load = load_phase,
+                                .phase = start.load_step && words.loop.divide == 0 ? Phase(0x8000)
+                                                                                   : Phase(0),
+                                .frequency = filter.frequency});
+
+    const auto speed = speed_.tick({.tick = tick_,
+                                    .mode = start.mode,
+                                    .fixed_duty = start.duty,
+                                    .frequency = filter.frequency,
+                                    .target = start.target,
+                                    .limited = limited_,
+                                    .period = words.pwm.period,
+                                    .words = words.speed});
+    const auto pwm = pwm_.tick({.on_clocks = speed.on_clocks,
+                                .period = words.pwm.period,
+                                .minimum = words.pwm.minimum,
+                                .centred = words.pwm.centred,
+                                .tick_periods = words.pwm.tick_periods});
+    const auto limit =
+        limit_.tick({.on = pwm.on, .comparator = pins.limit, .words = words.limit});
+    const auto request = commutation_.tick({.pattern = start.pattern,
+                                            .step = step,
+                                            .chop = limit.on,
+                                            .complementary = words.pwm.complementary});
+    const auto gates = guard_.tick({.request = request,
+                                    .enable = start.enable && in.command.configured,
+                                    .fault = pins.fault,
+                                    .dead_time = words.pwm.dead_time,
+                                    .minimum = 0});
+
+    const auto protection = protection_.tick({.running = start.running,
+                                              .tick = tick_,
+                                              .commutate = divider.commutate,
+                                              .good = detector.good,
+                                              .missed = detector.missed,
+                                              .frequency = filter.frequency,
+                                              .duty = speed.duty,
+                                              .bemf_duty = speed.bemf_duty,
+                                              .freewheel = hall ? Phase(0) : bemf.freewheel,
+                                              .stuck = limit.stuck,
+                                              .fault_pin = pins.fault,
+                                              .hall = hall,
+                                              .hall_illegal = !sectors.legal,
+                                              .words = words.protection});
+    const auto counts = telemetry_.tick({.clear = start.began,
+                                         .crossing = bemf.crossing,
+                                         .missed = detector.missed,
+                                         .freewheel_long = protection.freewheel_long,
+                                         .limit_hit = limit.hit,
+                                         .retry = start.failed});
+
+    tick_ = pwm.tick;
+    chop_ = limit.on;
+    limited_ = limit.hit;
+    phase_ = vco.phase;
+    pulse_ = vco.pulse;
+    frequency_ = filter.frequency;
+    update_ = detector.update;
+    good_ = detector.good;
+    lost_ = protection.lost;
+    fatal_ = protection.fatal;
+    cause_ = protection.reason;
+
+    return {.gates = gates,
+            .state = start.state,
+            .reason = start.reason,
+            .locked = start.running,
+            .reverse = start.reverse,
+            .step = step,
+            .chop = limit.on,
+            .commutate = divider.commutate,
+            .turn = divider.turn,
+            .frequency = filter.frequency,
+            .step_phase = divider.phase,
+            .phase_error = detector.error,
+            .update = detector.update,
+            .crossing = bemf.crossing,
+            .missed = detector.missed,
+            .crossing_phase = bemf.crossing_phase,
+            .freewheel = bemf.freewheel,
+            .duty = speed.duty,
+            .counts = counts};
+  }
+
+ private:
+  Synchroniser synchroniser_;
+  HallDecoder hall_;
+  StartSequence start_;
+  DivideByN divide_;
+  BemfComparator bemf_;
+  PhaseDetector detector_;
+  LoopFilter filter_;
+  VcoCounter vco_;
+  SpeedControl speed_;
+  PwmGenerator pwm_;
+  CurrentLimit limit_;
+  Commutation commutation_;
+  GateGuard<> guard_;
+  Protection protection_;
+  Telemetry telemetry_;
+
+  bool tick_ = false;
+  bool chop_ = false;
+  bool limited_ = false;
+  Phase phase_ = 0;          // u0.16, of the VCO
+  bool pulse_ = false;
+  Frequency frequency_ = 0;  // u0.32
+  bool update_ = false;
+  bool good_ = false;
+  bool lost_ = false;
+  bool fatal_ = false;
+  Reason cause_ = Reason::kNone;
+};
+
+}  // namespace steplock
