@@ -1,0 +1,235 @@
+#include "generator/dataflow/convert.hpp"
+
+#include "generator/dataflow/control.hpp"
+#include "generator/dataflow/instructions.hpp"
+#include "generator/dataflow/variables.hpp"
+#include "generator/refusal.hpp"
+
+#include <llvm/IR/DebugInfo.h>
+#include <llvm/IR/InstIterator.h>
+
+#include <algorithm>
+
+namespace hlsgen {
+namespace {
+
+using llvm::dyn_cast;
+
+class Converter {
+ public:
+  Converter(const Step& step, const Block& block, const Opaque& opaque)
+      : step_(step),
+        block_(block),
+        opaque_(opaque),
+        nodes_(module_.nodes),
+        control_(*step.function, nodes_, [this](const llvm::Value* v) { return value(v); }),
+        names_(variable_names(*step.function, block.source.file)) {}
+
+  Module run() {
+    module_.name = block_.module;
+    module_.cpp_class = block_.cpp_class;
+    module_.source = block_.source;
+    refuse_memory();
+    add_sources();
+    add_sinks();
+    return std::move(module_);
+  }
+
+ private:
+  // Whatever could not be promoted has an address that matters.
+  void refuse_memory() const {
+    for (auto& at : llvm::instructions(*step_.function)) {
+      auto* variable = dyn_cast<llvm::AllocaInst>(&at);
+      if (variable == nullptr) continue;
+      std::string name = variable->getName().str();
+      SourceLine where = source_of(at);
+      for (auto* declaration : llvm::FindDbgDeclareUses(variable)) {
+        name = declaration->getVariable()->getName().str();
+        where = source_of(*declaration);
+      }
+      for (const auto* user : variable->users()) {  // where it happens says more than the variable
+        const auto* use = dyn_cast<llvm::Instruction>(user);
+        if (use != nullptr && use->getDebugLoc()) where = source_of(*use);
+      }
+      const bool is_state = variable == step_.state;
+      throw Refusal(where,
+                    is_state ? "the address of a register escapes"
+                             : "the address of '" + name + "' escapes",
+                    "hold values and indices instead of pointers");
+    }
+  }
+
+  Leaf leaf_of(const LeafPlace& place) {
+    Leaf leaf = place.leaf;
+    if (place.enumeration == nullptr) return leaf;
+    const auto enumeration = enumeration_of(place.enumeration);
+    auto& all = module_.enumerations;
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Enumeration& e) {
+      return e.name == enumeration.name && e.values == enumeration.values;
+    });
+    leaf.enumeration = static_cast<int>(known - all.begin());
+    if (known == all.end()) all.push_back(enumeration);
+    return leaf;
+  }
+
+  void add_sources() {
+    for (std::size_t i = 0; i < step_.inputs.size(); ++i) {
+      module_.inputs.push_back(leaf_of(block_.in.leaves[i]));
+      add_source(step_.inputs[i], Op::kInput, i, 0);
+    }
+    for (std::size_t i = 0; i < step_.registers.size(); ++i) {
+      const auto& place = block_.state.leaves[i];
+      module_.registers.push_back({leaf_of(place), block_.reset[i], kNone, place.source});
+      add_source(step_.registers[i], Op::kRegister, i, 0);
+    }
+    for (std::size_t i = 0; i < step_.instances.size(); ++i) {
+      const auto& instance = step_.instances[i];
+      module_.instances.push_back({instance.place->name, instance.block->module, {}});
+      for (std::size_t port = 0; port < instance.outputs.size(); ++port) {
+        add_source(instance.outputs[port], Op::kInstanceOutput, i, port);
+      }
+    }
+  }
+
+  void add_source(const llvm::GlobalVariable* global, Op op, std::size_t index, std::size_t port) {
+    sources_[global] = {op, static_cast<unsigned>(index), static_cast<unsigned>(port)};
+  }
+
+  void add_sinks() {
+    // In the order of the clock: what instances are given, what comes out, what is kept.
+    for (std::size_t i = 0; i < step_.instances.size(); ++i) {
+      const auto& instance = step_.instances[i];
+      for (std::size_t k = 0; k < instance.inputs.size(); ++k) {
+        module_.instances[i].inputs.push_back(
+            sink(instance.inputs[k], instance.block->in.leaves[k]));
+      }
+    }
+    for (std::size_t i = 0; i < step_.outputs.size(); ++i) {
+      const auto& place = block_.out.leaves[i];
+      module_.outputs.push_back({leaf_of(place), sink(step_.outputs[i], place)});
+    }
+    for (std::size_t i = 0; i < step_.nexts.size(); ++i) {
+      module_.registers[i].next = sink(step_.nexts[i], block_.state.leaves[i]);
+    }
+  }
+
+  NodeId sink(const llvm::GlobalVariable* global, const LeafPlace& place) {
+    const auto* store = llvm::cast<llvm::StoreInst>(*global->user_begin());
+    const NodeId node = value(store->getValueOperand());
+    if (node != kNone) return node;
+    throw Refusal(place.source, "'" + place.leaf.name + "' depends on what C++ leaves undefined",
+                  "look for shifts by the width or more, and for missing returns");
+  }
+
+  NodeId value(const llvm::Value* v) {
+    if (const auto* constant = dyn_cast<llvm::ConstantInt>(v)) {
+      return nodes_.constant(constant->getValue());
+    }
+    if (llvm::isa<llvm::UndefValue>(v)) return kNone;  // poison is one of them
+    const auto known = values_.find(v);
+    if (known != values_.end()) return known->second;
+    const auto* at = dyn_cast<llvm::Instruction>(v);
+    if (at == nullptr || !v->getType()->isIntegerTy()) {
+      throw Refusal(at == nullptr ? block_.source : source_of(*at),
+                    "the value of a pointer is used as a number", "use an index");
+    }
+    const NodeId node = convert(*at);
+    values_[v] = node;
+    const auto name = names_.find(v);
+    if (node != kNone && name != names_.end()) nodes_.name(node, name->second);
+    return node;
+  }
+
+  NodeId convert(const llvm::Instruction& at) {
+    if (at.getType()->getIntegerBitWidth() > 2 * 128) {
+      throw Refusal(source_of(at), "a number of more than 256 bits", "split it");
+    }
+    if (const auto* load = dyn_cast<llvm::LoadInst>(&at)) return source(*load);
+    if (const auto* phi = dyn_cast<llvm::PHINode>(&at)) {
+      const Located located(*this, at);
+      return control_.phi(*phi);
+    }
+    std::vector<NodeId> in;
+    const auto* call = dyn_cast<llvm::CallInst>(&at);
+    const bool is_table = opaque_kind(&at) == OpaqueKind::kTable;
+    for (const auto& operand : at.operands()) {
+      if (call != nullptr && !call->isDataOperand(&operand)) continue;
+      in.push_back(operand->getType()->isIntegerTy() ? value(operand) : kNone);
+    }
+    const Located located(*this, at);
+    if (is_table) return nodes_.table(at.getType()->getIntegerBitWidth(), in[1], table(*call));
+    if (const auto* choice = dyn_cast<llvm::SelectInst>(&at)) {
+      if (in[1] == kNone || in[2] == kNone) return in[1] == kNone ? in[2] : in[1];
+      if (in[0] == kNone) return in[1];
+      static_cast<void>(choice);
+    }
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      const auto* operand = at.getOperand(static_cast<unsigned>(i));
+      if (in[i] != kNone) continue;
+      if (llvm::isa<llvm::UndefValue>(operand)) return kNone;
+      if (operand->getType()->isIntegerTy()) return kNone;
+    }
+    return instruction(nodes_, at, in);
+  }
+
+  NodeId source(const llvm::LoadInst& load) {
+    const auto* global = dyn_cast<llvm::GlobalVariable>(load.getPointerOperand());
+    const auto found = global == nullptr ? sources_.end() : sources_.find(global);
+    if (found == sources_.end()) {
+      throw Refusal(source_of(load), "it is not known at compile time what is read here",
+                    "choose between values instead of between pointers");
+    }
+    return nodes_.source_node(found->second.op, load.getType()->getIntegerBitWidth(),
+                              found->second.index, found->second.port);
+  }
+
+  // Tables of the program, numbered within the module as they are met.
+  unsigned table(const llvm::CallInst& call) {
+    const unsigned number = table_of(&call);
+    const auto known = std::find(tables_.begin(), tables_.end(), number);
+    const auto index = static_cast<unsigned>(known - tables_.begin());
+    if (known == tables_.end()) {
+      tables_.push_back(number);
+      module_.tables.push_back(opaque_.tables()[number]);
+    }
+    return index;
+  }
+
+  // Nodes made while it lives carry the instruction's line.
+  struct Located {
+    Located(Converter& converter, const llvm::Instruction& at)
+        : nodes(converter.nodes_), before(nodes.source()) {
+      const auto* line = at.getDebugLoc().get();
+      if (line != nullptr) {
+        nodes.set_source(source_within(line, converter.block_.source.file));
+      }
+    }
+    ~Located() { nodes.set_source(before); }
+    NodeBuilder& nodes;
+    SourceLine before;
+  };
+
+  struct Source {
+    Op op;
+    unsigned index, port;
+  };
+
+  const Step& step_;
+  const Block& block_;
+  const Opaque& opaque_;
+  Module module_;
+  NodeBuilder nodes_;
+  Control control_;
+  std::map<const llvm::Value*, std::string> names_;
+  std::map<const llvm::GlobalVariable*, Source> sources_;
+  std::map<const llvm::Value*, NodeId> values_;
+  std::vector<unsigned> tables_;
+};
+
+}  // namespace
+
+Module convert(const Step& step, const Block& block, const Opaque& opaque) {
+  return Converter(step, block, opaque).run();
+}
+
+}  // namespace hlsgen

@@ -1,0 +1,15 @@
+// The netlist as text, one node a line, for people who debug the generator.
+//
+// Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
+
+#pragma once
+
+#include "generator/netlist.hpp"
+
+#include <string>
+
+namespace hlsgen {
+
+std::string dump(const Design& design);
+
+}  // namespace hlsgen

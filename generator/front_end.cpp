@@ -1,0 +1,168 @@
+#include "generator/front_end.hpp"
+
+#include "generator/cpp/blocks.hpp"
+#include "generator/dataflow/convert.hpp"
+#include "generator/ir/callees.hpp"
+#include "generator/ir/expand.hpp"
+#include "generator/ir/guards.hpp"
+#include "generator/ir/inline.hpp"
+#include "generator/ir/instances.hpp"
+#include "generator/ir/loops.hpp"
+#include "generator/ir/marks.hpp"
+#include "generator/ir/memory.hpp"
+#include "generator/ir/pipeline.hpp"
+#include "generator/ir/step.hpp"
+#include "generator/refusal.hpp"
+
+#include <llvm/IR/Constants.h>
+
+namespace hlsgen {
+namespace {
+
+// Readable first, small second: nothing here turns a case into arithmetic on its number.
+constexpr const char* kPromote = "early-cse,simplifycfg,instcombine,simplifycfg";
+constexpr const char* kSimplify =
+    "instcombine,simplifycfg,early-cse,gvn,correlated-propagation,instcombine,simplifycfg,bdce,"
+    "instcombine,adce";
+
+// Widths a target is fond of would keep LLVM from narrowing to any other.
+void drop_native_widths(llvm::Module& module) {
+  std::string layout;
+  llvm::SmallVector<llvm::StringRef> parts;
+  llvm::StringRef(module.getDataLayoutStr()).split(parts, '-');
+  for (const auto part : parts) {
+    if (part.startswith("n") && part != "ni") continue;
+    layout += (layout.empty() ? "" : "-") + part.str();
+  }
+  module.setDataLayout(layout);
+}
+
+class FrontEnd {
+ public:
+  explicit FrontEnd(const FrontEndOptions& options)
+      : program_(compile(options.compile)), opaque_(*program_.module) {
+    drop_native_widths(*program_.module);
+    blocks_ = find_blocks(*program_.module, options.compile.source, options.top);
+  }
+
+  Design run() {
+    for (auto& block : blocks_.order) {
+      check_callees(*block.tick, blocks_);
+      block.tick->addFnAttr(llvm::Attribute::Convergent);  // a call of it is not to be copied
+    }
+    check_callees(*blocks_.reset, blocks_);
+    find_resets();
+    Design design;
+    for (const auto& block : blocks_.order) design.modules.push_back(module_of(block));
+    return design;
+  }
+
+ private:
+  void flatten(llvm::Function& function, const llvm::Function* own) {
+    inline_calls(function, own, blocks_);
+    mark_variables(function, opaque_);
+    insert_guards(function, opaque_);
+    unroll_loops(function);
+  }
+
+  void find_resets() {
+    const auto all = whole_state(blocks_.order.back(), blocks_);
+    auto step = build_reset(*program_.module, blocks_, all, opaque_);
+    flatten(*step.function, nullptr);
+    expand_accesses(*step.function, opaque_);
+    simplify_memory(*step.function);
+    run_passes(*step.function, kPromote);
+    refuse_unproved(prove_guards(*step.function));
+    run_passes(*step.function, kSimplify);
+    check_marks(*step.function, opaque_);
+
+    std::map<std::uint64_t, llvm::APInt> by_offset;
+    for (std::size_t i = 0; i < all.leaves.size(); ++i) {
+      const auto* store = llvm::cast<llvm::StoreInst>(*step.nexts[i]->user_begin());
+      const auto* value = llvm::dyn_cast<llvm::ConstantInt>(store->getValueOperand());
+      if (value == nullptr) {
+        throw Refusal(all.leaves[i].source,
+                      "the default value of '" + all.leaves[i].leaf.name + "' is not a constant",
+                      "give it a constexpr one");
+      }
+      by_offset[all.leaves[i].offset] = value->getValue();
+    }
+    step.function->eraseFromParent();
+    give_resets(blocks_.order.size() - 1, 0, by_offset);
+  }
+
+  void give_resets(std::size_t number, std::uint64_t offset,
+                   const std::map<std::uint64_t, llvm::APInt>& by_offset) {
+    auto& block = blocks_.order[number];
+    std::vector<llvm::APInt> reset;
+    for (const auto& place : block.state.leaves) {
+      reset.push_back(by_offset.at(offset + place.offset));
+    }
+    if (!block.reset.empty() && block.reset != reset) {
+      throw Refusal(block.source, "instances of " + block.cpp_class + " have different default values",
+                    "make what differs a template parameter");
+    }
+    block.reset = reset;
+    for (const auto& instance : block.state.instances) {
+      give_resets(blocks_.index.at(instance.type), offset + instance.offset, by_offset);
+    }
+  }
+
+  Module module_of(const Block& block) {
+    // Registers whose enumeration does not prove to hold are taken for plain numbers; that may
+    // weaken the proof of others, hence the loop.
+    std::vector<bool> wide(block.state.leaves.size(), false);
+    for (;;) {
+      auto step = build_step(*program_.module, block, blocks_, wide, opaque_);
+      flatten(*step.function, block.tick);
+      cut_instances(step, blocks_, opaque_);
+      simplify_memory(*step.function);
+      expand_accesses(*step.function, opaque_);
+      simplify_memory(*step.function);
+      run_passes(*step.function, kPromote);
+      const auto failed = prove_guards(*step.function);
+      if (widen(block, failed, wide)) {
+        step.function->eraseFromParent();
+        continue;
+      }
+      refuse_unproved(failed);
+      run_passes(*step.function, kSimplify);
+      check_instances(step, block);
+      run_passes(*step.function, "adce");
+      check_marks(*step.function, opaque_);
+      auto module = convert(step, block, opaque_);
+      step.function->eraseFromParent();
+      return module;
+    }
+  }
+
+  bool widen(const Block& block, const std::vector<unsigned>& failed, std::vector<bool>& wide) {
+    bool changed = false;
+    for (const unsigned id : failed) {
+      const auto& site = opaque_.site(id);
+      for (std::size_t i = 0; i < wide.size(); ++i) {
+        const auto& place = block.state.leaves[i];
+        if (site.leaf != place.leaf.name || place.enumeration == nullptr || wide[i]) continue;
+        wide[i] = true;
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  void refuse_unproved(const std::vector<unsigned>& failed) const {
+    if (failed.empty()) return;
+    const auto& site = opaque_.site(failed.front());
+    throw Refusal(site.where, site.what, site.mend);
+  }
+
+  Program program_;
+  Opaque opaque_;
+  Blocks blocks_;
+};
+
+}  // namespace
+
+Design build_design(const FrontEndOptions& options) { return FrontEnd(options).run(); }
+
+}  // namespace hlsgen

@@ -1,0 +1,26 @@
+// C++ in, netlist out: clang, then one step function per block, then data flow.
+//
+//     compile -> find_blocks -> check_callees -> reset values
+//     per block: build_step, inline_calls, mark_variables, insert_guards, unroll_loops, cut_instances,
+//                expand_accesses, LLVM's simplifications, prove_guards, convert
+//
+// Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
+
+#pragma once
+
+#include "generator/cpp/compile.hpp"
+#include "generator/netlist.hpp"
+
+#include <string>
+
+namespace hlsgen {
+
+struct FrontEndOptions {
+  CompileOptions compile;
+  std::string top;  // class or module name; empty when the source names only one
+};
+
+// Throws Refusal.
+Design build_design(const FrontEndOptions& options);
+
+}  // namespace hlsgen

@@ -1,0 +1,63 @@
+#include "generator/ir/address.hpp"
+
+#include "generator/ir/opaque.hpp"
+#include "generator/refusal.hpp"
+
+#include <llvm/ADT/MapVector.h>
+#include <llvm/IR/Operator.h>
+
+namespace hlsgen {
+
+std::uint64_t Address::combinations() const {
+  std::uint64_t product = 1;
+  for (const auto& part : parts) product *= part.count;
+  return product;
+}
+
+std::uint64_t Address::offset_of(std::uint64_t combination) const {
+  std::uint64_t place = offset;
+  for (const auto& part : parts) {
+    place += combination % part.count * part.stride;
+    combination /= part.count;
+  }
+  return place;
+}
+
+Address address_of(llvm::Value* pointer) {
+  Address address;
+  llvm::APInt offset(64, 0);
+  while (auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer)) {
+    const auto* instruction = llvm::dyn_cast<llvm::Instruction>(step);
+    llvm::MapVector<llvm::Value*, llvm::APInt> variables;
+    // Constant expressions have constant offsets only, which any data layout of ours agrees on.
+    if (instruction == nullptr) break;
+    if (!step->collectOffset(instruction->getModule()->getDataLayout(), 64, variables, offset)) {
+      break;
+    }
+    for (const auto& [index, stride] : variables) {
+      const auto* guard = llvm::dyn_cast<llvm::CallInst>(index);
+      if (guard == nullptr || opaque_kind(guard) != OpaqueKind::kIndex || stride.isNegative() ||
+          count_of(guard) == 0) {
+        address.by_unknown = index;
+      } else {
+        address.parts.push_back({index, stride.getZExtValue(), count_of(guard)});
+      }
+    }
+    pointer = step->getPointerOperand();
+  }
+  address.object = pointer;
+  address.offset = offset.getZExtValue();
+  return address;
+}
+
+void refuse_address(const Address& address, const llvm::Instruction& user) {
+  const auto* guard = llvm::dyn_cast<llvm::CallInst>(address.by_unknown);
+  const bool leaves = guard != nullptr && opaque_kind(guard) == OpaqueKind::kIndex &&
+                      llvm::isa<llvm::ConstantInt>(guard->getArgOperand(0));
+  throw Refusal(source_of(user),
+                leaves ? "a pointer leaves its array"
+                       : "a pointer is moved by what is only known at run time",
+                "index the array itself");
+}
+
+}  // namespace hlsgen
