@@ -37,9 +37,9 @@ BackEmf::Piece BackEmf::piece(double angle, double direction) const {
   const double inside = angle + 1e-9 * direction;
   for (int k = 0; k < 3; ++k) {
     const double shift = kThirdTurn * k;
-    const double half_turn = std::floor((inside - shift + flank_) / std::numbers::pi);
-    const double sign = std::fmod(half_turn, 2) == 0 ? 1 : -1;
-    const double zero = half_turn * std::numbers::pi + shift;
+    const std::int64_t half_turn = whole_below((inside - shift + flank_) / std::numbers::pi);
+    const double sign = half_turn % 2 == 0 ? 1 : -1;
+    const double zero = static_cast<double>(half_turn) * std::numbers::pi + shift;
     piece.center[k] = zero;
     double low = zero - flank_, high = zero + flank_;
     if (inside < high) {
@@ -59,9 +59,9 @@ BackEmf::Piece BackEmf::piece(double angle, double direction) const {
 double BackEmf::spline(double angle) const {
   const auto n = static_cast<std::int64_t>(value_.size());
   const double position = angle * (static_cast<double>(n) / kTurn);
-  const double whole = std::floor(position);
-  const double after = position - whole, before = 1 - after;
-  std::int64_t i = static_cast<std::int64_t>(whole) % n;
+  const std::int64_t whole = whole_below(position);
+  const double after = position - static_cast<double>(whole), before = 1 - after;
+  std::int64_t i = whole % n;
   if (i < 0) i += n;
   const std::int64_t j = i + 1 == n ? 0 : i + 1;
   return before * value_[i] + after * value_[j] +

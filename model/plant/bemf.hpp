@@ -26,6 +26,12 @@ using Phases = std::array<double, 3>;
 inline constexpr double kTurn = 2 * std::numbers::pi;
 inline constexpr double kThirdTurn = kTurn / 3;
 
+// Largest integer not above x; |x| < 2^62.  std::floor is a library call on the oldest x86-64.
+inline std::int64_t whole_below(double x) {
+  const auto n = static_cast<std::int64_t>(x);
+  return n - (static_cast<double>(n) > x);
+}
+
 class BackEmf {
  public:
   struct Piece {

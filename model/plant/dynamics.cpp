@@ -40,16 +40,22 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
   regime.source_voltage = in.source_voltage;
   regime.source_conducts = source_sinks_ || y[kBus] <= in.source_voltage ? 1 : 0;
   regime.hold = static_ + in.opposing_torque;
-  regime.cogging_phase = std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
+  if (cogging_torque_ != 0) {
+    regime.cogging_phase = std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
+  }
 
   const double w = y[kSpeed];
-  const Phases shape = back_emf_(back_emf_.piece(y[kAngle], 1), y[kAngle]);
-  const double pull = torque_constant_ * (shape[0] * y[0] + shape[1] * y[1] + shape[2] * y[2]) +
-                      cogging(regime, y[kAngle]) - regime.active;
-  regime.turning = w != 0 || std::abs(pull) > regime.hold ? 1 : 0;
-  regime.direction = (w != 0 ? w : pull) < 0 ? -1 : 1;
-  regime.dry = regime.direction * (coulomb_ + in.opposing_torque);
+  regime.direction = w < 0 ? -1 : 1;
   regime.piece = back_emf_.piece(y[kAngle], regime.direction);
+  const Phases shape = back_emf_(regime.piece, y[kAngle]);
+  if (w == 0) {
+    const double pull = torque_constant_ * (shape[0] * y[0] + shape[1] * y[1] + shape[2] * y[2]) +
+                        cogging(regime, y[kAngle]) - regime.active;
+    regime.turning = std::abs(pull) > regime.hold ? 1 : 0;
+    regime.direction = pull < 0 ? -1 : 1;
+    regime.piece = back_emf_.piece(y[kAngle], regime.direction);
+  }
+  regime.dry = regime.direction * (coulomb_ + in.opposing_torque);
 
   Phases emf;
   for (int k = 0; k < 3; ++k) emf[k] = torque_constant_ * w * shape[k];

@@ -75,7 +75,7 @@ struct Plant::Core {
 
   // Keeps the electrical angle in [0, one turn), so that it stays exact however long the run.
   void take_out_turns(Variables& y) {
-    const double whole = std::floor(y[kAngle] / kTurn);
+    const auto whole = static_cast<double>(whole_below(y[kAngle] / kTurn));
     turns += whole;
     y[kAngle] -= whole * kTurn;
   }

@@ -61,7 +61,7 @@ bool Sensors::decide(double input, bool level, const Comparator& comparator) {
 
 bool Sensors::hall_level(int hall, const Point& point) const {
   const double half_turns = (point.y[kAngle] - hall_edge_[hall]) / (kTurn / 2);
-  return std::fmod(std::floor(half_turns), 2) == 0;
+  return whole_below(half_turns) % 2 == 0;
 }
 
 void Sensors::start(const Arc& arc) {
@@ -81,8 +81,10 @@ void Sensors::search(const Arc& arc, double time) {
     }
   }
   for (int k = 0; k < 3; ++k) search_hall(k, arc, time);
-  std::stable_sort(planned_.begin(), planned_.end(),
-                   [](const Change& a, const Change& b) { return a.crossing < b.crossing; });
+  if (planned_.size() > 1) {
+    std::stable_sort(planned_.begin(), planned_.end(),
+                     [](const Change& a, const Change& b) { return a.crossing < b.crossing; });
+  }
   reach(time);
 }
 
@@ -129,7 +131,7 @@ void Sensors::search_noisy(int signal, const Arc& arc, double time) {
     const double c = elapsed / length;
     return begin + c * ((4 * middle - 3 * begin - end) + c * 2 * (begin + end - 2 * middle));
   };
-  auto cell = static_cast<std::int64_t>(std::floor(time / comparator.noise_interval));
+  std::int64_t cell = whole_below(time / comparator.noise_interval);
   for (double from = 0; from < length; ++cell) {
     const double next = static_cast<double>(cell + 1) * comparator.noise_interval - time;
     const double to = std::min(next, length);
@@ -157,7 +159,7 @@ void Sensors::search_hall(int hall, const Arc& arc, double time) {
   const double direction = arc.regime().direction;
   const double from = (points[0].y[kAngle] - hall_edge_[hall]) / half_turn;
   const double edge =
-      (direction > 0 ? std::floor(from) + 1 : std::floor(from)) * half_turn + hall_edge_[hall];
+      static_cast<double>(whole_below(from) + (direction > 0)) * half_turn + hall_edge_[hall];
   const auto left = [&](const Variables& y) { return direction * (edge - y[kAngle]); };
   const double at =
       falls_below_zero([&](double t) { return left(arc.at(t)); }, 0, left(points[0].y),
