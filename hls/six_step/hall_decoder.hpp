@@ -1,91 +1,98 @@
-// Hall decoder: a three-bit code of 120-degree signals to the sector of a turn.
+// Hall decoder: a three-bit code with one change per 60 electrical degrees, to a sector.
 //
-//     u v w    101 100 110 010 011 001      000, 111
-//     sector    0   1   2   3   4   5       illegal: the sector holds
+//     code u v w   101  100  110  010  011  001      000, 111
+//     sector        0    1    2    3    4    5       illegal
 //
-// Serves the Hall sensors of the baseline drive, and the back-EMF's signs at the comparators while
-// all gates are off (docs/theory.md has the angles).  A code counts when it was the same in `samples`
-// samples in a row.
+// Hall sensors speak this code, and so do the three BEMF comparators while all gates are off.  A code
+// counts once it has stood for `hold` clocks longer than the first, so that chatter around an edge
+// and the codes in passing between two edges are not seen; the delay is the same for every edge.
 //
-//     latency      `samples` samples     registers  15 bits     multipliers  none
+// A change to a neighbour is a `move`: it tells direction and, by the time since the last one, speed.
+// Any other change, the first legal code after reset or after an illegal one too, is a `jump`: it
+// tells the sector and nothing else.
+//
+//     latency      hold + 2 clocks from the pins' synchronisers to the outputs
+//     registers    20 bits     multipliers  none
 //
 // Doc: docs/blocks/hall_decoder.md   Test: tests/hls/hall_decoder_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/six_step/words.hpp"
 
 namespace steplock {
 
 class HallDecoder {
  public:
   struct In {
-    bool u = false;        // synchronised
-    bool v = false;        // synchronised
-    bool w = false;        // synchronised
-    bool sample = false;   // strobe: look at the code in this clock
-    UInt<4> samples = 1;   // alike in a row before a code counts; 0 counts as 1
+    bool u = false;     // synchronised
+    bool v = false;     // synchronised
+    bool w = false;     // synchronised
+    UInt<10> hold = 0;  // clocks
   };
 
   struct Out {
-    UInt<3> sector = 0;    // 0 to 5
-    bool changed = false;  // one clock: `sector` is new
-    bool forward = false;  // the last change went up by one
-    bool reverse = false;  // the last change went down by one; neither: it jumped
-    bool illegal = false;  // the code is 000 or 111
+    UInt<3> sector = 0;    // 0 to 5: of the last legal code
+    bool legal = false;    // the code that stands is legal
+    bool moved = false;    // one clock: the sector is new, and a neighbour of the last
+    bool reverse = false;  // the last move went down
+    bool jumped = false;   // one clock: the sector is new, and says nothing about speed
   };
 
   Out tick(const In& in) {
     const Out out{.sector = sector_,
-                  .changed = changed_,
-                  .forward = forward_,
+                  .legal = legal_,
+                  .moved = moved_,
                   .reverse = reverse_,
-                  .illegal = illegal_};
-    changed_ = false;
-    if (in.sample) look(in);
+                  .jumped = jumped_};
+    const Decoded decoded = decode(code_);
+    const bool accept = left_ == 0;
+    const bool up = decoded.sector == (sector_ == 5 ? UInt<3>(0) : wrap<UInt<3>>(sector_ + 1));
+    const bool down = sector_ == (decoded.sector == 5 ? UInt<3>(0)
+                                                      : wrap<UInt<3>>(decoded.sector + 1));
+    const bool changed = accept && decoded.legal && (!legal_ || decoded.sector != sector_);
+    moved_ = changed && legal_ && (up || down);
+    jumped_ = changed && !(legal_ && (up || down));
+    if (changed && legal_ && (up || down)) reverse_ = down;
+    if (changed) sector_ = decoded.sector;
+    if (accept) legal_ = decoded.legal;
+
+    const UInt<3> code = (UInt<3>(in.u) << 2) | (UInt<3>(in.v) << 1) | UInt<3>(in.w);
+    if (code != code_) {
+      left_ = in.hold;
+    } else if (left_ != 0) {
+      left_ = wrap<UInt<10>>(left_ - 1);
+    }
+    code_ = code;
     return out;
   }
 
  private:
-  void look(const In& in) {
-    const UInt<3> code = (in.u ? 4 : 0) + (in.v ? 2 : 0) + (in.w ? 1 : 0);
-    if (code != code_) {
-      code_ = code;
-      alike_ = 1;
-    } else if (alike_ < in.samples) {
-      alike_ = wrap<UInt<4>>(alike_ + 1);
-    }
-    if (alike_ >= in.samples) take(code);
-  }
+  struct Decoded {
+    UInt<3> sector = 0;  // 0 to 5
+    bool legal = false;  // neither 000 nor 111
+  };
 
-  void take(UInt<3> code) {
-    illegal_ = code == 0 || code == 7;
-    const UInt<3> sector = sector_of(code);
-    if (illegal_ || sector == sector_) return;
-    changed_ = true;
-    forward_ = sector == (sector_ == 5 ? UInt<3>(0) : wrap<UInt<3>>(sector_ + 1));
-    reverse_ = sector_ == (sector == 5 ? UInt<3>(0) : wrap<UInt<3>>(sector + 1));
-    sector_ = sector;
-  }
-
-  static UInt<3> sector_of(UInt<3> code) {
+  static constexpr Decoded decode(UInt<3> code) {
     switch (int(code.raw())) {
-      case 5: return 0;
-      case 4: return 1;
-      case 6: return 2;
-      case 2: return 3;
-      case 3: return 4;
-      default: return 5;
+      case 0b101: return {.sector = 0, .legal = true};
+      case 0b100: return {.sector = 1, .legal = true};
+      case 0b110: return {.sector = 2, .legal = true};
+      case 0b010: return {.sector = 3, .legal = true};
+      case 0b011: return {.sector = 4, .legal = true};
+      case 0b001: return {.sector = 5, .legal = true};
+      default: return {};
     }
   }
 
-  UInt<3> code_ = 0;     // of the last sample
-  UInt<4> alike_ = 0;    // samples in a row with that code
-  UInt<3> sector_ = 0;
-  bool changed_ = false;
-  bool forward_ = false;
-  bool reverse_ = false;
-  bool illegal_ = false;
+  UInt<3> code_ = 0;      // u v w, one clock ago
+  UInt<10> left_ = 0;     // clocks until the code counts
+  UInt<3> sector_ = 0;    // 0 to 5: of the last legal code
+  bool legal_ = false;    // of the last code that counted
+  bool moved_ = false;    // one clock: to a neighbour
+  bool reverse_ = false;  // the last move went down
+  bool jumped_ = false;   // one clock: to no neighbour
 };
 
 }  // namespace steplock
