@@ -1,0 +1,240 @@
+#include "generator/print/legalise.hpp"
+
+#include "generator/backend.hpp"
+#include "generator/names.hpp"
+#include "generator/print/expressions.hpp"
+#include "generator/print/identifiers.hpp"
+#include "generator/print/wire_names.hpp"
+
+#include <fmt/format.h>
+
+namespace hlsgen {
+namespace {
+
+using syntax::Expr;
+
+class Legaliser {
+ public:
+  Legaliser(const Design& design, const Module& module)
+      : design_(design),
+        m_(module),
+        names_(design, module),
+        plan_(plan(module)),
+        expressions_(m_, plan_, [this](NodeId id) { return name_of(id); }, name_enumerators()) {
+    name_instance_outputs();
+    wires_ = wire_names(m_, plan_, names_);
+  }
+
+  syntax::Text run() {
+    write_frame();
+    for (NodeId id = 0; id < m_.nodes.size(); ++id) {
+      const Node& n = m_.nodes[id];
+      if (plan_.uses[id] == 0) continue;
+      if (n.op == Op::kInstanceOutput) write_cell(n.index);
+      else if (plan_.wire[id]) write_wire(id);
+    }
+    for (unsigned i = 0; i < m_.instances.size(); ++i) write_cell(i);
+    write_registers();
+    for (std::size_t o = 0; o < m_.outputs.size(); ++o)
+      text_.assigns.emplace_back(names_.outputs[o], expressions_.use(m_.outputs[o].value,
+                                                    m_.outputs[o].leaf.enumeration));
+    for (const Expressions::Used& u : expressions_.used_enumerators()) {
+      const Enumeration& e = m_.enumerations[u.enumeration];
+      text_.constants.emplace_back(
+          expressions_.enumerator(u),
+          syntax::literal(llvm::APInt(e.width, e.values[u.value].second)));
+    }
+    return std::move(text_);
+  }
+
+ private:
+  std::string at_line(const SourceLine& s) const {
+    if (s.line == 0) return "";
+    if (s.file == m_.source.file) return fmt::format("line {}", s.line);
+    return fmt::format("{}:{}", s.file.substr(s.file.rfind('/') + 1), s.line);
+  }
+
+  std::vector<std::vector<std::string>> name_enumerators() {
+    std::vector<std::vector<std::string>> all;
+    for (const Enumeration& e : m_.enumerations) {
+      all.emplace_back();
+      for (const auto& [name, value] : e.values)
+        all.back().push_back(names_.pool.take(e.name + "_" + name));
+    }
+    return all;
+  }
+
+  std::string name_of(NodeId id) const {
+    const Node& n = m_.nodes[id];
+    switch (n.op) {
+      case Op::kInput: return names_.inputs[n.index];
+      case Op::kRegister: return names_.registers[n.index];
+      case Op::kInstanceOutput: return instance_outputs_[n.index][n.port];
+      default: return wires_[id];
+    }
+  }
+
+  void name_instance_outputs() {
+    std::vector<std::vector<bool>> read;
+    for (const Instance& i : m_.instances)
+      read.emplace_back(module_of(design_, i).outputs.size(), false);
+    for (NodeId id = 0; id < m_.nodes.size(); ++id) {
+      const Node& n = m_.nodes[id];
+      if (n.op == Op::kInstanceOutput && plan_.uses[id] > 0) read[n.index][n.port] = true;
+    }
+    for (std::size_t i = 0; i < m_.instances.size(); ++i) {
+      const Module& child = module_of(design_, m_.instances[i]);
+      instance_outputs_.emplace_back();
+      for (std::size_t o = 0; o < child.outputs.size(); ++o)
+        instance_outputs_[i].push_back(
+            names_.pool.take((read[i][o] ? "" : "unused_") + names_.instances[i] + "_" +
+                             flat_name(child.outputs[o].leaf.name)));
+    }
+  }
+
+  void write_frame() {
+    text_.header = {
+        fmt::format("{}: {}, printed by hlsgen from {}:{}.", m_.name, m_.cpp_class, m_.source.file,
+                    m_.source.line),
+        "Do not edit: change the C++ and print again."};
+    text_.name = m_.name;
+    text_.clocked = is_clocked(design_, m_);
+    for (std::size_t i = 0; i < m_.inputs.size(); ++i)
+      text_.inputs.push_back({names_.inputs[i], m_.inputs[i].width, m_.inputs[i].comment});
+    for (std::size_t i = 0; i < m_.outputs.size(); ++i)
+      text_.outputs.push_back(
+          {names_.outputs[i], m_.outputs[i].leaf.width, m_.outputs[i].leaf.comment});
+    for (std::size_t i = 0; i < m_.registers.size(); ++i)
+      text_.registers.push_back(
+          {names_.registers[i], m_.registers[i].leaf.width, m_.registers[i].leaf.comment});
+  }
+
+  void write_cell(unsigned index) {
+    if (written_[index]) return;
+    written_[index] = true;
+    const Instance& instance = m_.instances[index];
+    const Module& child = module_of(design_, instance);
+    const FixedNames ports(design_, child);
+    syntax::Cell cell{child.name, names_.instances[index], is_clocked(design_, child), {}, {}};
+    for (std::size_t i = 0; i < ports.inputs.size(); ++i)
+      cell.inputs.emplace_back(ports.inputs[i],
+                               expressions_.use(instance.inputs[i], child_enumeration(child, i)));
+    for (std::size_t o = 0; o < ports.outputs.size(); ++o)
+      cell.outputs.push_back(
+          {ports.outputs[o], instance_outputs_[index][o], child.outputs[o].leaf.width});
+    text_.items.emplace_back(std::move(cell));
+  }
+
+  // The child's enumeration, if this module knows it under the same name.
+  int child_enumeration(const Module& child, std::size_t input) const {
+    const int theirs = child.inputs[input].enumeration;
+    if (theirs < 0) return -1;
+    for (std::size_t e = 0; e < m_.enumerations.size(); ++e)
+      if (m_.enumerations[e].name == child.enumerations[theirs].name &&
+          m_.enumerations[e].values == child.enumerations[theirs].values)
+        return static_cast<int>(e);
+    return -1;
+  }
+
+  void write_wire(NodeId id) {
+    const Node& n = m_.nodes[id];
+    if (n.op == Op::kTable) return write_table(id);
+    const auto chain = plan_.cases.find(id);
+    if (chain != plan_.cases.end()) return write_case(id, chain->second);
+    Expr value = expressions_.define(id);
+    if (value.width == n.width) {
+      text_.items.emplace_back(syntax::Wire{wires_[id], n.width, value, at_line(n.source)});
+      return;
+    }
+    // A product is computed as wide as its factors ask, then cut or extended.
+    const std::string full = names_.pool.take(wires_[id] + "_full");
+    const bool is_signed = value.operands[0].is(Expr::Kind::kSigned) ||
+                           value.operands[1].is(Expr::Kind::kSigned);
+    const Expr product = syntax::name(full, value.width);
+    text_.items.emplace_back(syntax::Wire{full, value.width, value, at_line(n.source)});
+    if (value.width > n.width) {
+      value = syntax::select(product, n.width - 1, 0);
+    } else {
+      const unsigned more = n.width - value.width;
+      const Expr sign = syntax::select(product, value.width - 1, value.width - 1);
+      value = syntax::concat({is_signed ? syntax::replicate(more, sign)
+                                        : syntax::literal(llvm::APInt(more, 0)),
+                              product});
+    }
+    text_.items.emplace_back(syntax::Wire{wires_[id], n.width, value, ""});
+  }
+
+  void write_case(NodeId id, const CaseChain& chain) {
+    const Node& n = m_.nodes[id];
+    const int selector = plan_.enumeration[chain.selector], result = plan_.enumeration[id];
+    syntax::Case c{{{wires_[id], n.width}}, expressions_.use(chain.selector), {}, at_line(n.source)};
+    for (const CaseChain::Arm& arm : chain.arms) {
+      syntax::Case::Arm printed;
+      for (const llvm::APInt& label : arm.labels)
+        printed.labels.push_back(expressions_.constant(label, selector, Expr::Base::kDecimal));
+      printed.values.push_back(expressions_.use(arm.value, result));
+      c.arms.push_back(std::move(printed));
+    }
+    c.arms.push_back({{}, {expressions_.use(chain.otherwise, result)}});
+    text_.items.emplace_back(std::move(c));
+  }
+
+  void write_table(NodeId id) {
+    const Node& n = m_.nodes[id];
+    const Table& table = m_.tables[n.index];
+    const Expr address = expressions_.use(n.in[0]);
+    syntax::Case c{{{wires_[id], n.width}}, address, {}, table.name};
+    for (std::size_t i = 0; i < table.entries.size(); ++i) {
+      const bool reachable = address.width >= 64 || (i >> address.width) == 0;
+      if (!reachable || i + 1 == table.entries.size()) break;
+      c.arms.push_back({{syntax::literal(llvm::APInt(address.width, i))},
+                        {syntax::literal(table.entries[i])}});
+    }
+    c.arms.push_back({{}, {syntax::literal(table.entries.back())}});
+    text_.items.emplace_back(std::move(c));
+  }
+
+  void write_registers() {
+    for (std::size_t i = 0; i < m_.registers.size(); ++i) {
+      const Register& r = m_.registers[i];
+      const auto base = r.leaf.is_signed ? Expr::Base::kSignedDecimal : Expr::Base::kDecimal;
+      text_.resets.push_back({names_.registers[i],
+                              expressions_.constant(r.reset, r.leaf.enumeration, base), {}, {}, ""});
+      for (syntax::Statement& s : update(i, r.next)) {
+        s.comment = at_line(m_.nodes[r.next].source);
+        text_.updates.push_back(std::move(s));
+      }
+    }
+  }
+
+  std::vector<syntax::Statement> update(std::size_t reg, NodeId value) {
+    const Node& n = m_.nodes[value];
+    if (n.op == Op::kRegister && n.index == reg) return {};  // keeps its value
+    if (plan_.in_update[value]) {
+      syntax::Statement s{
+          "", expressions_.use(n.in[0]), update(reg, n.in[1]), update(reg, n.in[2]), ""};
+      if (s.then.empty() && s.otherwise.empty()) return {};
+      return {std::move(s)};
+    }
+    const int e = m_.registers[reg].leaf.enumeration;
+    return {{names_.registers[reg], expressions_.use(value, e), {}, {}, ""}};
+  }
+
+  const Design& design_;
+  const Module& m_;
+  FixedNames names_;
+  Plan plan_;
+  Expressions expressions_;
+  std::vector<std::vector<std::string>> instance_outputs_;
+  std::vector<std::string> wires_;
+  std::vector<bool> written_ = std::vector<bool>(m_.instances.size(), false);
+  syntax::Text text_;
+};
+
+}  // namespace
+
+syntax::Text legalise(const Design& design, const Module& module) {
+  return Legaliser(design, module).run();
+}
+
+}  // namespace hlsgen

@@ -1,0 +1,160 @@
+#include "generator/print/plan.hpp"
+
+namespace hlsgen {
+namespace {
+
+// Names and literals in one expression; a reader's limit, not a tool's.
+constexpr unsigned kLongest = 7;
+constexpr unsigned kLongestChoice = 20;  // a ?: b : c ?: ... stands on several lines
+constexpr unsigned kDeepestIf = 3;
+
+class Planner {
+ public:
+  explicit Planner(const Module& module) : m_(module), inner_(module.nodes.size(), false) {
+    plan_.uses = count_uses(module);
+    plan_.enumeration = infer_enumerations(module);
+    plan_.wire.assign(module.nodes.size(), false);
+    plan_.in_update.assign(module.nodes.size(), false);
+    weight_.assign(module.nodes.size(), 1);
+  }
+
+  Plan run() {
+    find_cases();
+    plan_.uses = count_uses(m_, plan_.cases);
+    find_updates();
+    for (NodeId id = 0; id < m_.nodes.size(); ++id)
+      if (plan_.uses[id] > 0) decide(id);
+    for (const auto& [head, chain] : plan_.cases) {
+      make_wire(chain.selector);
+      for (const CaseChain::Arm& arm : chain.arms) forbid_selects(arm.value);
+      forbid_selects(chain.otherwise);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  const Node& node(NodeId id) const { return m_.nodes[id]; }
+
+  void find_cases() {
+    for (NodeId id = m_.nodes.size(); id-- > 0;) {
+      if (plan_.uses[id] == 0 || node(id).op != Op::kMux || inner_[id]) continue;
+      std::vector<NodeId> inner;
+      auto chain = find_case(m_, plan_.uses, id, &inner);
+      if (!chain) continue;
+      for (const NodeId i : inner) inner_[i] = true;
+      plan_.cases.emplace(id, std::move(*chain));
+    }
+  }
+
+  void find_updates() {
+    for (const Register& r : m_.registers) mark_update(r.next, 0);
+  }
+  void mark_update(NodeId id, unsigned depth) {
+    const Node& n = node(id);
+    if (n.op != Op::kMux || plan_.uses[id] != 1 || plan_.cases.count(id) != 0) return;
+    if (depth > kDeepestIf) return;
+    plan_.in_update[id] = true;
+    mark_update(n.in[1], depth + 1);
+    mark_update(n.in[2], depth);  // else if: no deeper
+  }
+
+  bool is_source(NodeId id) const {
+    const Op op = node(id).op;
+    return op == Op::kInput || op == Op::kRegister || op == Op::kInstanceOutput;
+  }
+  bool is_constant(NodeId id) const { return node(id).op == Op::kConstant; }
+  bool is_atom(NodeId id) const { return is_source(id) || plan_.wire[id] || is_constant(id); }
+  bool is_select(NodeId id) const { return node(id).op == Op::kSlice && !plan_.wire[id]; }
+
+  void make_wire(NodeId id) {
+    if (is_source(id) || is_constant(id)) return;
+    plan_.wire[id] = true;
+    weight_[id] = 1;
+  }
+
+  void decide(NodeId id) {
+    const Node& n = node(id);
+    if (is_source(id) || is_constant(id)) return;
+    if (n.op == Op::kSlice && !is_select(n.in[0])) make_wire(n.in[0]);
+    if (n.op == Op::kSext && !is_atom(n.in[0]) && !is_select(n.in[0])) make_wire(n.in[0]);
+    if (n.op == Op::kTable) make_wire(n.in[0]);
+    if (inner_[id] || plan_.in_update[id]) return;
+    if (plan_.cases.count(id) != 0 || must_be_wire(n)) return make_wire(id);
+    shorten(id);
+    if (!is_plain(id) && (plan_.uses[id] > 1 || !n.name.empty()) && !only_renames(id))
+      make_wire(id);
+  }
+
+  // $signed() reaches through a whole expression, so what needs it stands alone.
+  static bool must_be_wire(const Node& n) {
+    return n.op == Op::kMul || n.op == Op::kAshr || n.op == Op::kTable;
+  }
+
+  // So short that a name would say less.
+  bool is_plain(NodeId id) const {
+    const Node& n = node(id);
+    switch (n.op) {
+      case Op::kSlice: return true;
+      case Op::kZext: case Op::kNot: return is_atom(n.in[0]) || is_select(n.in[0]);
+      case Op::kEq: case Op::kNe:
+        return (is_atom(n.in[0]) || is_select(n.in[0])) && is_constant(n.in[1]);
+      default: return false;
+    }
+  }
+
+  // Its only reader is a port or a register, which has a name already.
+  bool only_renames(NodeId id) const {
+    if (plan_.uses[id] != 1) return false;
+    for (const Output& o : m_.outputs)
+      if (o.value == id) return true;
+    for (const Register& r : m_.registers)
+      if (r.next == id) return true;
+    return false;
+  }
+
+  void shorten(NodeId id) {
+    const Node& n = node(id);
+    const bool choice = n.op == Op::kMux;
+    while (true) {
+      unsigned sum = 0;
+      NodeId heaviest = kNone;
+      for (const NodeId operand : n.in) {
+        sum += weight_[operand];
+        const bool fixed = is_atom(operand) || is_select(operand);
+        if (!fixed && (heaviest == kNone || weight_[operand] > weight_[heaviest]))
+          heaviest = operand;
+      }
+      weight_[id] = sum;
+      const bool chain = choice && node(n.in[2]).op == Op::kMux && !plan_.wire[n.in[2]];
+      if (sum <= (chain ? kLongestChoice : kLongest) || heaviest == kNone) break;
+      make_wire(heaviest);
+    }
+    // A choice inside of anything but a choice hides; short ones may stay.
+    if (choice) return;
+    for (const NodeId operand : n.in)
+      if (node(operand).op == Op::kMux && weight_[operand] > 3) make_wire(operand);
+  }
+
+  // Icarus 11 does not follow a select inside of always_comb.
+  void forbid_selects(NodeId id) {
+    if (has_select(id)) make_wire(id);
+  }
+  bool has_select(NodeId id) const {
+    if (is_atom(id)) return false;
+    if (node(id).op == Op::kSlice || node(id).op == Op::kSext) return true;
+    for (const NodeId operand : node(id).in)
+      if (has_select(operand)) return true;
+    return false;
+  }
+
+  const Module& m_;
+  Plan plan_;
+  std::vector<bool> inner_;  // inside of a case chain, behind its head
+  std::vector<unsigned> weight_;
+};
+
+}  // namespace
+
+Plan plan(const Module& module) { return Planner(module).run(); }
+
+}  // namespace hlsgen

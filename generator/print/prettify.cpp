@@ -1,0 +1,160 @@
+#include "generator/print/prettify.hpp"
+
+#include <array>
+#include <optional>
+
+namespace hlsgen {
+namespace {
+
+using syntax::Expr;
+using syntax::Statement;
+using Kind = Expr::Kind;
+
+bool is_zero(const Expr& e) { return e.is(Kind::kLiteral) && e.value.isZero(); }
+
+struct Opposite {
+  const char *op, *negated, *mirrored;
+};
+constexpr std::array<Opposite, 6> kComparisons = {{{"==", "!=", "=="},
+                                                   {"!=", "==", "!="},
+                                                   {"<", ">=", ">"},
+                                                   {"<=", ">", ">="},
+                                                   {">", "<=", "<"},
+                                                   {">=", "<", "<="}}};
+const Opposite* comparison(const Expr& e) {
+  if (e.is(Kind::kBinary))
+    for (const Opposite& o : kComparisons)
+      if (e.text == o.op) return &o;
+  return nullptr;
+}
+
+Expr pretty_unary(Expr e) {
+  Expr& inner = e.operands[0];
+  if (e.text == "!") {
+    if (inner.is_operator("!")) return inner.operands[0];
+    if (const Opposite* o = comparison(inner)) {
+      inner.text = o->negated;
+      return inner;
+    }
+  }
+  return e;
+}
+
+Expr pretty_binary(Expr e) {
+  Expr &a = e.operands[0], &b = e.operands[1];
+  if (const Opposite* o = comparison(e); o != nullptr && a.is(Kind::kLiteral) &&
+                                         !b.is(Kind::kLiteral)) {
+    e.text = o->mirrored;
+    std::swap(a, b);
+  }
+  const bool bitwise = e.text == "&" || e.text == "|" || e.text == "^";
+  for (Expr& side : e.operands)
+    if (bitwise && side.is(Kind::kLiteral)) side.base = Expr::Base::kHex;
+  if (e.text == "+" && b.is(Kind::kLiteral) && e.width > 1 && (-b.value).ult(b.value)) {
+    e.text = "-";
+    b.value = -b.value;
+  }
+  if (e.text == "-" && is_zero(a)) return syntax::unary("-", b, e.width);
+  return e;
+}
+
+Expr pretty_conditional(Expr e) {
+  Expr &condition = e.operands[0], &then = e.operands[1], &otherwise = e.operands[2];
+  if (condition.is_operator("!") && !otherwise.is(Kind::kConditional)) {
+    condition = Expr(condition.operands[0]);
+    std::swap(then, otherwise);
+  }
+  return e;
+}
+
+// Two parts of a concatenation as one, if they are neighbours.
+std::optional<Expr> joined(const Expr& high, const Expr& low) {
+  if (high.is(Kind::kLiteral) && low.is(Kind::kLiteral))
+    return syntax::literal(high.value.concat(low.value));
+  if (high.is(Kind::kSelect) && low.is(Kind::kSelect) && high.text == low.text &&
+      high.low == low.high + 1)
+    return syntax::select(syntax::name(high.text, high.declared_width), high.high, low.low);
+  return std::nullopt;
+}
+
+Expr pretty_concat(Expr e) {
+  std::vector<Expr> parts;
+  for (Expr& part : e.operands) {
+    std::vector<Expr> inner;
+    if (part.is(Kind::kConcat)) inner = std::move(part.operands);
+    else inner.push_back(std::move(part));
+    for (Expr& p : inner) {
+      if (!parts.empty())
+        if (auto both = joined(parts.back(), p)) {
+          parts.back() = std::move(*both);
+          continue;
+        }
+      parts.push_back(std::move(p));
+    }
+  }
+  return syntax::concat(std::move(parts));
+}
+
+Statement pretty_if(Statement s) {
+  s.then = prettify(std::move(s.then));
+  s.otherwise = prettify(std::move(s.otherwise));
+  const bool else_if = s.otherwise.size() == 1 && s.otherwise[0].target.empty();
+  const bool negated = s.value.is_operator("!");
+  if (s.then.empty() || (negated && !s.otherwise.empty() && !else_if)) {
+    s.value = negated ? Expr(s.value.operands[0]) : prettify(syntax::unary("!", s.value, 1));
+    std::swap(s.then, s.otherwise);
+  }
+  return s;
+}
+
+void append(std::vector<Statement>& to, std::vector<Statement> more) {
+  for (Statement& s : more) to.push_back(std::move(s));
+}
+
+}  // namespace
+
+Expr prettify(Expr e) {
+  for (Expr& operand : e.operands) operand = prettify(std::move(operand));
+  switch (e.kind) {
+    case Kind::kUnary: return pretty_unary(std::move(e));
+    case Kind::kBinary: return pretty_binary(std::move(e));
+    case Kind::kConditional: return pretty_conditional(std::move(e));
+    case Kind::kConcat: return pretty_concat(std::move(e));
+    default: return e;
+  }
+}
+
+// The assignments are non-blocking and each register has one statement, so order is free.
+std::vector<Statement> prettify(std::vector<Statement> list) {
+  std::vector<Statement> out;
+  for (Statement& s : list) {
+    s.value = prettify(std::move(s.value));
+    if (!s.target.empty()) {
+      out.push_back(std::move(s));
+      continue;
+    }
+    Statement* same = nullptr;
+    for (Statement& earlier : out)
+      if (earlier.target.empty() && earlier.value == s.value) same = &earlier;
+    if (same == nullptr) {
+      out.push_back(std::move(s));
+      continue;
+    }
+    append(same->then, std::move(s.then));
+    append(same->otherwise, std::move(s.otherwise));
+    same->comment.clear();
+  }
+  for (Statement& s : out)
+    if (s.target.empty()) s = pretty_if(std::move(s));
+  return out;
+}
+
+void prettify(syntax::Text& text) {
+  for (syntax::Item& item : text.items)
+    for_each_in_item(item, [](Expr& e) { e = prettify(std::move(e)); });
+  for (auto& [port, value] : text.assigns) value = prettify(std::move(value));
+  text.updates = prettify(std::move(text.updates));
+  merge_cases(text.items);
+}
+
+}  // namespace hlsgen

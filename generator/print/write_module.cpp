@@ -1,0 +1,186 @@
+#include "generator/print/write_module.hpp"
+
+#include "generator/names.hpp"
+#include "generator/print/write_expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hlsgen {
+namespace {
+
+using syntax::Expr;
+using syntax::Statement;
+
+class Writer {
+ public:
+  std::string run(const syntax::Text& t) {
+    for (const std::string& line : t.header) out_ += "// " + line + "\n";
+    out_ += "\n";
+    ports(t);
+    for (const auto& [name, value] : t.constants)
+      line(1, fmt::format("localparam logic {}{} = {};", write_range(value.width), name,
+                          write_flat(value)));
+    if (!t.constants.empty()) out_ += "\n";
+    for (const syntax::Signal& r : t.registers)
+      line(1, fmt::format("logic {}{};{}", write_range(r.width), r.name, write_comment(r.comment)));
+    if (!t.registers.empty()) out_ += "\n";
+    for (const syntax::Item& item : t.items)
+      std::visit([this](const auto& i) { write(i); }, item);
+    if (!t.items.empty()) out_ += "\n";
+    if (!t.updates.empty()) registers(t);
+    for (const auto& [port, value] : t.assigns)
+      out_ += write_assignment(2, "assign " + port + " =", value);
+    if (!t.unused.empty()) unused(t.unused);
+    out_ += "endmodule\n";
+    return std::move(out_);
+  }
+
+ private:
+  void line(unsigned level, const std::string& text) {
+    out_ += std::string(2 * static_cast<std::size_t>(level), ' ') + text + "\n";
+  }
+
+  void ports(const syntax::Text& t) {
+    struct Port {
+      std::string direction, range, name, comment;
+    };
+    std::vector<Port> list;
+    if (t.clocked) {
+      list.push_back({"input ", "", std::string(kClockPort), ""});
+      list.push_back({"input ", "", std::string(kResetPort), "synchronous, active high"});
+    }
+    for (const syntax::Signal& s : t.inputs)
+      list.push_back({"input ", write_range(s.width), s.name, s.comment});
+    for (const syntax::Signal& s : t.outputs)
+      list.push_back({"output", write_range(s.width), s.name, s.comment});
+    std::size_t widest = 0;
+    for (const Port& p : list) widest = std::max(widest, p.range.size());
+
+    out_ += "module " + t.name + " (\n";
+    for (std::size_t i = 0; i < list.size(); ++i)
+      line(2, fmt::format("{} logic {:<{}}{}{}{}", list[i].direction, list[i].range, widest,
+                          list[i].name, i + 1 == list.size() ? "" : ",",
+                          write_comment(list[i].comment)));
+    out_ += ");\n";
+  }
+
+  void write(const syntax::Wire& w) {
+    out_ += write_assignment(2, fmt::format("wire {}{} =", write_range(w.width), w.name), w.value,
+                             w.comment);
+  }
+
+  void write(const syntax::Cell& c) {
+    out_ += "\n";
+    for (const auto& o : c.outputs)
+      line(1, fmt::format("wire {}{};", write_range(o.width), o.wire));
+    line(1, c.module + " " + c.name + " (");
+    std::vector<std::string> pins;
+    if (c.clocked) {
+      pins.push_back(fmt::format(".{0}({0})", kClockPort));
+      pins.push_back(fmt::format(".{0}({0})", kResetPort));
+    }
+    for (const auto& [port, value] : c.inputs)
+      pins.push_back(fmt::format(
+          ".{}({})", port,
+          write_wrapped(value, static_cast<unsigned>(port.size()) + 6, 8)));
+    for (const auto& o : c.outputs) pins.push_back(fmt::format(".{}({})", o.port, o.wire));
+    for (std::size_t i = 0; i < pins.size(); ++i)
+      line(3, pins[i] + (i + 1 == pins.size() ? "" : ","));
+    line(1, ");");
+    out_ += "\n";
+  }
+
+  void write(const syntax::Case& c) {
+    out_ += "\n";
+    for (const auto& t : c.targets)
+      line(1, fmt::format("logic {}{};{}", write_range(t.width), t.name, write_comment(c.comment)));
+    line(1, "always_comb begin");
+    line(2, "case (" + write_flat(c.selector) + ")");
+    for (const syntax::Case::Arm& arm : c.arms) {
+      std::string labels;
+      for (const Expr& label : arm.labels)
+        labels += (labels.empty() ? "" : ", ") + write_flat(label);
+      if (labels.empty()) labels = "default";
+      if (c.targets.size() == 1) {
+        out_ += write_assignment(6, labels + ": " + c.targets[0].name + " =", arm.values[0]);
+        continue;
+      }
+      line(3, labels + ": begin");
+      for (std::size_t i = 0; i < c.targets.size(); ++i)
+        out_ += write_assignment(8, c.targets[i].name + " =", arm.values[i]);
+      line(3, "end");
+    }
+    line(2, "endcase");
+    line(1, "end");
+    out_ += "\n";
+  }
+
+  void registers(const syntax::Text& t) {
+    line(1, fmt::format("always_ff @(posedge {}) begin", kClockPort));
+    line(2, fmt::format("if ({}) begin", kResetPort));
+    statements(t.resets, 3);
+    line(2, "end else begin");
+    statements(t.updates, 3);
+    line(2, "end");
+    line(1, "end");
+    out_ += "\n";
+  }
+
+  void statements(const std::vector<Statement>& list, unsigned level) {
+    for (const Statement& s : list) {
+      if (!s.target.empty()) {
+        out_ += write_assignment(2 * level, s.target + " <=", s.value, s.comment);
+        continue;
+      }
+      out_ += std::string(2 * static_cast<std::size_t>(level), ' ');
+      branch(s, level);
+    }
+  }
+
+  // The indent is written already: it may stand behind an else.
+  void branch(const Statement& s, unsigned level) {
+    const std::string start(2 * static_cast<std::size_t>(level), ' ');
+    out_ += "if (" + write_wrapped(s.value, 2 * level + 14, 2 * level + 4) + ") begin" +
+            write_comment(s.comment) + "\n";
+    statements(s.then, level + 1);
+    out_ += start + "end";
+    if (s.otherwise.size() == 1 && s.otherwise[0].target.empty()) {
+      out_ += " else ";
+      branch(s.otherwise[0], level);
+      return;
+    }
+    if (!s.otherwise.empty()) {
+      out_ += " else begin\n";
+      statements(s.otherwise, level + 1);
+      out_ += start + "end";
+    }
+    out_ += "\n";
+  }
+
+  void unused(const std::vector<Expr>& signals) {
+    std::vector<Expr> parts = signals;
+    parts.insert(parts.begin(), syntax::literal(llvm::APInt(1, 0)));
+    out_ += "\n";
+    line(1, "// What nothing reads, for the linters.");
+    out_ += write_assignment(2, "wire unused =",
+                             syntax::unary("&", syntax::concat(std::move(parts)), 1));
+  }
+
+  std::string out_;
+};
+
+}  // namespace
+
+std::string write_module(const syntax::Text& text) {
+  std::string s = Writer().run(text);
+  // Items bring their own blank lines; two in a row say nothing more.
+  for (std::size_t at = 0; (at = s.find("\n\n\n", at)) != std::string::npos;) s.erase(at, 1);
+  for (std::size_t at = 0; (at = s.find(");\n\n", at)) != std::string::npos; ++at) {
+    if (at != 0 && s[at - 1] == '\n') s.erase(at + 3, 1);  // right behind the ports
+  }
+  return s;
+}
+
+}  // namespace hlsgen

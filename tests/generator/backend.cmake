@@ -1,0 +1,2 @@
+# What is tested without C++: checks, passes and printers on netlists made by hand or by chance.
+unit_test(backend_print hlsgen_lib)
