@@ -23,12 +23,12 @@
 
 namespace steplock {
 
-enum class Watch : std::uint8_t { kNothing, kCrossings, kSectors };
+enum class Evidence : std::uint8_t { kNothing, kCrossings, kSectors };
 
 class PhaseDetector {
  public:
   struct In {
-    Watch watch = Watch::kNothing;  // what the error is made of
+    Evidence watch = Evidence::kNothing;  // what the error is made of
     bool crossing = false;          // strobe: the back-EMF crossed zero
     Phase crossing_phase = 0;       // u0.16, where in the step
     bool before_seen = false;       // the level before the crossing showed in this step
@@ -53,17 +53,17 @@ class PhaseDetector {
 
   Out tick(const In& in) {
     const Phase magnitude = wrap<Phase>(error_.negative() ? ~error_ : error_);
-    const Phase window = in.watch == Watch::kSectors ? Phase(0x2000) : in.window;
+    const Phase window = in.watch == Evidence::kSectors ? Phase(0x2000) : in.window;
     const Out out{.error = error_,
                   .update = update_,
                   .good = update_ && !missed_ && magnitude < window,
                   .missed = missed_};
     update_ = missed_ = false;
-    if (in.watch == Watch::kCrossings) {
+    if (in.watch == Evidence::kCrossings) {
       watch_crossings(in);
     } else {
       answered_ = true;  // no miss for a step that began unwatched
-      if (in.watch == Watch::kSectors) watch_sectors(in);
+      if (in.watch == Evidence::kSectors) watch_sectors(in);
     }
     if (in.commutate) turned_ = false;
     return out;

@@ -89,7 +89,7 @@ class SixStepTop {
                                     .cause = cause_});
 
     // With Hall sensors the sector is the step, in reverse with the current turned round.
-    const bool follow = start.watch == Watch::kSectors;
+    const bool follow = start.watch == Evidence::kSectors;
     const bool new_sector = follow && (sectors.moved || sectors.jumped);
     const Step hall_step = !start.reverse       ? sectors.sector
                            : sectors.sector < 3 ? wrap<Step>(sectors.sector + 3)

@@ -59,7 +59,7 @@ class StartSequence {
     SpeedMode mode = SpeedMode::kFixed;
     Duty duty = 0;                      // u1.15, for kFixed and kAboveBemf
     Frequency target = 0;               // u0.32, for speed control
-    Watch watch = Watch::kNothing;      // phase detector
+    Evidence watch = Evidence::kNothing;      // phase detector
     Loop loop = Loop::kHold;            // loop filter
     bool load = false;                  // loop filter: take load_frequency
     Frequency load_frequency = 0;       // u0.32
@@ -269,7 +269,7 @@ class StartSequence {
     switch (state_) {
       case State::kObserve:
         out.turn_vco = true;
-        out.watch = Watch::kSectors;
+        out.watch = Evidence::kSectors;
         out.loop = Loop::kCatch;
         out.mode = SpeedMode::kAboveBemf;
         break;
@@ -294,7 +294,7 @@ class StartSequence {
         break;
       case State::kPullIn:
         out.enable = out.turn_vco = true;
-        out.watch = Watch::kCrossings;
+        out.watch = Evidence::kCrossings;
         out.loop = Loop::kTrack;
         out.pattern = Pattern::kDrive;
         // With all of it the rotor would keep its lead on the VCO and run away from the loop.
@@ -304,7 +304,7 @@ class StartSequence {
       case State::kRun:
       case State::kSlowDown:
         out.enable = out.turn_vco = out.running = true;
-        out.watch = in.source == Source::kHall ? Watch::kSectors : Watch::kCrossings;
+        out.watch = in.source == Source::kHall ? Evidence::kSectors : Evidence::kCrossings;
         out.loop = in.source == Source::kHall ? Loop::kHall : Loop::kTrack;
         out.pattern = Pattern::kDrive;
         out.mode = SpeedMode::kControl;

@@ -12,7 +12,7 @@ using In = PhaseDetector::In;
 
 // Begins a step, so that the next commutation has one to end.
 In begin(PhaseDetector& dut, In in = {}) {
-  in.watch = Watch::kCrossings;
+  in.watch = Evidence::kCrossings;
   dut.tick(in);
   in.commutate = true;
   dut.tick(in);
@@ -98,14 +98,14 @@ TEST(PhaseDetector, AFoundCrossingIsNoMissAtTheEndOfTheStep) {
 
 TEST(PhaseDetector, TheFirstStepWatchedIsNoMiss) {
   PhaseDetector dut;
-  EXPECT_FALSE(after(dut, {.watch = Watch::kCrossings, .commutate = true}).missed);
+  EXPECT_FALSE(after(dut, {.watch = Evidence::kCrossings, .commutate = true}).missed);
 }
 
 // In the paper's form only U rising counts: step 5, or 2 in reverse, once per electrical turn.
 TEST(PhaseDetector, OncePerTurnOnlyPhaseURisingCounts) {
   for (const bool reverse : {false, true}) {
     PhaseDetector dut;
-    In in = {.watch = Watch::kCrossings, .reverse = reverse, .detector = Detector::kOncePerTurn};
+    In in = {.watch = Evidence::kCrossings, .reverse = reverse, .detector = Detector::kOncePerTurn};
     dut.tick(in);
     int updates = 0;
     int counted_step = -1;
@@ -132,7 +132,7 @@ TEST(PhaseDetector, WatchingNothingTheErrorHolds) {
   in.crossing = true;
   in.crossing_phase = 0x7000;
   after(dut, in);
-  in.watch = Watch::kNothing;
+  in.watch = Evidence::kNothing;
   in.crossing_phase = 0;
   const auto out = after(dut, in);
   EXPECT_FALSE(out.update);
@@ -141,8 +141,8 @@ TEST(PhaseDetector, WatchingNothingTheErrorHolds) {
 
 PhaseDetector::Out change_after(double turns) {
   PhaseDetector dut;
-  for (int i = 1; i <= int(turns); ++i) dut.tick({.watch = Watch::kSectors, .elapsed = true});
-  return after(dut, {.watch = Watch::kSectors,
+  for (int i = 1; i <= int(turns); ++i) dut.tick({.watch = Evidence::kSectors, .elapsed = true});
+  return after(dut, {.watch = Evidence::kSectors,
                      .changed = true,
                      .phase = int((turns - int(turns)) * 65536)});
 }
@@ -163,8 +163,8 @@ TEST(PhaseDetector, FollowingIsGoodWithinAnEighth) {
 
 TEST(PhaseDetector, TwoTurnsWithoutAChangeAreAMissWithTheVcoTooFast) {
   PhaseDetector dut;
-  EXPECT_FALSE(after(dut, {.watch = Watch::kSectors, .elapsed = true}).missed);
-  const auto out = after(dut, {.watch = Watch::kSectors, .elapsed = true});
+  EXPECT_FALSE(after(dut, {.watch = Evidence::kSectors, .elapsed = true}).missed);
+  const auto out = after(dut, {.watch = Evidence::kSectors, .elapsed = true});
   EXPECT_TRUE(out.missed);
   EXPECT_EQ(out.error, PhaseError::min());
 }
