@@ -103,11 +103,13 @@ NodeId instruction(NodeBuilder& nodes, const llvm::Instruction& at,
     case llvm::Instruction::Select: return nodes.mux(in[0], in[1], in[2]);
     default: break;
   }
+  std::string name = at.getOpcodeName();
   if (const auto* call = llvm::dyn_cast<llvm::IntrinsicInst>(&at)) {
     const NodeId result = intrinsic(nodes, call->getIntrinsicID(), in);
     if (result != kNone) return result;
+    name = call->getCalledFunction()->getName().str();
   }
-  refuse(at, std::string("an operation without a circuit (") + at.getOpcodeName() + ")",
+  refuse(at, "an operation without a circuit (" + name + ")",
          "write it with + - * & | ^ << >> and comparisons");
 }
 

@@ -80,13 +80,24 @@ NodeId unsigned_saturation(NodeBuilder& nodes, NodeId a, NodeId b) {
                    nodes.slice(sum, width, 0));
 }
 
-// Rotation through two words; LLVM takes the amount modulo the width.
+// LLVM takes the amount of a rotation modulo the width.
+NodeId rotation(NodeBuilder& nodes, NodeId amount, unsigned width) {
+  if (nodes.is_constant(amount)) return nodes.constant(32, nodes.value(amount) % width);
+  if (llvm::isPowerOf2_32(width)) {
+    return width == 1 ? nodes.constant(1, 0) : nodes.slice(amount, llvm::Log2_32(width), 0);
+  }
+  const NodeId limit = nodes.constant(nodes.width(amount), width);
+  const unsigned bits = nodes.significant(amount);
+  if (bits >= 32 || (1U << bits) > 2 * width) return kNone;
+  return nodes.mux(nodes.compare(Op::kUlt, amount, limit), amount,
+                   nodes.binary(Op::kSub, amount, limit));
+}
+
 NodeId funnel(NodeBuilder& nodes, bool left, const std::vector<NodeId>& in) {
   const unsigned width = nodes.width(in[0]);
-  if (!llvm::isPowerOf2_32(width)) return kNone;
+  const NodeId amount = rotation(nodes, in[2], width);
+  if (amount == kNone) return kNone;
   const NodeId both = nodes.concat({in[0], in[1]});
-  const NodeId amount = width == 1 ? nodes.constant(1, 0)
-                                   : nodes.slice(in[2], llvm::Log2_32(width), 0);
   const NodeId shifted = nodes.shift(left ? Op::kShl : Op::kLshr, both, amount);
   return nodes.slice(shifted, width, left ? width : 0);
 }

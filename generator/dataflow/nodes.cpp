@@ -55,6 +55,10 @@ bool NodeBuilder::is_value(NodeId a, std::uint64_t value) const {
   return is_constant(a) && nodes_[a].value == value;
 }
 
+unsigned NodeBuilder::significant(NodeId a) const {
+  return nodes_[a].op == Op::kZext ? nodes_[nodes_[a].in[0]].width : nodes_[a].width;
+}
+
 NodeId NodeBuilder::unary_not(NodeId a) {
   if (nodes_[a].op == Op::kNot) return nodes_[a].in[0];
   if (is_constant(a)) return constant(~nodes_[a].value);

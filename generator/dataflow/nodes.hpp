@@ -44,6 +44,7 @@ class NodeBuilder {
 
   unsigned width(NodeId a) const { return nodes_[a].width; }
   bool is_constant(NodeId a) const { return nodes_[a].op == Op::kConstant; }
+  unsigned significant(NodeId a) const;  // width without the zeros that an extension put on top
   std::uint64_t value(NodeId a) const { return nodes_[a].value.getLimitedValue(); }
 
  private:

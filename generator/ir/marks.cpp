@@ -58,7 +58,6 @@ void mark_variables(llvm::Function& function, Opaque& opaque) {
 }
 
 void check_marks(const llvm::Function& function, const Opaque& opaque) {
-  if (getenv("HLSGEN_IR")) function.print(llvm::errs());
   for (const auto& instruction : llvm::instructions(function)) {
     if (opaque_kind(&instruction) != OpaqueKind::kUndefined || instruction.use_empty()) continue;
     const auto& site = opaque.site(site_of(llvm::cast<llvm::CallInst>(&instruction)));

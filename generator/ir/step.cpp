@@ -13,7 +13,8 @@ llvm::GlobalVariable* new_global(llvm::Module& module, const std::string& name, 
 }
 
 // A struct with exactly the leaves, so that later passes find the numbers by offset.
-llvm::Type* memory_of(llvm::LLVMContext& context, const Layout& layout) {
+llvm::Type* memory_of(llvm::Module& module, const Layout& layout) {
+  auto& context = module.getContext();
   std::vector<llvm::Type*> elements;
   std::uint64_t end = 0;
   const auto pad_to = [&](std::uint64_t offset) {
@@ -24,7 +25,7 @@ llvm::Type* memory_of(llvm::LLVMContext& context, const Layout& layout) {
   for (const auto& place : layout.leaves) {
     pad_to(place.offset);
     elements.push_back(llvm::IntegerType::get(context, place.storage_bits));
-    end = place.offset + (place.storage_bits + 7) / 8;
+    end = place.offset + module.getDataLayout().getTypeAllocSize(elements.back());
   }
   pad_to(layout.size);
   return llvm::StructType::get(context, elements, /*isPacked=*/true);
@@ -44,7 +45,8 @@ llvm::Function* new_function(llvm::Module& module, const std::string& name) {
 }
 
 llvm::AllocaInst* new_memory(llvm::IRBuilder<>& builder, const Layout& layout, const char* name) {
-  auto* memory = builder.CreateAlloca(memory_of(builder.getContext(), layout), nullptr, name);
+  auto& module = *builder.GetInsertBlock()->getModule();
+  auto* memory = builder.CreateAlloca(memory_of(module, layout), nullptr, name);
   memory->setAlignment(llvm::Align(16));
   return memory;
 }
