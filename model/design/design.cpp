@@ -118,7 +118,8 @@ void set_start(const Settings& s, Design& d) {
   d.kappa = t.kappa_nm > 0 ? t.kappa_nm
                            : reset_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.reset_current);
   d.reset_time_formula = reset_time(d.kappa, m.inertia, t.gamma);
-  p.reset = t.reset_s.value_or(d.reset_time_formula);
+  // The shorted windings damp the swing with twice tau_m: five of those leave 8 % of it.
+  p.reset = t.reset_s.value_or(std::max(d.reset_time_formula, 5 * m.tau_m));
   p.settle = t.settle_s.value_or(p.reset / 2);
   // Two phases in parallel, in series with the third.
   p.reset_duty = duty_for(s, d.reset_current, 0.75 * m.r_loop);
@@ -175,7 +176,9 @@ void set_speed(const Settings& s, Design& d) {
   const double per_rpm = 1 / steps_per_second(s, 1.0);
   p.target = steps_per_second(s, s.scenario.speed_rpm);
   p.kp = bandwidth * m.tau_m * m.k_e / bus / steps;
-  p.ki = p.kp * std::max(1 / m.tau_m, bandwidth / 4);
+  // The motor is a pole at 1 / tau_m.  A fast one is cancelled; else both poles of the loop coincide.
+  const double pole = 1 / m.tau_m, sum = pole + bandwidth;
+  p.ki = p.kp * (pole > bandwidth ? pole : sum * sum / (4 * bandwidth));
   if (v.kp_duty_per_rpm) p.kp = *v.kp_duty_per_rpm * per_rpm;
   if (v.ki_duty_per_rpm_s) p.ki = *v.ki_duty_per_rpm_s * per_rpm;
   p.bemf = m.k_e / bus / steps;

@@ -97,6 +97,9 @@ Output Drive::update(double t, const Pins& pins, const Command& command) {
                     .frequency = filter_.frequency(),
                     .caught = caught_});
   const bool missed = detector_.missed();
+  // A rotor started with more torque than it needs leads the field; less and less lets it fall back
+  // to where its crossings show, whatever flux and bus voltage really are.
+  if (sequence_.state() == State::kPullIn && vco_.commutated()) boost_ -= boost_ / 32;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 
@@ -194,10 +197,11 @@ void Drive::on_tick(double t) {
       filter_.load(std::min(f + s.ramp * p_.pwm.tick(), s.hand_over));
       vco_.set_frequency(t, filter_.frequency());
       ramp_done_ = filter_.frequency() >= s.hand_over;
-      duty = std::min(s.start_duty + speed_.bemf_duty(f), p_.speed.maximum);
+      boost_ = s.start_duty;
+      duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     case State::kPullIn:
-      duty = std::min(s.start_duty / 2 + speed_.bemf_duty(f), p_.speed.maximum);
+      duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     default: break;
   }

@@ -60,6 +60,7 @@ class Drive {
   GateGuard guard_;
 
   double target_, next_ = 0;
+  double boost_ = 0;            // duty above the back-EMF's while starting
   double changed_ = 0;          // when the decoder's sector last changed
   int steady_ = 0, way_ = 0;    // changes in a row with a steady period, and their direction
   int caught_ = 0;
