@@ -1,0 +1,79 @@
+// The blocks, compiled natively: the bit-exact model behind the engines' interface.
+//
+// Test: tests/testbench/engine_test.cpp
+#pragma once
+
+#include "hls/six_step/six_step_top.hpp"
+#include "testbench/engine/watch.hpp"
+
+namespace steplock {
+
+inline Watch watch_of(const SixStepTop::Out& o) {
+  const Gates& g = o.gates;
+  return {std::uint32_t{g.uh} | std::uint32_t{g.ul} << 1 | std::uint32_t{g.vh} << 2 |
+          std::uint32_t{g.vl} << 3 | std::uint32_t{g.wh} << 4 | std::uint32_t{g.wl} << 5 |
+          std::uint32_t(o.step.raw()) << Watch::kStep |
+          static_cast<std::uint32_t>(o.state) << Watch::kState |
+          static_cast<std::uint32_t>(o.reason) << Watch::kReason |
+          std::uint32_t{o.crossing} << Watch::kCrossing | std::uint32_t{o.missed} << Watch::kMissed |
+          std::uint32_t{o.locked} << Watch::kLocked};
+}
+
+inline DriveView view_of(const SixStepTop::Out& o, double clock_hz, int divide) {
+  const auto number = [](auto bits) { return static_cast<double>(bits.raw()); };
+  return {.steps_per_second = number(o.frequency) * clock_hz / 4294967296.0 / (1 << divide),
+          .duty = number(o.duty) / 0x8000,
+          .phase_error_deg = 60 * number(o.phase_error) / 0x10000,
+          .step_phase_deg = 60 * number(o.step_phase) / 0x10000,
+          .crossings = static_cast<int>(o.counts.crossings.raw()),
+          .missed = static_cast<int>(o.counts.missed.raw()),
+          .freewheel_long = static_cast<int>(o.counts.freewheel_long.raw()),
+          .limit_hits = static_cast<int>(o.counts.limit_hits.raw()),
+          .retries = static_cast<int>(o.counts.retries.raw())};
+}
+
+inline void put_pins(Synchroniser::Pins& to, const plant::Pins& pins) {
+  to.comparator_u = pins.comparator[0];
+  to.comparator_v = pins.comparator[1];
+  to.comparator_w = pins.comparator[2];
+  to.limit = pins.limit;
+  to.hall_u = pins.hall[0];
+  to.hall_v = pins.hall[1];
+  to.hall_w = pins.hall[2];
+}
+
+inline Command command_of(const HostCommand& c) {
+  return {.configured = true, .run = c.run, .reverse = c.reverse, .brake_to_stop = c.brake_to_stop,
+          .clear_fault = c.clear_fault};
+}
+
+class FixedEngine {
+ public:
+  static constexpr const char* kName = "fixed";
+
+  FixedEngine(const Words& words, double clock_hz) : clock_hz_(clock_hz) { in_.words = words; }
+
+  void set_pins(const plant::Pins& pins) { put_pins(in_.pins, pins); }
+  void set_command(const HostCommand& c) {
+    in_.command = command_of(c);
+    in_.pins.fault = c.fault_pin;
+  }
+
+  void tick() { out_ = top_.tick(in_); }
+  std::uint64_t quiet() const { return 0; }
+  void skip(std::uint64_t) {}
+
+  Watch watch() const { return watch_of(out_); }
+  DriveView view() const {
+    return view_of(out_, clock_hz_, static_cast<int>(in_.words.loop.divide.raw()));
+  }
+  const SixStepTop::Out& output() const { return out_; }
+
+ private:
+  SixStepTop top_;
+  SixStepTop::In in_;
+  SixStepTop::Out out_;
+  double clock_hz_;
+};
+
+}  // namespace steplock

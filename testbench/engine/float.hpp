@@ -1,0 +1,87 @@
+// The floating-point reference behind the engines' interface.
+//
+// The reference lives in continuous time and is walked from event to event, exactly; only what it
+// shows to the bench (gates, step, state) is looked at on clocks, up to one clock late.
+//
+// Test: tests/testbench/engine_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/reference/drive.hpp"
+#include "testbench/engine/watch.hpp"
+
+namespace steplock {
+
+class FloatEngine {
+ public:
+  static constexpr const char* kName = "float";
+
+  FloatEngine(const design::Parameters& parameters, double clock_hz)
+      : drive_(parameters), clock_hz_(clock_hz) {}
+
+  void set_pins(const plant::Pins& pins) {
+    pins_.comparator = pins.comparator;
+    pins_.limit = pins.limit;
+    pins_.hall = pins.hall;
+    touched_ = true;
+  }
+  void set_command(const HostCommand& c) {
+    command_ = {.configured = true, .run = c.run, .reverse = c.reverse,
+                .brake_to_stop = c.brake_to_stop, .clear_fault = c.clear_fault};
+    pins_.fault = c.fault_pin;
+    touched_ = true;
+  }
+
+  void tick() {
+    const double t = static_cast<double>(clock_++) / clock_hz_;
+    // A strobe is one clock long, whatever happens within it.
+    watch_.bits &= ~Watch::kStrobeMask;
+    while (drive_.next_event() <= t) update(drive_.next_event());
+    if (touched_) update(t);
+    touched_ = false;
+  }
+
+  // Clocks for which tick() would do nothing at all.
+  std::uint64_t quiet() const {
+    if (touched_ || (watch_.bits & Watch::kStrobeMask) != 0) return 0;
+    const double clocks = std::ceil(drive_.next_event() * clock_hz_) - 1;
+    const auto first = static_cast<double>(clock_);
+    return clocks > first ? static_cast<std::uint64_t>(std::min(clocks - first, 1e9)) : 0;
+  }
+  void skip(std::uint64_t clocks) { clock_ += clocks; }
+
+  Watch watch() const { return watch_; }
+  const reference::Output& output() const { return out_; }
+  DriveView view() const {
+    return {.steps_per_second = out_.frequency,
+            .duty = out_.duty,
+            .phase_error_deg = 60 * out_.phase_error,
+            .step_phase_deg = 60 * out_.step_phase};
+  }
+
+ private:
+  void update(double t) {
+    out_ = drive_.update(t, pins_, command_);
+    std::uint32_t bits = watch_.bits & Watch::kStrobeMask;
+    for (int i = 0; i < 6; ++i) bits |= std::uint32_t{out_.gates[static_cast<std::size_t>(i)]} << i;
+    watch_.bits = bits | static_cast<std::uint32_t>(out_.step) << Watch::kStep |
+                  static_cast<std::uint32_t>(out_.state) << Watch::kState |
+                  static_cast<std::uint32_t>(out_.reason) << Watch::kReason |
+                  std::uint32_t{out_.crossing} << Watch::kCrossing |
+                  std::uint32_t{out_.missed} << Watch::kMissed |
+                  std::uint32_t{out_.locked} << Watch::kLocked;
+  }
+
+  reference::Drive drive_;
+  reference::Pins pins_;
+  reference::Command command_;
+  reference::Output out_;
+  Watch watch_;
+  double clock_hz_;
+  std::uint64_t clock_ = 0;
+  bool touched_ = true;
+};
+
+}  // namespace steplock

@@ -1,0 +1,17 @@
+#include "testbench/engine/watch.hpp"
+
+namespace steplock {
+
+const char* name_of(State s) {
+  constexpr const char* kNames[] = {"idle",    "observe", "brake",     "settle", "reset", "accelerate",
+                                    "pull_in", "run",     "slow_down", "rest",   "fault"};
+  return kNames[static_cast<int>(s)];
+}
+
+const char* name_of(Reason r) {
+  constexpr const char* kNames[] = {"none",  "fault_pin",  "over_current", "step_out",   "stall",
+                                    "wrong_lock", "no_lock", "cannot_stop", "hall_code"};
+  return kNames[static_cast<int>(r)];
+}
+
+}  // namespace steplock

@@ -1,0 +1,25 @@
+// Writes everything a run leaves in its directory: summary.json, the samples as CSV, figures as SVG,
+// and one self-contained HTML page.
+//
+// Figures need gnuplot; without it the rest is written and a warning says so.
+//
+// Doc: docs/report.md   Test: tests/testbench/report_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "testbench/run/summary.hpp"
+
+namespace steplock {
+
+struct ReportFiles {
+  std::vector<std::filesystem::path> paths;
+  std::vector<std::string> warnings;
+};
+
+ReportFiles write_report(const std::filesystem::path& directory, const DriveFile&, const Summary&,
+                         const Record&, bool traced);
+
+}  // namespace steplock

@@ -1,0 +1,53 @@
+#include "testbench/run/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/design/design.hpp"
+#include "model/design/words.hpp"
+#include "testbench/run/timeline.hpp"
+
+namespace steplock {
+namespace {
+
+// The line of the key that a complaint begins with.  The plant's names lack the unit suffix; a key
+// that the file does not set stands for its section.
+int line_of(const DriveFile& file, const std::string& complaint) {
+  const std::string key = complaint.substr(0, complaint.find_first_of(" :[="));
+  if (const auto exact = file.line_of.find(key); exact != file.line_of.end()) return exact->second;
+  const auto near = file.line_of.lower_bound(key + "_");
+  if (near != file.line_of.end() && near->first.starts_with(key + "_")) return near->second;
+  const auto section = file.line_of.find(key.substr(0, key.find('.')));
+  return section != file.line_of.end() ? section->second : 1;
+}
+
+}  // namespace
+
+void check_drive_file(const DriveFile& file) {
+  const design::Settings& s = file.settings;
+  std::vector<std::string> complaints = timeline_problems(s);
+  std::ranges::copy(plant::validate(plant_parameters(s)), std::back_inserter(complaints));
+  std::ranges::copy(design::problems(s), std::back_inserter(complaints));
+  // Gains and words of a drive that makes no sense would only add noise.
+  if (complaints.empty()) {
+    complaints = design::quantise(design::design_drive(s).parameters, s.control.clock_hz).problems;
+  }
+  if (complaints.empty()) return;
+  std::vector<std::pair<int, std::string>> lines;
+  for (const std::string& c : complaints) lines.emplace_back(line_of(file, c), c);
+  std::ranges::stable_sort(lines, {}, &std::pair<int, std::string>::first);
+  std::string all;
+  for (const auto& [line, text] : lines) {
+    all += fmt::format("{}{}:{}: {}", all.empty() ? "" : "\n", file.path, line, text);
+  }
+  throw BadInput(all);
+}
+
+DriveFile open_drive_file(const std::string& path) {
+  DriveFile file = load_drive_file(path);
+  check_drive_file(file);
+  return file;
+}
+
+}  // namespace steplock

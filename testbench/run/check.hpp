@@ -1,0 +1,14 @@
+// Checks a loaded drive file for sense, beyond the range of each key: what the plant, the design
+// library and the scenario object to, each as `file:line: ...` at the key it begins with.
+//
+// Test: tests/testbench/check_test.cpp
+#pragma once
+
+#include "testbench/drive_file/drive_file.hpp"
+
+namespace steplock {
+
+void check_drive_file(const DriveFile&);      // throws BadInput with all lines
+DriveFile open_drive_file(const std::string& path);  // loads and checks
+
+}  // namespace steplock

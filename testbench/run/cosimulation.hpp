@@ -1,0 +1,124 @@
+// Drive and plant together, clock by clock.
+//
+//     clock n:   pins as they are at n T  ->  engine.tick()  ->  gates, on from n T
+//
+// So a pin is seen one clock after it changed, as a flip-flop would.  The plant is asked only when it
+// has something to say: when gates change, when one of its pins does, and at sample times; all that
+// is decided by comparing whole clock numbers, and between two such clocks the loop is the engine's
+// own.  An engine is a class with
+//
+//     void set_pins(const plant::Pins&);  void set_command(const HostCommand&);
+//     void tick();                        Watch watch() const;     DriveView view() const;
+//     uint64_t quiet() const;             clocks for which tick() would do nothing under these pins
+//     void skip(uint64_t clocks);         at most that many
+//
+// Doc: docs/report.md   Test: tests/testbench/cosimulation_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "testbench/run/recorder.hpp"
+#include "testbench/run/timeline.hpp"
+
+namespace steplock {
+
+template <class Engine>
+class Cosimulation {
+ public:
+  Cosimulation(Engine& engine, plant::Plant& plant, const Timeline& timeline, Recorder& recorder,
+               double clock_hz)
+      : engine_(engine), plant_(plant), timeline_(timeline), recorder_(recorder),
+        clock_hz_(clock_hz) {}
+
+  std::uint64_t clock() const { return clock_; }
+
+  // Runs clocks up to `end`, exclusive.
+  void run_until(std::uint64_t end) {
+    while (clock_ < end) {
+      if (clock_ >= visit_) visit();
+      std::uint64_t stop = std::min(end, visit_);
+      while (clock_ < stop) {
+        if (const std::uint64_t quiet = engine_.quiet(); quiet > 0) {
+          const std::uint64_t skipped = std::min(quiet, stop - clock_);
+          engine_.skip(skipped);
+          clock_ += skipped;
+          continue;
+        }
+        engine_.tick();
+        if (const Watch now = engine_.watch(); now != watch_) {
+          changed(now);
+          stop = std::min(end, visit_);
+        }
+        ++clock_;
+      }
+    }
+  }
+
+ private:
+  double time() const { return static_cast<double>(clock_) / clock_hz_; }
+  std::uint64_t clock_at(double t) const {
+    return t < kFar ? static_cast<std::uint64_t>(std::ceil(t * clock_hz_)) : kNever;
+  }
+
+  // The clock has come at which something outside the drive happens.
+  void visit() {
+    plant_.advance_to(time());
+    while (next_event_ < timeline_.events.size() &&
+           timeline_.events[next_event_].clock <= clock_) {
+      const Event& event = timeline_.events[next_event_++];
+      command_ = event.command;
+      load_nm_ = event.load_nm;
+      engine_.set_command(command_);
+      plant_.set_load_torque(load_nm_);
+    }
+    if (clock_ >= sample_) {
+      recorder_.sample(plant_.state(), watch_, engine_.view(), load_nm_);
+      sample_ = std::max(clock_at(recorder_.next_sample()), clock_ + 1);
+    }
+    show_pins();
+  }
+
+  void changed(Watch now) {
+    plant_.advance_to(time());
+    const bool new_gates = now.gate_bits() != watch_.gate_bits();
+    const bool strobe_only = ((now.bits ^ watch_.bits) & ~Watch::kStrobeMask) == 0;
+    if (!strobe_only || recorder_.tracing()) {
+      recorder_.changed(plant_.state(), watch_, now, engine_.view(), load_nm_);
+      sample_ = std::max(clock_at(recorder_.next_sample()), clock_ + 1);
+    }
+    if (new_gates) plant_.set_gates(now.gates());
+    watch_ = now;
+    show_pins();
+  }
+
+  void show_pins() {
+    if (plant_.pins() != pins_) {
+      pins_ = plant_.pins();
+      engine_.set_pins(pins_);
+      recorder_.pins_changed(time(), pins_);
+    }
+    visit_ = std::max(clock_at(plant_.next_event()), clock_ + 1);
+    visit_ = std::min(visit_, std::max(sample_, clock_ + 1));
+    if (next_event_ < timeline_.events.size()) {
+      visit_ = std::min(visit_, std::max(timeline_.events[next_event_].clock, clock_ + 1));
+    }
+  }
+
+  static constexpr double kFar = 1e9;  // s
+  static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+
+  Engine& engine_;
+  plant::Plant& plant_;
+  const Timeline& timeline_;
+  Recorder& recorder_;
+  double clock_hz_;
+  std::uint64_t clock_ = 0, visit_ = 0, sample_ = 0;
+  std::size_t next_event_ = 0;
+  HostCommand command_;
+  double load_nm_ = 0;
+  plant::Pins pins_;
+  Watch watch_;
+};
+
+}  // namespace steplock

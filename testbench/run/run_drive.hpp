@@ -1,0 +1,32 @@
+// Runs the scenario of a drive file with one of the engines, from gates off to the last event.
+//
+// Doc: docs/steplock.md   Test: tests/testbench/run_drive_test.cpp
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "testbench/drive_file/drive_file.hpp"
+#include "testbench/run/record.hpp"
+
+namespace steplock {
+
+class TraceWriter;
+
+enum class EngineKind { kRtl, kFixed, kFloat };
+const char* name_of(EngineKind);
+
+struct RunOptions {
+  EngineKind engine = EngineKind::kRtl;
+  double angle_deg = 0;          // electrical, of the rotor at t = 0
+  TraceWriter* trace = nullptr;
+  // Called some ten times a second with the fraction done; false stops the run, which then holds
+  // what was simulated so far.
+  std::function<bool(double done)> progress = {};
+};
+
+// The settings must be sound (check_drive_file()).
+Record run_drive(const design::Settings&, const RunOptions&);
+
+}  // namespace steplock

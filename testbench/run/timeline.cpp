@@ -1,0 +1,89 @@
+#include "testbench/run/timeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/design/design.hpp"
+
+namespace steplock {
+namespace {
+
+struct Moment {
+  double time;
+  const char* what;
+};
+
+std::vector<Moment> moments(const design::ScenarioSection& n) {
+  std::vector<Moment> all{{n.run_s, "run"}};
+  if (n.load_step_s) all.push_back({*n.load_step_s, "load step"});
+  if (n.load_off_s) all.push_back({*n.load_off_s, "load off"});
+  if (n.reverse_s) all.push_back({*n.reverse_s, "reverse"});
+  if (n.stop_s) all.push_back({*n.stop_s, "stop"});
+  std::ranges::stable_sort(all, {}, &Moment::time);
+  return all;
+}
+
+}  // namespace
+
+Timeline timeline(const design::Settings& s) {
+  const design::ScenarioSection& n = s.scenario;
+  const auto clock_of = [&](double t) {
+    return static_cast<std::uint64_t>(std::llround(t * s.control.clock_hz));
+  };
+  Timeline t;
+  t.clocks = clock_of(n.duration_s);
+  t.load_step_nm = design::load_step_torque(s);
+  t.steady_end_s = n.duration_s;
+
+  Event now{.clock = 0,
+            .command = {.reverse = n.reverse, .brake_to_stop = n.brake_to_stop},
+            .load_nm = s.load.opposing_nm,
+            .what = "gates off"};
+  t.events.push_back(now);
+  bool undisturbed = true;
+  for (const Moment& moment : moments(n)) {
+    now.clock = clock_of(moment.time);
+    now.what = moment.what;
+    if (now.what == "run") now.command.run = true;
+    if (now.what == "load step") now.load_nm += t.load_step_nm;
+    if (now.what == "load off") now.load_nm = s.load.opposing_nm;
+    if (now.what == "reverse") now.command.reverse = !now.command.reverse;
+    if (now.what == "stop") now.command.run = false;
+    if (undisturbed && now.what != "run") t.steady_end_s = moment.time;
+    undisturbed = undisturbed && now.what == "run";
+    if (now.clock < t.clocks) t.events.push_back(now);
+  }
+  return t;
+}
+
+std::vector<std::string> timeline_problems(const design::Settings& s) {
+  const design::ScenarioSection& n = s.scenario;
+  std::vector<std::string> problems;
+  const auto after = [&](const char* key, const std::optional<double>& time, const char* than,
+                         double least) {
+    if (time && *time <= least) {
+      problems.push_back(fmt::format("scenario.{} is {:g} s; it must come after {} ({:g} s)", key,
+                                     *time, than, least));
+    }
+    if (time && *time >= n.duration_s) {
+      problems.push_back(fmt::format("scenario.{} is {:g} s; it must come before duration_s ({:g} s)",
+                                     key, *time, n.duration_s));
+    }
+  };
+  after("load_step_s", n.load_step_s, "run_s", n.run_s);
+  after("load_off_s", n.load_off_s, "load_step_s", n.load_step_s.value_or(n.run_s));
+  after("reverse_s", n.reverse_s, "run_s", n.run_s);
+  after("stop_s", n.stop_s, "run_s", n.run_s);
+  if (n.load_off_s && !n.load_step_s) {
+    problems.push_back("scenario.load_off_s is set without load_step_s; add load_step_s");
+  }
+  if (n.run_s >= n.duration_s) {
+    problems.push_back(fmt::format("scenario.run_s is {:g} s; it must come before duration_s ({:g} s)",
+                                   n.run_s, n.duration_s));
+  }
+  return problems;
+}
+
+}  // namespace steplock

@@ -1,0 +1,40 @@
+// What happens when: the scenario of a drive file as clock numbers, in order.
+//
+//     run_s        `run` rises (direction: scenario.reverse)
+//     load_step_s  load torque rises by load_step_nm     load_off_s   and falls again
+//     reverse_s    the direction changes                 stop_s       `run` falls
+//
+// Test: tests/testbench/timeline_test.cpp
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/design/settings.hpp"
+#include "testbench/engine/watch.hpp"
+
+namespace steplock {
+
+struct Event {
+  std::uint64_t clock = 0;
+  HostCommand command;
+  double load_nm = 0;  // opposing torque from here on
+  std::string what;    // for people: "run", "load step", ...
+};
+
+struct Timeline {
+  std::vector<Event> events;  // sorted by clock, the first one at clock 0
+  std::uint64_t clocks = 0;   // of the whole scenario
+  // The span in which the drive should stand at set speed undisturbed ends here.
+  double steady_end_s = 0;
+  double load_step_nm = 0;
+};
+
+Timeline timeline(const design::Settings&);
+
+// One line per contradiction ("scenario.stop_s is ...", a key first), as plant::validate() does.
+std::vector<std::string> timeline_problems(const design::Settings&);
+
+}  // namespace steplock
