@@ -47,9 +47,14 @@ Parameters everything() {
 }
 
 TEST(Energy, BalancesAfterEveryEventToTheToleranceForEachShape) {
-  for (const auto kind : {BackEmfShape::Kind::kTrapezoidal, BackEmfShape::Kind::kSinusoidal}) {
+  for (const auto kind : {BackEmfShape::Kind::kTrapezoidal, BackEmfShape::Kind::kSinusoidal,
+                          BackEmfShape::Kind::kTable}) {
     Parameters p = everything();
     p.motor.shape.kind = kind;
+    for (int n = 0; n < 36; ++n) {  // used by kTable alone
+      const double angle = n * 10 * kDegree;
+      p.motor.shape.table.push_back(1.1 * std::sin(angle) + 0.1 * std::sin(3 * angle));
+    }
     double turned_over = 0;
     const double worst = worst_residual(p, turned_over);
     EXPECT_GT(turned_over, 0.1);
