@@ -1,11 +1,14 @@
-// Current limit: fixed off-time, on the comparator of the shunt.
+// Current limit: fixed off-time, on the comparator of the shunt (Amano 2003, Fig. 9).
 //
-// The pulse begins with the PWM.  `blanking` clocks later the comparator is believed; when it says
-// that the current is above the limit the pulse ends, and stays off for `off_time` clocks whatever the
-// PWM does.  Then the PWM rules again, and each new pulse is blanked anew (Amano 2003, Fig. 9).
+// Each switch-on begins with `blanking` clocks in which the comparator is not believed.  From then on a
+// high comparator cuts the pulse: off for `off_time` clocks whatever the PWM does, then the PWM rules
+// again, and the next switch-on is blanked anew.
+//
+// A current that the limit has in hand falls below it in the off-time.  Cuts in a row in which it
+// never did are counted: a shorted winding, or a shunt that lies.
 //
 //     latency      none from PWM to pulse; 1 clock from comparator to pulse
-//     registers    27 bits     multipliers  none
+//     registers    19 bits: one counter is blanking or off-time     multipliers  none
 //
 // Doc: docs/blocks/current_limit.md   Test: tests/hls/current_limit_test.cpp
 
@@ -21,50 +24,49 @@ class CurrentLimit {
   struct In {
     bool on = false;          // the PWM's pulse
     bool comparator = false;  // synchronised: current above the limit
-    LimitWords words;
+    LimitWords words = {};
   };
 
   struct Out {
-    bool on = false;     // the pulse that is left
-    bool hit = false;    // one clock: a pulse was cut
-    UInt<4> stuck = 0;   // cuts in a row in whose off-time the comparator was never released
+    bool on = false;    // what is left of the pulse
+    bool hit = false;   // one clock, the first of an off-time
+    UInt<4> stuck = 0;  // cuts in a row without release, stops at 15
   };
 
   Out tick(const In& in) {
-    const bool cut = off_ != 0;
-    const bool on = in.on && !cut;
-    const bool hit = on && blank_ == 0 && was_on_ && in.comparator && in.words.off_time != 0;
+    const bool on = in.on && !cut_;
+    const Out out{.on = on, .hit = hit_, .stuck = stuck_};
+
+    const auto less = left_ - 1;
+    const bool heard = on && less.negative();
+    const bool hit = heard && in.comparator && in.words.off_time != 0;
+    const bool cut_ends = cut_ && (left_ >> 1) == 0;
+
+    if (cut_ends) {
+      stuck_ = released_ || !in.comparator ? UInt<4>(0) : saturate<UInt<4>>(stuck_ + 1);
+    } else if (heard && !in.comparator) {
+      stuck_ = 0;
+    }
+    released_ = cut_ && (released_ || !in.comparator);
 
     if (hit) {
-      off_ = in.words.off_time;
-      if (released_) {
-        stuck_ = 0;
-      } else {
-        stuck_ = saturate<UInt<4>>(stuck_ + 1);
-      }
-      released_ = false;
-    } else if (cut) {
-      off_ = wrap<UInt<12>>(off_ - 1);
-      if (!in.comparator) released_ = true;
+      left_ = in.words.off_time;
+    } else if (cut_ends || !(on || cut_)) {
+      left_ = in.words.blanking;
+    } else if (!heard) {
+      left_ = wrap<UInt<12>>(less);
     }
-    // A pulse that its blanking outlives without a hit is the proof that the current obeys.
-    if (on && was_on_ && blank_ == 0 && !in.comparator) stuck_ = 0;
-
-    if (!on) {
-      blank_ = in.words.blanking;
-    } else if (blank_ != 0) {
-      blank_ = wrap<UInt<8>>(blank_ - 1);
-    }
-    was_on_ = on;
-    return {.on = on, .hit = hit, .stuck = stuck_};
+    cut_ = hit || (cut_ && !cut_ends);
+    hit_ = hit;
+    return out;
   }
 
  private:
-  UInt<12> off_ = 0;     // clocks of off-time still to come
-  UInt<8> blank_ = 0;    // clocks of blanking still to come
-  bool was_on_ = false;  // the pulse was on in the last clock
-  bool released_ = true; // the comparator fell in this off-time
-  UInt<4> stuck_ = 0;
+  UInt<12> left_ = 0;      // clocks of off-time (cut) or of blanking
+  bool cut_ = false;       // off-time
+  bool released_ = false;  // the comparator fell in this off-time
+  bool hit_ = false;       // the first clock of an off-time
+  UInt<4> stuck_ = 0;      // cuts in a row without release
 };
 
 }  // namespace steplock

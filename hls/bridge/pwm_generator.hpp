@@ -1,15 +1,22 @@
 // PWM generator: on-time in clocks to a pulse, and the drive's slow time base.
 //
-//     on while  lead <= position < lead + on_clocks       lead = 0, or (period - on_clocks) / 2 if centred
+//     on while  lead <= position < lead + on_clocks
+//     lead = 0, or floor((period - on_clocks) / 2) if centred
 //
-// Period and on-time are taken together at the first clock of a period, so no pulse is made of two
-// settings.  0 and `period` are exact: never on, and on without a gap from period to period.  An on- or
-// off-time shorter than `minimum` becomes none.
+// All words of a period are taken together in the last clock of the one before, so no pulse is made of
+// two settings.  Two ends are exact: 0 is never on, `period` or more is on without a gap from period to
+// period.  An on-time below `minimum` becomes none, then an off-time below it becomes none.
 //
-//     latency      on-time to pulse: the next period      period 0: off, and the words are read each clock
-//     registers    58 bits     multipliers  none
+// Three down-counters and no position: what is left of the period, of the lead and of the pulse.  A
+// counter that stops at its own borrow needs neither a comparator nor a copy of what it began with.
+//
+//     latency      2 clocks from the last clock of a period to the first output of the next one;
+//                  all outputs are registers
+//     period 0     off; the words are looked at in each clock
+//     registers    55 bits     multipliers  none
 //
 // Doc: docs/blocks/pwm_generator.md   Test: tests/hls/pwm_generator_test.cpp
+// Proof: tests/proofs/pwm_generator.sv
 
 #pragma once
 
@@ -35,37 +42,51 @@ class PwmGenerator {
   };
 
   Out tick(const In& in) {
-    const bool start = position_ == 0 && period_ != 0;
-    const bool tick = start && periods_ == 0;
-    const Clocks lead = in.centred ? wrap<Clocks>((period_ - on_) >> 1) : Clocks(0);
-    const bool on = wrap<Clocks>(position_ - lead) < on_;
+    const Out out{.on = on_, .start = start_, .tick = tick_};
 
-    const bool last = position_ + 1 >= period_;  // period 0 as well
-    if (start) {
-      periods_ = periods_ != 0            ? wrap<UInt<8>>(periods_ - 1)
-                 : in.tick_periods == 0 ? UInt<8>(0)
-                                          : wrap<UInt<8>>(in.tick_periods - 1);
-    }
-    if (last) {
-      position_ = 0;
-      period_ = in.period;
-      on_ = pulse(in);
+    const bool ending = (left_ >> 1) == 0;  // the period's last clock, or no period at all
+    const bool idle = ending && !left_.bit(0);
+    const auto shorter_lead = lead_ - 1;
+    const auto shorter_pulse = pulse_ - 1;
+    const bool rise = waiting_ && shorter_lead.negative();
+    // In its first clock a period does not go on with the pulse of the one before.
+    const bool counting = rise || (on_ && !first_);
+
+    const bool begins = first_ && !idle;
+    const bool ticks = (periods_ >> 1) == 0;
+    on_ = !idle && (always_ || (counting && !shorter_pulse.negative()));
+    start_ = begins;
+    tick_ = begins && ticks;
+    if (begins) periods_ = ticks ? in.tick_periods : wrap<UInt<8>>(periods_ - 1);
+
+    first_ = ending;
+    if (ending) {
+      const auto rest = in.period - in.on_clocks;
+      left_ = in.period;
+      pulse_ = in.on_clocks;
+      lead_ = in.centred ? wrap<UInt<13>>(rest >> 1) : UInt<13>(0);
+      waiting_ = in.on_clocks >= in.minimum;
+      always_ = in.on_clocks >= in.minimum && rest < in.minimum;
     } else {
-      position_ = wrap<Clocks>(position_ + 1);
+      left_ = wrap<Clocks>(left_ - 1);
+      if (counting) pulse_ = wrap<Clocks>(shorter_pulse);
+      if (waiting_) lead_ = wrap<UInt<13>>(shorter_lead);
+      if (rise) waiting_ = false;
     }
-    return {.on = on, .start = start, .tick = tick};
+    return out;
   }
 
  private:
-  static Clocks pulse(const In& in) {
-    if (in.on_clocks < in.minimum) return 0;
-    return in.on_clocks + in.minimum > in.period ? in.period : in.on_clocks;
-  }
-
-  Clocks position_ = 0;
-  Clocks period_ = 0;
-  Clocks on_ = 0;
-  UInt<8> periods_ = 0;  // to the next tick
+  Clocks left_ = 0;       // clocks of the period, with this one
+  UInt<13> lead_ = 0;     // clocks to the pulse
+  Clocks pulse_ = 0;      // clocks of the pulse
+  UInt<8> periods_ = 0;   // periods to the next tick
+  bool first_ = false;    // this is the first clock of the period
+  bool waiting_ = false;  // the pulse is still to come
+  bool always_ = false;   // 100 %
+  bool on_ = false;       // the pulse, one clock later
+  bool start_ = false;    // as first_, in step with on_
+  bool tick_ = false;     // as first_, in every `tick_periods`-th period
 };
 
 }  // namespace steplock

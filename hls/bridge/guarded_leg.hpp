@@ -1,0 +1,69 @@
+// Guarded leg: one leg of the bridge, two gates that are never on together.
+//
+//     turn on    after the same request for dead_time + 1 clocks, with both gates off
+//     turn off   at once when the request goes, but not before `minimum` clocks; at once with `off`
+//
+// One counter serves the leg: while a gate is on it holds what is left of the minimum on-time, else
+// what is left of the dead time.  It begins anew with every change of the request, so a request of
+// dead_time clocks or less never reaches its gate.
+//
+//     latency      dead_time + 1 clocks from request to gate on, 1 clock to gate off
+//     registers    12 bits; the gates are registers, free of glitches     multipliers  none
+//
+// Doc: docs/blocks/gate_guard.md   Test: tests/hls/gate_guard_test.cpp
+// Proof: tests/proofs/gate_guard.sv
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+
+namespace steplock {
+
+class GuardedLeg {
+ public:
+  struct In {
+    bool high = false;      // request for the high side; both requested is none
+    bool low = false;       // request for the low side
+    bool off = true;        // both gates off at the next clock
+    UInt<8> dead_time = 1;  // clocks, 1 at least; taken when a request comes, goes or changes
+    UInt<8> minimum = 0;    // clocks of on-time at least; taken at turn-on
+  };
+
+  struct Out {
+    bool high = false;  // gate of the high side
+    bool low = false;   // gate of the low side
+  };
+
+  Out tick(const In& in) {
+    const Out out{.high = high_, .low = low_};
+    const bool want_high = !in.off && in.high && !in.low;
+    const bool want_low = !in.off && in.low && !in.high;
+    const bool steady = (want_high && was_high_) || (want_low && was_low_);
+    const bool on = high_ || low_;
+    const bool due = (timer_ >> 1) == 0;
+
+    const bool held = !in.off && !due;
+    const bool stays = on && (held || (high_ ? want_high : want_low));
+    const bool turns_on = !on && steady && due;
+
+    if (on ? !stays : !steady || due) {
+      timer_ = turns_on ? in.minimum : in.dead_time;
+    } else if (!due) {
+      timer_ = wrap<UInt<8>>(timer_ - 1);
+    }
+    high_ = (high_ && stays) || (turns_on && want_high);
+    low_ = (low_ && stays) || (turns_on && want_low);
+    was_high_ = want_high;
+    was_low_ = want_low;
+    return out;
+  }
+
+ private:
+  bool high_ = false;      // gate of the high side
+  bool low_ = false;       // gate of the low side
+  bool was_high_ = false;  // the request of the last clock
+  bool was_low_ = false;   // the request of the last clock
+  UInt<8> timer_ = 0;      // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
+};
+
+}  // namespace steplock

@@ -1,0 +1,134 @@
+#include "hls/bridge/current_limit.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace steplock {
+namespace {
+
+using In = CurrentLimit::In;
+
+In limit(bool on, bool comparator, int blanking, int off_time) {
+  return {.on = on, .comparator = comparator, .words = {.blanking = blanking, .off_time = off_time}};
+}
+
+TEST(CurrentLimit, APulseBelowTheLimitPassesUntouchedAndWithoutDelay) {
+  CurrentLimit dut;
+  for (int i = 0; i < 100; ++i) {
+    const bool on = i % 7 < 4;
+    ASSERT_EQ(dut.tick(limit(on, false, 3, 20)).on, on);
+  }
+}
+
+TEST(CurrentLimit, TheComparatorIsHeardAfterTheBlankingAndNotBefore) {
+  for (const int blanking : {0, 1, 2, 255}) {
+    CurrentLimit dut;
+    dut.tick(limit(false, true, blanking, 20));
+    int on = 0;
+    while (dut.tick(limit(true, true, blanking, 20)).on) ++on;
+    // The clock in which it is heard is the last one of the pulse.
+    EXPECT_EQ(on, blanking + 1);
+  }
+}
+
+TEST(CurrentLimit, ACutLastsExactlyTheOffTimeWhateverThePwmDoes) {
+  for (const int off_time : {1, 2, 3, 100, 4095}) {
+    CurrentLimit dut;
+    dut.tick(limit(false, false, 0, off_time));
+    dut.tick(limit(true, true, 0, off_time));
+    for (int i = 0; i < off_time; ++i) {
+      // Even a PWM that goes off and on again does not shorten it.
+      const bool pwm = i % 3 != 0 || i == off_time - 1;
+      ASSERT_FALSE(dut.tick(limit(pwm, false, 0, off_time)).on) << i;
+    }
+    EXPECT_TRUE(dut.tick(limit(true, false, 0, off_time)).on);
+  }
+}
+
+TEST(CurrentLimit, TheHitIsTheFirstClockOfTheOffTime) {
+  CurrentLimit dut;
+  EXPECT_FALSE(dut.tick(limit(true, true, 0, 5)).hit);
+  const auto out = dut.tick(limit(true, true, 0, 5));
+  EXPECT_TRUE(out.hit);
+  EXPECT_FALSE(out.on);
+  EXPECT_FALSE(dut.tick(limit(true, true, 0, 5)).hit);
+}
+
+TEST(CurrentLimit, AfterACutTheSwitchOnIsBlankedAnew) {
+  CurrentLimit dut;
+  dut.tick(limit(false, false, 10, 5));
+  for (int i = 0; i < 11; ++i) ASSERT_TRUE(dut.tick(limit(true, true, 10, 5)).on);
+  for (int i = 0; i < 5; ++i) ASSERT_FALSE(dut.tick(limit(true, true, 10, 5)).on);
+  for (int i = 0; i < 11; ++i) ASSERT_TRUE(dut.tick(limit(true, true, 10, 5)).on) << i;
+  EXPECT_FALSE(dut.tick(limit(true, true, 10, 5)).on);
+}
+
+TEST(CurrentLimit, OffTimeZeroDisablesIt) {
+  CurrentLimit dut;
+  for (int i = 0; i < 100; ++i) {
+    const auto out = dut.tick(limit(true, true, 2, 0));
+    ASSERT_TRUE(out.on);
+    ASSERT_FALSE(out.hit);
+  }
+}
+
+TEST(CurrentLimit, ACurrentThatNeverFallsIsCountedAndStopsAtFifteen) {
+  CurrentLimit dut;
+  dut.tick(limit(false, true, 4, 10));
+  UInt<4> most = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto out = dut.tick(limit(true, true, 4, 10));
+    ASSERT_GE(out.stuck, most);
+    most = out.stuck;
+    // A cut is complete after 5 clocks on and 10 off.
+    ASSERT_EQ(out.stuck, UInt<4>(std::min(i / 15, 15))) << i;
+  }
+}
+
+TEST(CurrentLimit, AReleaseInTheOffTimeEndsTheCount) {
+  CurrentLimit dut;
+  dut.tick(limit(false, true, 4, 10));
+  for (int i = 0; i < 50; ++i) dut.tick(limit(true, true, 4, 10));
+  ASSERT_EQ(dut.tick(limit(true, true, 4, 10)).stuck, UInt<4>(3));
+  UInt<4> stuck = 3;
+  for (int i = 51; i < 500; ++i) {
+    // Low for one clock in each off-time.
+    stuck = dut.tick(limit(true, i % 15 != 12, 4, 10)).stuck;
+  }
+  EXPECT_EQ(stuck, UInt<4>(0));
+}
+
+TEST(CurrentLimit, AQuietComparatorInAPulseEndsTheCount) {
+  CurrentLimit dut;
+  dut.tick(limit(false, true, 4, 10));
+  for (int i = 0; i < 50; ++i) dut.tick(limit(true, true, 4, 10));
+  for (int i = 0; i < 20; ++i) dut.tick(limit(true, false, 4, 10));
+  EXPECT_EQ(dut.tick(limit(true, false, 4, 10)).stuck, UInt<4>(0));
+}
+
+// With the comparator always high a pulse is never longer than the blanking and the clock that hears.
+RC_GTEST_PROP(CurrentLimit, NoPulseOutlivesAHighComparator, (std::uint32_t seed)) {
+  std::mt19937 random(seed);
+  const int blanking = int(random() % 40);
+  const int off_time = 1 + int(random() % 60);
+  CurrentLimit dut;
+  int on = 0;
+  int left = 0;
+  bool pwm = false;
+  for (int clock = 0; clock < 5000; ++clock) {
+    if (left-- == 0) {
+      pwm = !pwm;
+      left = int(random() % 100);
+    }
+    const auto out = dut.tick(limit(pwm, true, blanking, off_time));
+    RC_ASSERT(!out.on || pwm);
+    on = out.on ? on + 1 : 0;
+    RC_ASSERT(on <= blanking + 1);
+  }
+}
+
+}  // namespace
+}  // namespace steplock
