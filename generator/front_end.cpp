@@ -45,16 +45,17 @@ class FrontEnd {
     blocks_ = find_blocks(*program_.module, options.compile.source, options.top);
   }
 
-  Design run() {
+  FrontEndResult run() {
     for (auto& block : blocks_.order) {
       check_callees(*block.tick, blocks_);
       block.tick->addFnAttr(llvm::Attribute::Convergent);  // a call of it is not to be copied
     }
     check_callees(*blocks_.reset, blocks_);
     find_resets();
-    Design design;
-    for (const auto& block : blocks_.order) design.modules.push_back(module_of(block));
-    return design;
+    FrontEndResult result;
+    for (const auto& block : blocks_.order) result.design.modules.push_back(module_of(block));
+    result.read = program_.read;
+    return result;
   }
 
  private:
@@ -163,6 +164,6 @@ class FrontEnd {
 
 }  // namespace
 
-Design build_design(const FrontEndOptions& options) { return FrontEnd(options).run(); }
+FrontEndResult build_design(const FrontEndOptions& options) { return FrontEnd(options).run(); }
 
 }  // namespace hlsgen

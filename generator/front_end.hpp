@@ -20,7 +20,12 @@ struct FrontEndOptions {
   std::string top;  // class or module name; empty when the source names only one
 };
 
+struct FrontEndResult {
+  Design design;
+  std::vector<std::string> read;  // every file of the project that went into it
+};
+
 // Throws Refusal.
-Design build_design(const FrontEndOptions& options);
+FrontEndResult build_design(const FrontEndOptions& options);
 
 }  // namespace hlsgen

@@ -2,14 +2,15 @@
 
 #include "generator/refusal.hpp"
 
+#include <llvm/ADT/StringExtras.h>
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/DebugInfo.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IRReader/IRReader.h>
 #include <llvm/Support/FileSystem.h>
-#include <llvm/Support/FileUtilities.h>
 #include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Support/Path.h>
 #include <llvm/Support/Program.h>
 #include <llvm/Support/SourceMgr.h>
 
@@ -28,7 +29,7 @@ constexpr const char* kHost = "-D__aarch64__";
 #endif
 
 std::vector<std::string> arguments(const CompileOptions& options, const std::string& clang,
-                                   llvm::StringRef output) {
+                                   llvm::StringRef output, llvm::StringRef rules) {
   std::vector<std::string> args = {
       clang, "-x", "c++", "-std=c++20", "--target=spir64", "-ffreestanding", kHost, "-fwrapv",
       "-fno-exceptions", "-fno-rtti", "-fno-strict-aliasing", "-fno-discard-value-names",
@@ -45,10 +46,8 @@ std::vector<std::string> arguments(const CompileOptions& options, const std::str
   for (const auto directory : system) {
     args.insert(args.end(), {"-isystem", directory.str()});
   }
-  if (!options.depfile.empty()) {
-    args.insert(args.end(), {"-MMD", "-MF", options.depfile, "-MT", options.depfile_target});
-  }
-  args.insert(args.end(), {options.source, "-o", output.str()});
+  args.insert(args.end(), {"-MMD", "-MF", rules.str(), "-MT", "out", options.source, "-o",
+                           output.str()});
   return args;
 }
 
@@ -74,7 +73,9 @@ Refusal first_error(const std::string& diagnostics, const std::string& source) {
     if (!std::regex_match(line, match, pattern)) continue;
     const auto dash = match[4].str().rfind("-W");
     const std::string flag = dash == std::string::npos ? "" : match[4].str().substr(dash + 2);
-    const SourceLine where{match[1], static_cast<unsigned>(std::stoul(match[2]))};
+    llvm::SmallString<128> file(match[1].str());
+    llvm::sys::path::remove_dots(file);
+    const SourceLine where{file.str().str(), static_cast<unsigned>(std::stoul(match[2]))};
     return {where, match[3], mend_for(match[3], flag)};
   }
   return {{source, 1}, "clang++-16 failed: " + diagnostics, "see its message"};
@@ -95,6 +96,36 @@ void drop_address_spaces(llvm::Module& module) {
   }
 }
 
+struct TemporaryFile {
+  explicit TemporaryFile(llvm::StringRef suffix) {
+    if (llvm::sys::fs::createTemporaryFile("hlsgen", suffix, path)) {
+      throw Refusal({}, "cannot write a temporary file", "free some space or set TMPDIR");
+    }
+  }
+  ~TemporaryFile() { llvm::sys::fs::remove(path); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  llvm::SmallString<128> path;
+};
+
+// `out: a.cpp a.hpp \` -> the files, as absolute paths.
+std::vector<std::string> prerequisites(llvm::StringRef rules) {
+  std::vector<std::string> files;
+  auto text = llvm::MemoryBuffer::getFile(rules);
+  if (!text) return files;
+  llvm::SmallVector<llvm::StringRef> words;
+  llvm::SplitString((*text)->getBuffer().split(':').second, words);
+  for (const auto word : words) {
+    if (word == "\\") continue;
+    llvm::SmallString<128> path(word);
+    llvm::sys::fs::make_absolute(path);
+    llvm::sys::path::remove_dots(path, /*remove_dot_dot=*/true);
+    files.push_back(path.str().str());
+  }
+  return files;
+}
+
 }  // namespace
 
 Program compile(const CompileOptions& options) {
@@ -106,36 +137,32 @@ Program compile(const CompileOptions& options) {
     throw Refusal({}, "clang++-16 is not installed", "apt-get install clang-16");
   }
 
-  llvm::SmallString<128> output;
-  llvm::SmallString<128> diagnostics;
-  if (llvm::sys::fs::createTemporaryFile("hlsgen", "bc", output) ||
-      llvm::sys::fs::createTemporaryFile("hlsgen", "txt", diagnostics)) {
-    throw Refusal({}, "cannot write a temporary file", "free some space or set TMPDIR");
-  }
-  const llvm::FileRemover remove_output(output);
-  const llvm::FileRemover remove_diagnostics(diagnostics);
+  const TemporaryFile output("bc");
+  const TemporaryFile diagnostics("txt");
+  const TemporaryFile rules("d");
 
-  const auto args = arguments(options, *clang, output);
+  const auto args = arguments(options, *clang, output.path, rules.path);
   const std::vector<llvm::StringRef> views(args.begin(), args.end());
   const llvm::StringRef nothing;
   std::string failure;
   const int code = llvm::sys::ExecuteAndWait(
-      *clang, views, std::nullopt, {nothing, llvm::StringRef(diagnostics), llvm::StringRef(diagnostics)}, 0, 0,
-      &failure);
+      *clang, views, std::nullopt, {nothing, diagnostics.path.str(), diagnostics.path.str()}, 0,
+      0, &failure);
   if (code != 0) {
-    auto text = llvm::MemoryBuffer::getFile(diagnostics);
+    auto text = llvm::MemoryBuffer::getFile(diagnostics.path);
     throw first_error(text ? (*text)->getBuffer().str() + failure : failure, options.source);
   }
 
   Program program;
   program.context = std::make_unique<llvm::LLVMContext>();
   llvm::SMDiagnostic error;
-  program.module = llvm::parseIRFile(output, error, *program.context);
+  program.module = llvm::parseIRFile(output.path, error, *program.context);
   if (!program.module) {
     throw Refusal({options.source, 1}, "clang's output cannot be read: " + error.getMessage().str(),
                   "use clang 16 with LLVM 16");
   }
   drop_address_spaces(*program.module);
+  program.read = prerequisites(rules.path);
   return program;
 }
 

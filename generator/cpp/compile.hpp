@@ -20,13 +20,12 @@ namespace hlsgen {
 struct CompileOptions {
   std::string source;
   std::vector<std::string> include_directories;
-  std::string depfile;         // written as make rules when not empty
-  std::string depfile_target;  // what the rules are for
 };
 
 struct Program {
   std::unique_ptr<llvm::LLVMContext> context;  // outlives the module
   std::unique_ptr<llvm::Module> module;
+  std::vector<std::string> read;  // the source and the headers of the project
 };
 
 // Throws Refusal with the compiler's first error.

@@ -3,6 +3,7 @@
 #include "generator/dataflow/control.hpp"
 #include "generator/dataflow/instructions.hpp"
 #include "generator/dataflow/variables.hpp"
+#include "generator/names.hpp"
 #include "generator/refusal.hpp"
 
 #include <llvm/IR/DebugInfo.h>
@@ -136,7 +137,7 @@ class Converter {
     const NodeId node = convert(*at);
     values_[v] = node;
     const auto name = names_.find(v);
-    if (node != kNone && name != names_.end()) nodes_.name(node, name->second);
+    if (node != kNone && name != names_.end()) nodes_.name(node, flat_name(name->second));
     return node;
   }
 
