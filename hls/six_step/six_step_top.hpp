@@ -80,6 +80,7 @@ class SixStepTop {
                                     .words = words.start,
                                     .target = words.speed.target,
                                     .frequency = frequency_,
+                                    .commutate = commutate_,
                                     .update = update_,
                                     .good = good_,
                                     .turns_reverse = sectors.reverse,
@@ -201,6 +202,7 @@ class SixStepTop {
     phase_ = vco.phase;
     pulse_ = vco.pulse;
     frequency_ = filter.frequency;
+    commutate_ = divider.commutate;
     update_ = detector.update;
     good_ = detector.good;
     lost_ = protection.lost;
@@ -251,6 +253,7 @@ class SixStepTop {
   Phase phase_ = 0;          // u0.16, of the VCO
   bool pulse_ = false;
   Frequency frequency_ = 0;  // u0.32
+  bool commutate_ = false;
   bool update_ = false;
   bool good_ = false;
   bool lost_ = false;

@@ -16,7 +16,7 @@
 // With Hall sensors kRun follows kIdle at once.
 //
 //     latency      1 clock: outputs follow the state
-//     registers    about 45 bits     multipliers  none
+//     registers    about 60 bits     multipliers  none
 //
 // Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
@@ -40,6 +40,7 @@ class StartSequence {
     StartWords words;
     Frequency target = 0;             // u0.32, set speed
     Frequency frequency = 0;          // u0.32, of the VCO
+    bool commutate = false;           // strobe: a new step began
     bool update = false;              // strobe: the phase detector has a new error
     bool good = false;                // with `update`: it is a small one
     bool turns_reverse = false;       // while observing: the code last moved downwards
@@ -73,6 +74,7 @@ class StartSequence {
   Out tick(const In& in) {
     const Out present = out(in);
     load_step_ = began_ = failed_ = false;
+    fade(in);
     const bool rearm = in.command.clear_fault && !clear_was_;
     clear_was_ = in.command.clear_fault;
 
@@ -108,6 +110,16 @@ class StartSequence {
       retries_ = wrap<UInt<4>>(retries_ + 1);
       reason_ = reason;
       enter(State::kRest, in.words.rest);
+    }
+  }
+
+  // Pulling in, the start's torque fades by 1/32 per step: with all of it the rotor would keep its lead
+  // on the VCO and run away from the loop, with too little of it a heavy load would stop it.
+  void fade(const In& in) {
+    if (state_ != State::kPullIn) {
+      boost_ = in.words.start_duty;
+    } else if (in.commutate) {
+      boost_ = wrap<Duty>(boost_ - (boost_ >> 5));
     }
   }
 
@@ -297,9 +309,8 @@ class StartSequence {
         out.watch = Evidence::kCrossings;
         out.loop = Loop::kTrack;
         out.pattern = Pattern::kDrive;
-        // With all of it the rotor would keep its lead on the VCO and run away from the loop.
         out.mode = SpeedMode::kAboveBemf;
-        out.duty = in.words.start_duty >> 1;
+        out.duty = boost_;
         break;
       case State::kRun:
       case State::kSlowDown:
@@ -322,6 +333,7 @@ class StartSequence {
   UInt<6> good_ = 0;            // good crossings in a row
   UInt<4> retries_ = 0;         // failed tries
   UInt<8> brakes_ = 0;          // braking intervals of this stop
+  Duty boost_ = 0;              // u1.15, duty above the back-EMF's while pulling in
   UInt<3> step_ = 0;            // to be loaded
   bool load_step_ = false;
   bool began_ = false;

@@ -137,6 +137,19 @@ TEST(StartSequence, RampsFromStandstillAndClosesTheLoopAtHandOver) {
   EXPECT_EQ(out.loop, Loop::kTrack);
 }
 
+TEST(StartSequence, FadesItsTorquePerStepWhilePullingIn) {
+  Bench bench;
+  bench.in.command.run = true;
+  bench.until(State::kAccelerate);
+  bench.in.frequency = bench.in.words.hand_over;
+  EXPECT_EQ(bench.until(State::kPullIn).duty, Duty(2000));
+  bench.in.commutate = true;
+  bench.clock();
+  bench.in.commutate = false;
+  EXPECT_EQ(bench.clock().duty, Duty(2000 - 2000 / 32));
+  EXPECT_EQ(bench.clock().duty, Duty(2000 - 2000 / 32));
+}
+
 TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {
   Bench bench;
   bench.in.command.run = true;
