@@ -1,0 +1,5 @@
+#include "hls/bridge/current_limit.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::CurrentLimit>;

@@ -1,0 +1,5 @@
+#include "hls/bridge/synchroniser.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::Synchroniser>;

@@ -1,0 +1,5 @@
+#include "hls/six_step/loop_filter.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::LoopFilter>;

@@ -1,0 +1,5 @@
+#include "hls/six_step/phase_detector.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::PhaseDetector>;

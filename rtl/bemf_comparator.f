@@ -1,0 +1,1 @@
+rtl/bemf_comparator.sv

@@ -1,0 +1,125 @@
+// bemf_comparator: steplock::BemfComparator, printed by hlsgen from hls/six_step/bemf_comparator.hpp:29.
+// Do not edit: change the C++ and print again.
+
+module bemf_comparator (
+    input  logic        clk,
+    input  logic        rst,  // synchronous, active high
+    input  logic        u_i,  // synchronised comparators: terminal above the reference
+    input  logic        v_i,  // see u
+    input  logic        w_i,  // see u
+    input  logic [2:0]  step_i,  // 0 to 5
+    input  logic        reverse_i,  // direction of rotation
+    input  logic        commutate_i,  // one clock, the first of a new step
+    input  logic        chop_i,  // the chopped gate is meant to be on
+    input  logic [15:0] phase_i,  // u0.16, turns of this step
+    input  logic [1:0]  words_sampling_i,
+    input  logic [9:0]  words_blanking_i,  // clocks after each edge of the chopped gate
+    input  logic [7:0]  words_sample_every_i,  // clocks between samples; 0 counts as 1
+    input  logic [3:0]  words_samples_i,  // of the filter, 1 to 15; 0 counts as 1
+    output logic        crossing_o,  // one clock, once in a step at most
+    output logic [15:0] crossing_phase_o,  // u0.16, where in the step it was
+    output logic        before_seen_o,  // the level from before the crossing showed in this step
+    output logic [15:0] freewheel_o  // u0.16, where freewheeling last ended in its step; all ones: it did not
+);
+  localparam logic [1:0] Sampling_kOnTime = 2'd0;
+  localparam logic [1:0] Sampling_kBoth = 2'd2;
+
+  logic [9:0] left;  // clocks to the next sample
+  logic chop;  // chop in the last clock
+  logic [3:0] count;  // the filter: 0 is before the crossing
+  logic before_seen;  // the filter reached 0 in this step
+  logic found;  // the crossing of this step
+  logic crossing;  // one clock after the sample that decided
+  logic [15:0] before_;  // u0.16, last sample that left the filter at 0
+  logic [15:0] place;  // u0.16, middle of that one and the one after
+  logic [15:0] freewheel;  // u0.16, first sample that brought the filter to 0
+
+  wire below_59 = left < 10'd2;  // line 59
+  wire either_58 = (chop_i ^ chop) || commutate_i;  // line 58
+  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 67
+  wire [4:0] sum_90 = {1'b0, count} + 5'd1;  // line 90
+  wire at_most_90 = ({1'b0, full} <= sum_90);  // line 90
+
+  logic choice_81;  // line 81
+  always_comb begin
+    case (step_i)
+      3'd0, 3'd3: choice_81 = w_i;
+      3'd1, 3'd4: choice_81 = v_i;
+      default: choice_81 = u_i;
+    endcase
+  end
+
+  wire differ_85 = choice_81 ^ reverse_i ^ step_i[0];  // line 85
+  wire either_60 =  // line 60
+      words_sampling_i == Sampling_kBoth || ((words_sampling_i != Sampling_kOnTime) ^ chop_i);
+  wire both = either_60 && !found;
+  wire both_2 = below_59 && !either_58;
+  wire below_95 = count < 4'd2;  // line 95
+  wire choice = (both_2 && both && differ_85) ? below_95 || before_seen : before_seen;
+  wire both_3 = !differ_85 && before_seen && at_most_90;
+  wire choice_2 = (both_2 && either_60) ? found || both_3 : found;
+  wire [16:0] sum_91 = {1'b0, before_} + {1'b0, phase_i};  // line 91
+
+  always_ff @(posedge clk) begin
+    if (rst) begin
+      left <= 10'd0;
+      chop <= 1'b0;
+      count <= 4'd0;
+      before_seen <= 1'b0;
+      found <= 1'b0;
+      crossing <= 1'b0;
+      before_ <= 16'd0;
+      place <= 16'd0;
+      freewheel <= 16'd0;
+    end else begin
+      if (either_58) begin
+        left <= words_blanking_i;
+      end else if (below_59) begin
+        left <= {2'd0, words_sample_every_i};
+      end else begin
+        left <= left - 10'd1;
+      end
+      chop <= chop_i;
+      if (commutate_i) begin
+        count <= full;
+        if (!before_seen) begin
+          freewheel <= 16'd65535;
+        end
+      end else begin
+        if (both_2 && both) begin
+          if (differ_85) begin
+            if (count == 4'd0) begin
+              count <= 4'd0;
+            end else begin
+              count <= count - 4'd1;
+            end
+          end else if (at_most_90) begin
+            count <= full;
+          end else begin
+            count <= sum_90[3:0];
+          end
+        end
+        if (both_2 && both && differ_85 && below_95) begin
+          before_ <= phase_i;
+        end
+        if (both_2 && either_60 && !(found || differ_85) && count == 4'd0) begin
+          place <= sum_91[16:1];
+        end
+        if (both_2 && both && differ_85 && below_95 && !before_seen) begin
+          freewheel <= phase_i;
+        end
+      end
+      before_seen <= !commutate_i && choice;
+      found <= !commutate_i && choice_2;
+      crossing <= !commutate_i && below_59 && !either_58 && either_60 && !found && both_3;
+    end
+  end
+
+  assign crossing_o = crossing;
+  assign crossing_phase_o = place;
+  assign before_seen_o = before_seen;
+  assign freewheel_o = (commutate_i && !before_seen) ? 16'd65535 : freewheel;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_91[0]};
+endmodule

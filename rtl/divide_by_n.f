@@ -1,0 +1,1 @@
+rtl/divide_by_n.sv

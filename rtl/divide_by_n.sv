@@ -1,0 +1,60 @@
+// divide_by_n: steplock::DivideByN, printed by hlsgen from hls/six_step/divide_by_n.hpp:29.
+// Do not edit: change the C++ and print again.
+
+module divide_by_n (
+    input  logic        clk,
+    input  logic        rst,  // synchronous, active high
+    input  logic        pulse_i,  // the VCO completed a turn
+    input  logic [15:0] phase_i,  // u0.16, VCO turns
+    input  logic [1:0]  divide_i,  // N = 6 * 2^divide
+    input  logic        reverse_i,  // step counts down
+    input  logic        hold_i,  // turns do not move the step: a sensor will
+    input  logic        load_i,  // takes `step`, from the middle or the beginning; wins over a pulse
+    input  logic [2:0]  step_i,  // 0 to 5
+    input  logic        half_i,  // load the middle of the step (the VCO: half a turn if divide is 0)
+    output logic [2:0]  step_o,  // 0 to 5
+    output logic [15:0] phase_o,  // u0.16, turns of one step
+    output logic        commutate_o,  // one clock, the first of a new step
+    output logic        elapsed_o,  // one clock: a step's worth of VCO turns is over, even if held
+    output logic        turn_o  // the divided VCO signal: high in the first half electrical turn
+);
+  logic [2:0] sub;  // VCO turns into the step
+  logic [2:0] step;
+
+  wire [2:0] choice =
+      reverse_i ? ((step == 3'd0) ? 3'd5 : step - 3'd1) :
+      (step > 3'd4) ? 3'd0 : step + 3'd1;
+  wire [1:0] choice_2 = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};
+  wire [2:0] wide = {1'b0, choice_2};
+  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide;
+  wire at_most = (last <= sub);
+  wire both = !load_i && pulse_i && at_most;
+  wire [2:0] step_next =
+      load_i ? step_i :
+      (pulse_i && !(!both || hold_i)) ? choice : step;
+  wire [3:0] sum_55 = {1'b0, last} + 4'd1;  // line 55
+  wire [2:0] sub_next =
+      load_i ? (half_i ? sum_55[3:1] : 3'd0) :
+      pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) : sub;
+  wire [18:0] turns = {sub_next, 16'd0} | {3'd0, phase_i};  // line 60
+  wire [18:0] shifted_62 = turns >> divide_i;  // line 62
+
+  always_ff @(posedge clk) begin
+    if (rst) begin
+      sub <= 3'd0;
+      step <= 3'd0;
+    end else begin
+      sub <= sub_next;
+      step <= step_next;
+    end
+  end
+
+  assign step_o = step_next;
+  assign phase_o = shifted_62[15:0];
+  assign commutate_o = load_i || (both && !hold_i);
+  assign elapsed_o = both;
+  assign turn_o = step_next < 3'd3;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_55[0], shifted_62[18:16]};
+endmodule

@@ -1,0 +1,2 @@
+rtl/guarded_leg.sv
+rtl/gate_guard.sv

@@ -1,0 +1,1 @@
+rtl/hall_decoder.sv

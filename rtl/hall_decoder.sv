@@ -1,0 +1,87 @@
+// hall_decoder: steplock::HallDecoder, printed by hlsgen from hls/six_step/hall_decoder.hpp:26.
+// Do not edit: change the C++ and print again.
+
+module hall_decoder (
+    input  logic       clk,
+    input  logic       rst,  // synchronous, active high
+    input  logic       u_i,  // synchronised
+    input  logic       v_i,  // synchronised
+    input  logic       w_i,  // synchronised
+    input  logic [9:0] hold_i,  // clocks
+    output logic [2:0] sector_o,  // 0 to 5: of the last legal code
+    output logic       legal_o,  // the code that stands is legal
+    output logic       moved_o,  // one clock: the sector is new, and a neighbour of the last
+    output logic       reverse_o,  // the last move went down
+    output logic       jumped_o  // one clock: the sector is new, and says nothing about speed
+);
+  logic [2:0] code;  // u v w, one clock ago
+  logic [9:0] left;  // clocks until the code counts
+  logic [2:0] sector;  // 0 to 5: of the last legal code
+  logic legal;  // of the last code that counted
+  logic moved;  // one clock: to a neighbour
+  logic reverse;  // the last move went down
+  logic jumped;  // one clock: to no neighbour
+
+  wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 61
+
+  logic [2:0] decoded_sector;  // line 49
+  always_comb begin
+    case (code)
+      3'd4: decoded_sector = 3'd1;
+      3'd6: decoded_sector = 3'd2;
+      3'd2: decoded_sector = 3'd3;
+      3'd3: decoded_sector = 3'd4;
+      3'd1: decoded_sector = 3'd5;
+      default: decoded_sector = 3'd0;
+    endcase
+  end
+
+  wire either = code == 3'd5 || code == 3'd4 || code == 3'd6;
+  wire either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
+  wire either_54 = !(left == 10'd0 && either_2) || (legal && decoded_sector == sector);  // line 54
+  wire [2:0] choice_51 = (sector == 3'd5) ? 3'd0 : sector + 3'd1;  // line 51
+  wire [2:0] choice_52 = (code == 3'd1) ? 3'd0 : decoded_sector + 3'd1;  // line 52
+  wire equal_52 = sector == choice_52;  // line 52
+  wire either_3 = decoded_sector == choice_51 || equal_52;
+  wire both_55 = legal && either_3;  // line 55
+
+  always_ff @(posedge clk) begin
+    if (rst) begin
+      code <= 3'd0;
+      left <= 10'd0;
+      sector <= 3'd0;
+      legal <= 1'b0;
+      moved <= 1'b0;
+      reverse <= 1'b0;
+      jumped <= 1'b0;
+    end else begin
+      code <= code_next;  // line 61
+      if (code_next == code) begin  // line 62
+        if (left == 10'd0) begin
+          left <= 10'd0;
+        end else begin
+          left <= left - 10'd1;
+        end
+      end else begin
+        left <= hold_i;
+      end
+      if (!either_54) begin
+        sector <= decoded_sector;
+      end
+      if (left == 10'd0) begin  // line 59
+        legal <= either_2;
+      end
+      moved <= !either_54 && both_55;
+      if (!either_54 && legal && either_3) begin  // line 57
+        reverse <= equal_52;
+      end
+      jumped <= !(either_54 || both_55);  // line 56
+    end
+  end
+
+  assign sector_o = sector;
+  assign legal_o = legal;
+  assign moved_o = moved;
+  assign reverse_o = reverse;
+  assign jumped_o = jumped;
+endmodule

@@ -1,0 +1,1 @@
+rtl/phase_detector.sv

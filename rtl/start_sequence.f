@@ -1,0 +1,1 @@
+rtl/start_sequence.sv

@@ -1,0 +1,1 @@
+rtl/telemetry.sv

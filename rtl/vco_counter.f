@@ -1,0 +1,1 @@
+rtl/vco_counter.sv
