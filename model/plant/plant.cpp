@@ -83,7 +83,6 @@ struct Plant::Core {
   void replan() {
     Variables y = leave();
     if (parameters.bus.resistance == 0) y[kBus] = inputs.source_voltage;
-    sensors.forget();
     plan_from(y);
     search();
   }

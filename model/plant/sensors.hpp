@@ -34,13 +34,11 @@ class Sensors {
   void start(const Arc&);
 
   // Finds the crossings of a new arc that begins at `time`; sudden changes at its begin included.
+  // Those of the arc before that lie after the time last reached are dropped.
   void search(const Arc&, double time);
 
   // Goes to `time`: pins take what has arrived by then.
   void reach(double time);
-
-  // Drops the crossings that lie after the time last reached: their arc will not be finished.
-  void forget() { planned_.clear(); }
 
   // When the next pin change arrives; infinity if the present arc brings none.
   double next_change() const { return next_; }

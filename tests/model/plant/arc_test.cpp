@@ -99,6 +99,22 @@ TEST(Arc, EndsWhenTheRisingCurrentBreaksTheRotorAway) {
   EXPECT_NEAR(run.arc.length(), expected, 1e-7 * expected);
 }
 
+TEST(Arc, EndsWhenTheBusRisesPastASourceThatCannotSink) {
+  Parameters p = bench();
+  p.bus = {.voltage = 24, .resistance = 0.05, .capacitance = 470e-6, .sinks = false};
+  // 5 A freewheel into a bus that stands 20 mV low: 0.02 V / (5 A / C) and the source's own help.
+  auto run = plan(p, {}, {5, -5, 0, 0, 0, 23.98}, 20e-6);
+  const auto& end = run.arc.points()[2];
+  EXPECT_EQ(run.arc.regime().source_conducts, 1);
+  EXPECT_LT(run.arc.length(), 2e-6);
+  EXPECT_NEAR(end.y[kBus], 24, 2e-8);  // 10 kV/s for 1e-12 s
+  EXPECT_EQ(plan(p, {}, end.y, 20e-6).arc.regime().source_conducts, 0);
+  // And back: a current out of the bus ends the blocking.
+  run = plan(p, {.uh = true, .vl = true}, {5, -5, 0, 0, 0, 24.02}, 20e-6);
+  EXPECT_EQ(run.arc.regime().source_conducts, 0);
+  EXPECT_NEAR(run.arc.points()[2].y[kBus], 24, 2e-8);
+}
+
 TEST(Arc, AStepNeverTurnsMoreThanTwentyDegrees) {
   Parameters p = bench();
   p.motor.shape.kind = BackEmfShape::Kind::kSinusoidal;
