@@ -1,0 +1,164 @@
+// What makes no sense in a drive's settings: each line names the key and says how to mend it.
+#include <cmath>
+#include <sstream>
+#include <type_traits>
+
+#include "model/design/design.hpp"
+#include "model/design/settings_keys.hpp"
+#include "model/design/words.hpp"
+
+namespace steplock::design {
+namespace {
+
+class Findings {
+ public:
+  template <class... Parts>
+  void add(const Parts&... parts) {
+    std::ostringstream line;
+    (line << ... << parts);
+    lines.push_back(line.str());
+  }
+  std::vector<std::string> lines;
+};
+
+void check_range(Findings& found, const Key& key, double value) {
+  if (value >= key.low && value <= key.high) return;
+  found.add(key.section, ".", key.name, " is ", value, key.unit.empty() ? "" : " ", key.unit,
+            "; must be within ", key.low, " .. ", key.high);
+}
+
+void check_ranges(Findings& found, const Settings& s) {
+  for_each_key(s, [&](const Key& key, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, int>) {
+      check_range(found, key, value);
+    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      if (value) check_range(found, key, *value);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>> ||
+                         std::is_same_v<Value, std::array<double, 3>>) {
+      for (const double v : value) check_range(found, key, v);
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+      if (key.required && value.empty()) {
+        found.add(key.section, ".", key.name, " is empty; write ", key.about);
+      }
+    }
+  });
+}
+
+void check_assumed(Findings& found, const Settings& s) {
+  for (const auto& line : s.drive.assumed) {
+    const auto colon = line.find(':');
+    const std::string name = line.substr(0, colon);
+    bool known = false;
+    for_each_key(s, [&](const Key& key, const auto&) {
+      known |= name == std::string(key.section) + "." + std::string(key.name);
+    });
+    if (!known) found.add("drive.assumed names \"", name, "\"; must begin with a key, section.key");
+    if (colon == std::string::npos || colon + 2 >= line.size()) {
+      found.add("drive.assumed gives no reason for \"", name, "\"; write \"", name, ": reason\"");
+    }
+  }
+}
+
+void check_control(Findings& found, const Settings& s) {
+  const auto& c = s.control;
+  const double settled = (c.chopping == Chopping::kComplementary ? s.inverter.dead_time_s : 0) +
+                         s.sensors.comparator_delay_s + 3 / c.clock_hz;
+  if (c.blanking_s < settled) {
+    found.add("control.blanking_s is ", c.blanking_s, " s; must be at least ", settled,
+              " s: dead time, comparator delay and three clocks");
+  }
+  if (c.pwm_hz > 0 && 4 * c.blanking_s > 1 / c.pwm_hz) {
+    found.add("control.blanking_s is ", c.blanking_s, " s; must be below a quarter of the PWM period");
+  }
+  if (c.clock_hz < 200 * c.pwm_hz) {
+    found.add("control.pwm_hz is ", c.pwm_hz, " Hz; must leave 200 clocks per period, at most ",
+              c.clock_hz / 200);
+  }
+  if (s.speed.minimum_duty >= s.speed.maximum_duty) {
+    found.add("speed.minimum_duty is ", s.speed.minimum_duty, "; must be below maximum_duty, ",
+              s.speed.maximum_duty);
+  }
+  if (s.motor.shape == Shape::kTable && s.motor.table.size() < 8) {
+    found.add("motor.table has ", s.motor.table.size(), " values; must have at least 8");
+  }
+  if (s.motor.static_nm && *s.motor.static_nm < s.motor.coulomb_nm) {
+    found.add("motor.static_nm is ", *s.motor.static_nm, " N m; must be at least coulomb_nm");
+  }
+}
+
+void check_speeds(Findings& found, const Settings& s, const Design& d) {
+  const auto& p = d.parameters;
+  const double set = s.scenario.speed_rpm, no_load = d.motor.no_load * 30 / 3.14159265358979;
+  if (set > 0.95 * no_load) {
+    found.add("scenario.speed_rpm is ", set, " rpm; must be below ", 0.95 * no_load,
+              " rpm, 95 % of what the bus voltage allows");
+  }
+  if (d.hand_over_rpm > 0.9 * set) {
+    found.add("start.hand_over_rpm is ", d.hand_over_rpm, " rpm; must be below 90 % of the set speed");
+  }
+  if (p.loop.minimum >= p.start.hand_over) {
+    found.add("loop.minimum_rpm is ", rpm_of(s, p.loop.minimum), " rpm; must be below hand-over");
+  }
+  if (p.loop.maximum < 1.05 * p.speed.target) {
+    found.add("loop.maximum_rpm is ", rpm_of(s, p.loop.maximum),
+              " rpm; must be 5 % above the set speed");
+  }
+  if (p.loop.form == LoopForm::kPerSecond && p.source == Source::kBemf && d.sampled.phase_deg < 15) {
+    found.add("start.hand_over_rpm is ", d.hand_over_rpm, " rpm; at that speed the loop has ",
+              d.sampled.phase_deg, " degrees of phase margin, must be 15 or more: raise it");
+  }
+}
+
+void check_start(Findings& found, const Settings& s, const Design& d) {
+  const auto& p = d.parameters;
+  for (const auto& [name, current] : {std::pair{"start.reset_current_a", d.reset_current},
+                                      std::pair{"start.start_current_a", d.start_current}}) {
+    const double least = (s.motor.coulomb_nm + s.load.opposing_nm) / d.motor.k_e;
+    if (current <= least) {
+      found.add(name, " is ", current, " A; must be above ", least, " A to overcome friction");
+    }
+    if (current >= s.sensors.limit_a) {
+      found.add(name, " is ", current, " A; must be below sensors.limit_a, ", s.sensors.limit_a);
+    }
+  }
+  if (p.start.reset_duty * p.pwm.period < p.pwm.minimum) {
+    found.add("control.minimum_pulse_s is ", p.pwm.minimum, " s; must be below the reset pulse, ",
+              p.start.reset_duty * p.pwm.period, " s");
+  }
+}
+
+void check_scenario(Findings& found, const Settings& s) {
+  const auto& n = s.scenario;
+  for (const auto& [name, time] : {std::pair{"load_step_s", n.load_step_s},
+                                   std::pair{"load_off_s", n.load_off_s},
+                                   std::pair{"reverse_s", n.reverse_s},
+                                   std::pair{"stop_s", n.stop_s}}) {
+    if (time && (*time < n.run_s || *time > n.duration_s)) {
+      found.add("scenario.", name, " is ", *time, " s; must lie between run_s and duration_s");
+    }
+  }
+  if (n.load_step_s && n.load_off_s && *n.load_off_s <= *n.load_step_s) {
+    found.add("scenario.load_off_s is ", *n.load_off_s, " s; must be after load_step_s");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> problems(const Settings& s) {
+  Findings found;
+  check_ranges(found, s);
+  check_assumed(found, s);
+  check_scenario(found, s);
+  if (!found.lines.empty()) return found.lines;  // the rest divides by what may be zero
+  check_control(found, s);
+  const Design d = design_drive(s);
+  check_speeds(found, s, d);
+  check_start(found, s, d);
+  for (const auto& line : quantise(d.parameters, s.control.clock_hz).problems) {
+    found.lines.push_back(line);
+  }
+  return found.lines;
+}
+
+}  // namespace steplock::design
