@@ -123,11 +123,16 @@ class Layout {
     return out + "}";
   }
 
-  std::string conditional(const Expr& e, unsigned column) const {
-    const bool chain = e.operands[2].is(Kind::kConditional);
+  // c ? x :
+  // d ? y :
+  // z
+  std::string conditional(const Expr& e, unsigned column, bool inside_chain = false) const {
     std::string head = part(e, 0, column) + " ?";
     head = join(head, part(e, 1, after(head, column)), column) + " :";
-    if (wrap_ && chain) return head + new_line() + write(e.operands[2], indent_);
+    const Expr& otherwise = e.operands[2];
+    if (wrap_ && otherwise.is(Kind::kConditional))
+      return head + new_line() + conditional(otherwise, indent_, true);
+    if (wrap_ && inside_chain) return head + new_line() + part(e, 2, indent_);
     return join(head, part(e, 2, after(head, column)), column);
   }
 

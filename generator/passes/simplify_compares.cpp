@@ -1,0 +1,140 @@
+#include "generator/passes/simplify_compares.hpp"
+
+#include "generator/passes/rebuild.hpp"
+
+namespace hlsgen {
+namespace {
+
+using llvm::APInt;
+
+NodeId truth(Rebuild& b, bool holds) { return b.value(APInt(1, holds ? 1 : 0)); }
+
+NodeId inverted(Rebuild& b, const Node& n) {
+  const Node c = b.node(n.in[0]);
+  switch (c.op) {
+    case Op::kEq: return b.binary(Op::kNe, c.in[0], c.in[1]);
+    case Op::kNe: return b.binary(Op::kEq, c.in[0], c.in[1]);
+    case Op::kUlt: return b.binary(Op::kUle, c.in[1], c.in[0]);
+    case Op::kUle: return b.binary(Op::kUlt, c.in[1], c.in[0]);
+    case Op::kSlt: return b.binary(Op::kSle, c.in[1], c.in[0]);
+    case Op::kSle: return b.binary(Op::kSlt, c.in[1], c.in[0]);
+    default: return kNone;
+  }
+}
+
+// x == c, for what x may be made of; `equal` is false for !=.
+NodeId equal_to_constant(Rebuild& b, NodeId value, const APInt& c, bool equal) {
+  const Op op = equal ? Op::kEq : Op::kNe;
+  const Node x = b.node(value);
+  if (x.width == 1) return c.isZero() == equal ? b.inverse(value) : value;
+  switch (x.op) {
+    case Op::kAdd:
+      if (const APInt* k = b.constant(x.in[1])) return b.binary(op, x.in[0], b.value(c - *k));
+      return kNone;
+    case Op::kSub: case Op::kXor:
+      if (c.isZero()) return b.binary(op, x.in[0], x.in[1]);
+      if (const APInt* k = b.constant(x.in[1]); k != nullptr && x.op == Op::kXor)
+        return b.binary(op, x.in[0], b.value(c ^ *k));
+      return kNone;
+    case Op::kNot: return b.binary(op, x.in[0], b.value(~c));
+    case Op::kZext: case Op::kSext: {
+      const APInt low = c.trunc(b.width(x.in[0]));
+      if ((x.op == Op::kZext ? low.zext(x.width) : low.sext(x.width)) != c)
+        return truth(b, !equal);
+      return b.binary(op, x.in[0], b.value(low));
+    }
+    case Op::kConcat: {
+      if (!equal) return kNone;
+      NodeId all = kNone;
+      unsigned low = x.width;
+      for (const NodeId part : x.in) {
+        low -= b.width(part);
+        const NodeId same =
+            b.binary(Op::kEq, part, b.value(c.extractBits(b.width(part), low)));
+        all = all == kNone ? same : b.binary(Op::kAnd, all, same);
+      }
+      return x.in.size() <= 3 ? all : kNone;
+    }
+    case Op::kMux: {
+      const APInt *t = b.constant(x.in[1]), *o = b.constant(x.in[2]);
+      if (t != nullptr && o != nullptr) {
+        const bool then = (*t == c) == equal, otherwise = (*o == c) == equal;
+        if (then == otherwise) return truth(b, then);
+        return then ? x.in[0] : b.inverse(x.in[0]);
+      }
+      if (t != nullptr) {
+        const bool then = (*t == c) == equal;
+        const NodeId rest = b.binary(op, x.in[2], b.value(c));
+        return then ? b.binary(Op::kOr, x.in[0], rest)
+                    : b.binary(Op::kAnd, b.inverse(x.in[0]), rest);
+      }
+      if (o != nullptr) {
+        const bool otherwise = (*o == c) == equal;
+        const NodeId rest = b.binary(op, x.in[1], b.value(c));
+        return otherwise ? b.binary(Op::kOr, b.inverse(x.in[0]), rest)
+                         : b.binary(Op::kAnd, x.in[0], rest);
+      }
+      return kNone;
+    }
+    default: return kNone;
+  }
+}
+
+// x < c or x <= c
+NodeId below_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
+  const bool is_signed = n.op == Op::kSlt || n.op == Op::kSle;
+  const bool strict = n.op == Op::kUlt || n.op == Op::kSlt;
+  const APInt least = is_signed ? APInt::getSignedMinValue(c.getBitWidth())
+                                : APInt::getMinValue(c.getBitWidth());
+  const APInt most = is_signed ? APInt::getSignedMaxValue(c.getBitWidth())
+                               : APInt::getMaxValue(c.getBitWidth());
+  if (!strict) {
+    if (c == most) return truth(b, true);
+    return b.binary(is_signed ? Op::kSlt : Op::kUlt, x, b.value(c + 1));
+  }
+  if (c == least) return truth(b, false);
+  if (c == least + 1) return b.binary(Op::kEq, x, b.value(least));
+  if (c == most) return b.binary(Op::kNe, x, b.value(most));
+  if (is_signed && c.isZero()) return b.slice(x, c.getBitWidth() - 1, 1);
+  return kNone;
+}
+
+// c < x or c <= x
+NodeId above_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
+  const bool is_signed = n.op == Op::kSlt || n.op == Op::kSle;
+  const bool strict = n.op == Op::kUlt || n.op == Op::kSlt;
+  const APInt least = is_signed ? APInt::getSignedMinValue(c.getBitWidth())
+                                : APInt::getMinValue(c.getBitWidth());
+  const APInt most = is_signed ? APInt::getSignedMaxValue(c.getBitWidth())
+                               : APInt::getMaxValue(c.getBitWidth());
+  if (!strict) {
+    if (c == least) return truth(b, true);
+    return b.binary(is_signed ? Op::kSlt : Op::kUlt, b.value(c - 1), x);
+  }
+  if (c == most) return truth(b, false);
+  if (c == most - 1) return b.binary(Op::kEq, x, b.value(most));
+  if (c == least) return b.binary(Op::kNe, x, b.value(least));
+  if (is_signed && c.isAllOnes()) return b.inverse(b.slice(x, c.getBitWidth() - 1, 1));
+  return kNone;
+}
+
+NodeId compare(Rebuild& b, const Node& n) {
+  if (n.op == Op::kNot && n.width == 1) return inverted(b, n);
+  if (n.op < Op::kEq || n.op > Op::kSle || b.width(n.in[0]) == 0) return kNone;
+  const APInt *left = b.constant(n.in[0]), *right = b.constant(n.in[1]);
+  if (left != nullptr && right != nullptr) return kNone;  // folded elsewhere
+  if (n.op == Op::kEq || n.op == Op::kNe) {
+    if (right != nullptr) return equal_to_constant(b, n.in[0], APInt(*right), n.op == Op::kEq);
+    return kNone;
+  }
+  if (b.width(n.in[0]) == 1) return kNone;  // logic, made so elsewhere
+  if (right != nullptr) return below_constant(b, n, n.in[0], APInt(*right));
+  if (left != nullptr) return above_constant(b, n, n.in[1], APInt(*left));
+  return kNone;
+}
+
+}  // namespace
+
+bool simplify_compares(Module& module) { return rewrite(module, compare); }
+
+}  // namespace hlsgen
