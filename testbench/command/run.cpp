@@ -26,7 +26,7 @@ int run(const Arguments& arguments) {
   DriveFile file = open_drive_file(arguments.file);
   if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
   const std::filesystem::path out =
-      arguments.out.empty() ? std::filesystem::path("steplock-out") /
+      arguments.out.empty() ? std::filesystem::path("out") /
                                   (std::filesystem::path(arguments.file).stem().string() + "-" +
                                    name_of(arguments.engine))
                             : std::filesystem::path(arguments.out);
@@ -80,7 +80,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "C++ source), float (the reference)")
       ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case));
   command->add_option("--out", arguments->out,
-                      "directory of the report (default steplock-out/<file>-<engine>)");
+                      "directory of the report (default out/<file>-<engine>)");
   command->add_flag("--json", arguments->json, "print summary.json on standard output");
   command->add_flag("--trace", arguments->trace, "write wave.fst and wave.gtkw for GTKWave");
   command->add_option("--angle", arguments->angle_deg,

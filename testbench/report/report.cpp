@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "testbench/report/csv.hpp"
+#include "testbench/report/page.hpp"
+#include "testbench/report/run_figures.hpp"
 #include "testbench/run/trace_writer.hpp"
 
 namespace steplock {
@@ -17,6 +20,16 @@ void write_file(const fs::path& path, const std::string& text) {
   if (!(out << text << std::flush)) {
     throw std::runtime_error(path.string() + ": cannot write this file");
   }
+}
+
+// Without the XML prologue, which has no place inside a page.
+std::string inline_svg(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  const std::string all = text.str();
+  const std::size_t start = all.find("<svg");
+  return start == all.npos ? "" : all.substr(start);
 }
 
 }  // namespace
@@ -38,6 +51,16 @@ ReportFiles write_report(const fs::path& directory, const DriveFile& file, const
     files.paths.push_back(directory / "wave.fst");
     add("wave.gtkw", gtkwave_save_file("wave.fst"));
   }
+  std::vector<PageFigure> figures;
+  for (const Figure& figure : run_figures(file.settings, summary, record)) {
+    if (!draw(figure, directory)) {
+      files.warnings.push_back("gnuplot does not run, so there are no figures; install gnuplot-nox");
+      break;
+    }
+    files.paths.push_back(directory / (figure.name + ".svg"));
+    figures.push_back({figure.caption, inline_svg(files.paths.back())});
+  }
+  add("report.html", report_page(file.settings, summary, record, figures));
   return files;
 }
 

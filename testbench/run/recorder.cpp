@@ -12,6 +12,7 @@ namespace {
 // Samples of a fine window; beyond, a figure gains nothing.
 constexpr std::size_t kWindowSamples = 12000;
 constexpr double kFinePerPwmPeriod = 24;
+constexpr double kTracedPerPwmPeriod = 8;
 constexpr double kSteadyTurns = 2;
 
 bool claims_lock(Watch w) { return w.state() == State::kRun || w.state() == State::kSlowDown; }
@@ -19,7 +20,8 @@ bool claims_lock(Watch w) { return w.state() == State::kRun || w.state() == Stat
 }  // namespace
 
 Recorder::Recorder(const RecorderSettings& settings, TraceWriter* trace)
-    : settings_(settings), trace_(trace), judge_(settings.advance_deg) {}
+    : settings_(settings), trace_(trace), judge_(settings.advance_deg),
+      lock_interval_(settings.pwm_s / kFinePerPwmPeriod) {}
 
 void Recorder::integrate(const plant::State& s) {
   const double dt = s.time - last_time_;
@@ -61,7 +63,7 @@ void Recorder::changed(const plant::State& s, Watch was, Watch now, const DriveV
     totals_.commutations = judge_.commutations();
     totals_.phase_error_squared += view.phase_error_deg * view.phase_error_deg;
   }
-  if (trace_) trace_->write(make(s, now, view, load_nm));
+  if (trace_) trace_->logic(make(s, now, view, load_nm));
 }
 
 void Recorder::sample(const plant::State& s, Watch w, const DriveView& view, double load_nm) {
@@ -73,12 +75,20 @@ void Recorder::sample(const plant::State& s, Watch w, const DriveView& view, dou
   }
   if (in_lock_window_) {
     record_.lock.push_back(taken);
-    in_lock_window_ = s.time < lock_window_end_ && record_.lock.size() < kWindowSamples;
+    in_lock_window_ = s.time < lock_window_end_;
+    if (record_.lock.size() == kWindowSamples) coarsen_lock_window();
   }
   const double steady_from = settings_.steady_end_s - kSteadyTurns * settings_.electrical_turn_s;
   if (s.time >= steady_from && s.time <= settings_.steady_end_s) record_.steady.push_back(taken);
-  if (trace_) trace_->write(taken);
+  if (trace_) trace_->analog(taken);
   plan_next(s.time);
+}
+
+// Nobody knows how long the pull-in will take: a full window gives up every other sample.
+void Recorder::coarsen_lock_window() {
+  for (std::size_t i = 0; i < kWindowSamples / 2; ++i) record_.lock[i] = record_.lock[2 * i];
+  record_.lock.resize(kWindowSamples / 2);
+  lock_interval_ *= 2;
 }
 
 void Recorder::plan_next(double now) {
@@ -86,7 +96,8 @@ void Recorder::plan_next(double now) {
   const double span = kSteadyTurns * settings_.electrical_turn_s;
   const double steady_from = settings_.steady_end_s - span;
   next_sample_ = next_overview_;
-  if (trace_ || in_lock_window_) next_sample_ = std::min(next_sample_, now + fine);
+  if (in_lock_window_) next_sample_ = std::min(next_sample_, now + lock_interval_);
+  if (trace_) next_sample_ = std::min(next_sample_, now + settings_.pwm_s / kTracedPerPwmPeriod);
   if (now < steady_from) {
     next_sample_ = std::min(next_sample_, steady_from);
   } else if (now < settings_.steady_end_s) {
@@ -96,7 +107,7 @@ void Recorder::plan_next(double now) {
 }
 
 void Recorder::pins_changed(double time, const plant::Pins& pins) {
-  if (trace_) trace_->write(time, pins);
+  if (trace_) trace_->logic(time, pins);
 }
 
 Record Recorder::take() {

@@ -42,6 +42,7 @@ class Recorder {
  private:
   void integrate(const plant::State&);
   Sample make(const plant::State&, Watch, const DriveView&, double load_nm) const;
+  void coarsen_lock_window();
   void plan_next(double now);
 
   RecorderSettings settings_;
@@ -54,6 +55,7 @@ class Recorder {
   double next_sample_ = 0, next_overview_ = 0;
   bool in_lock_window_ = false;
   double lock_window_end_ = 0;
+  double lock_interval_;
 };
 
 }  // namespace steplock

@@ -31,6 +31,7 @@ TraceWriter::TraceWriter(const std::string& path, int pole_pairs)
   fstWriterSetDate(file_, "");  // the same run gives the same file
   fstWriterSetVersion(file_, "steplock");
   fstWriterSetTimescale(file_, -12);
+  fstWriterSetPackType(file_, FST_WR_PT_ZLIB);
   const auto variable = [&](fstVarType type, std::uint32_t width, const char* name) {
     return fstWriterCreateVar(file_, type, FST_VD_OUTPUT, width, name, 0);
   };
@@ -79,13 +80,15 @@ void TraceWriter::text(Signal& s, std::uint32_t code, const char* name) {
 }
 
 void TraceWriter::real(Analog& a, double value) {
+  // Single precision is more than a wave shows, and the zero bits below it pack well.
+  value = static_cast<float>(value);
   if (a.written && a.last == value) return;
   fstWriterEmitValueChange(file_, a.handle, &value);
   a.last = value;
   a.written = true;
 }
 
-void TraceWriter::write(double time, const plant::Pins& pins) {
+void TraceWriter::logic(double time, const plant::Pins& pins) {
   at(time);
   for (std::size_t k = 0; k < 3; ++k) {
     bits(pins_[k], pins.comparator[k], 1);
@@ -94,7 +97,7 @@ void TraceWriter::write(double time, const plant::Pins& pins) {
   bits(pins_[3], pins.limit, 1);
 }
 
-void TraceWriter::write(const Sample& s) {
+void TraceWriter::logic(const Sample& s) {
   at(s.time);
   for (std::size_t i = 0; i < gates_.size(); ++i) bits(gates_[i], s.watch.bits >> i & 1, 1);
   bits(step_, static_cast<std::uint32_t>(s.watch.step()), 3);
@@ -103,6 +106,10 @@ void TraceWriter::write(const Sample& s) {
   bits(locked_, s.watch.locked(), 1);
   text(state_, static_cast<std::uint32_t>(s.watch.state()), name_of(s.watch.state()));
   text(reason_, static_cast<std::uint32_t>(s.watch.reason()), name_of(s.watch.reason()));
+}
+
+void TraceWriter::analog(const Sample& s) {
+  at(s.time);
   const plant::State& p = s.plant;
   const double turn = std::floor(p.electrical_angle / (2 * std::numbers::pi));
   const std::array values = {

@@ -22,8 +22,9 @@ class TraceWriter {
   TraceWriter& operator=(const TraceWriter&) = delete;
   ~TraceWriter();  // closes the file, complete up to the last write
 
-  void write(const Sample&);
-  void write(double time, const plant::Pins&);
+  void logic(const Sample&);  // gates, step, state and strobes
+  void logic(double time, const plant::Pins&);
+  void analog(const Sample&);
 
  private:
   struct Signal {

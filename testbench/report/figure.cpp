@@ -1,0 +1,119 @@
+#include "testbench/report/figure.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <iterator>
+
+namespace steplock {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    out += c;
+    if (c == '\'') out += c;
+  }
+  return out + "'";
+}
+
+}  // namespace
+
+std::vector<Point> thinned(std::vector<Point> points, std::size_t most) {
+  if (points.size() <= most) return points;
+  std::vector<Point> kept;
+  kept.reserve(most);
+  for (std::size_t i = 0; i < most; ++i) kept.push_back(points[i * (points.size() - 1) / (most - 1)]);
+  return kept;
+}
+
+std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
+  std::string s;
+  const auto add = [&]<class... A>(fmt::format_string<A...> text, A&&... a) {
+    fmt::format_to(std::back_inserter(s), text, std::forward<A>(a)...);
+  };
+  double weights = 0;
+  for (const Panel& p : f.panels) weights += p.weight;
+  const double height = 120 + 125 * weights;
+
+  // Data first: gnuplot takes no data blocks inside a multiplot.
+  double low = 0, high = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < f.panels.size(); ++i) {
+    for (std::size_t j = 0; j < f.panels[i].curves.size(); ++j) {
+      add("$d{}_{} << EOD\n", i, j);
+      for (const Point& p : f.panels[i].curves[j].points) {
+        add("{:.7g} {:.5g}\n", p.x, p.y);
+        if (!any || p.x < low) low = p.x;
+        if (!any || p.x > high) high = p.x;
+        any = true;
+      }
+      if (f.panels[i].curves[j].points.empty()) add("NaN NaN\n");
+      add("EOD\n");
+    }
+  }
+  add("set terminal svg size 960,{:.0f} dynamic noenhanced font 'Helvetica,13' background '#ffffff' "
+      "name '{}'\nset output {}\n", height, f.name, quoted(svg_path));
+  add("set multiplot\nset border 3 lc rgb '#8795a1'\nset tics nomirror font ',11' textcolor rgb '#52606d'\n"
+      "set grid lc rgb '#e4e7eb' lt 1 lw 0.6\n"
+      "set lmargin at screen 0.09\nset rmargin at screen 0.83\n");
+  if (f.logarithmic) add("set logscale x\n");
+  if (any && high > low) add("set xrange [{:.7g}:{:.7g}]\n", low, high);
+  for (const Mark& m : f.marks) {
+    add("set arrow from first {0:.7g}, graph 0 to first {0:.7g}, graph 1 nohead lc rgb '#b8c4ce' "
+        "dt 2 back\n", m.x);
+  }
+  const double top = 1 - 66 / height, bottom = 54 / height, gap = 14 / height;
+  double at = top;
+  for (std::size_t i = 0; i < f.panels.size(); ++i) {
+    const Panel& p = f.panels[i];
+    const bool first = i == 0, last = i + 1 == f.panels.size();
+    const double below = at - (top - bottom) * p.weight / weights;
+    add("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", at, below + gap / 2);
+    // Under the title stand the labels of the marks, so it is placed by hand.
+    if (first) {
+      add("set label 100 {} at screen 0.09, screen {:.4f} font ',15' textcolor rgb '#22313f'\n",
+          quoted(f.title), 1 - 20 / height);
+    }
+    add("set key at screen 0.845, screen {:.4f} left center Left reverse samplen 1.5 font ',11'\n",
+        (at + below) / 2);
+    add("set xlabel {} textcolor rgb '#52606d'\nset format x {}\n", last ? quoted(f.axis) : "''",
+        last ? "'%g'" : "''");
+    add("set ylabel {} textcolor rgb '#52606d'\n", quoted(p.label));
+    if (first) {
+      double level = 1.05;
+      for (std::size_t k = 0; k < f.marks.size(); ++k) {
+        const bool close = k > 0 && f.marks[k].x - f.marks[k - 1].x < 0.09 * (high - low);
+        level = close && level < 1.1 ? 1.16 : 1.05;
+        add("set label {} {} at first {:.7g}, graph {} font ',10' textcolor rgb '#7b8794' center\n",
+            k + 1, quoted(f.marks[k].text), f.marks[k].x, level);
+      }
+    } else if (i == 1) {
+      add("unset label\n");
+    }
+    s += p.extra;
+    std::string curves;
+    for (std::size_t j = 0; j < p.curves.size(); ++j) {
+      const Curve& c = p.curves[j];
+      curves += fmt::format("{}$d{}_{} using 1:2 with {} lc rgb '{}' lw {:g} title {}",
+                            curves.empty() ? "" : ", ", i, j, c.steps ? "steps" : "lines", c.color,
+                            c.width, quoted(c.title));
+    }
+    add("plot {}\n", curves);
+    if (!p.extra.empty()) add("set yrange [*:*]\nset ytics auto\n");
+    at = below - gap / 2;
+  }
+  add("unset multiplot\nset output\n");
+  return s;
+}
+
+bool draw(const Figure& figure, const std::filesystem::path& directory) {
+  const std::string script =
+      gnuplot_script(figure, (directory / (figure.name + ".svg")).string());
+  std::FILE* gnuplot = popen("gnuplot - 2>/dev/null", "w");
+  if (gnuplot == nullptr) return false;
+  const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  return pclose(gnuplot) == 0 && written;
+}
+
+}  // namespace steplock

@@ -1,0 +1,61 @@
+// Figures: panels stacked over one axis, drawn by gnuplot as SVG.  The same numbers give the same bytes.
+//
+// Doc: docs/report.md   Test: tests/testbench/figure_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace steplock {
+
+struct Point {
+  double x, y;
+};
+
+struct Curve {
+  std::string title;
+  std::string color;          // "#1f5fa8"
+  std::vector<Point> points = {};
+  double width = 1.4;
+  bool steps = false;         // holds each value until the next
+};
+
+struct Panel {
+  std::string label;          // of the vertical axis
+  std::vector<Curve> curves = {};
+  double weight = 1;          // share of the height
+  std::string extra = {};        // gnuplot lines for this panel alone: tics, ranges
+};
+
+struct Mark {
+  double x;
+  std::string text;
+};
+
+struct Figure {
+  std::string name;           // of the file, without ending
+  std::string title, axis = {}, caption = {};
+  std::vector<Panel> panels = {};
+  std::vector<Mark> marks = {};// vertical lines through all panels
+  bool logarithmic = false;   // horizontal axis
+};
+
+std::string gnuplot_script(const Figure&, const std::string& svg_path);
+
+// False if gnuplot is missing or refuses.
+bool draw(const Figure&, const std::filesystem::path& directory);
+
+// At most `most` points, evenly thinned; a figure shows no more.
+std::vector<Point> thinned(std::vector<Point> points, std::size_t most = 1500);
+
+namespace palette {
+inline constexpr const char* kU = "#c0392b";
+inline constexpr const char* kV = "#1f7a4d";
+inline constexpr const char* kW = "#1f5fa8";
+inline constexpr const char* kTrue = "#22313f";
+inline constexpr const char* kDrive = "#e08214";
+inline constexpr const char* kQuiet = "#9aa5b1";
+}  // namespace palette
+
+}  // namespace steplock

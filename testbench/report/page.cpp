@@ -1,0 +1,133 @@
+#include "testbench/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace steplock {
+namespace {
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light; }
+body { font: 15px/1.55 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: #22313f;
+       background: #f5f7fa; margin: 0; }
+main { max-width: 1000px; margin: 0 auto; padding: 32px 20px 64px; }
+h1 { font-size: 26px; margin: 0; } h2 { font-size: 18px; margin: 40px 0 12px; }
+.sub { color: #616e7c; margin: 4px 0 20px; }
+.verdict { display: inline-block; border-radius: 999px; padding: 3px 14px; font-weight: 600;
+           font-size: 14px; vertical-align: 4px; margin-left: 12px; }
+.well { background: #d5f5e3; color: #14532d; } .failed { background: #fadbd8; color: #7b241c; }
+.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 12px; }
+.card, figure, .box { background: #fff; border: 1px solid #e4e7eb; border-radius: 10px; }
+.card { padding: 12px 14px; } .card b { display: block; font-size: 21px; font-weight: 600; }
+.card span { color: #616e7c; font-size: 13px; }
+figure { margin: 16px 0; padding: 12px; } figure svg { width: 100%; height: auto; display: block; }
+figcaption { color: #52606d; font-size: 14px; padding: 6px 8px 2px; }
+.box { padding: 4px 16px; overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
+td, th { text-align: left; padding: 6px 10px 6px 0; border-bottom: 1px solid #eef1f4; }
+tr:last-child td { border-bottom: 0; } th { color: #616e7c; font-weight: 500; }
+td:first-child { white-space: nowrap; } li { margin: 2px 0; }
+)";
+
+std::string card(const std::string& value, const char* name) {
+  return fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", value, name);
+}
+
+std::string row(const std::string& a, const std::string& b) {
+  return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", a, b);
+}
+
+std::string number_text(const nlohmann::ordered_json& v) {
+  if (v.is_null()) return "-";
+  if (v.is_string()) return v.get<std::string>();
+  if (v.is_number_float()) return fmt::format("{:.6g}", v.get<double>());
+  return v.dump();
+}
+
+std::string all_numbers(const Summary& s) {
+  std::string rows;
+  const nlohmann::ordered_json json = to_json(s);
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_object()) {
+      for (const auto& [inner, v] : value.items()) rows += row(name + "." + inner, number_text(v));
+    } else {
+      rows += row(name, escaped(number_text(value)));
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += c;
+    }
+  }
+  return out;
+}
+
+std::string report_page(const design::Settings& s, const Summary& sum, const Record& record,
+                        const std::vector<PageFigure>& figures) {
+  const auto failures = sum.failures();
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0} - Steplock</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n"
+      "<h1>{0}<span class=\"verdict {2}\">{3}</span></h1>\n"
+      "<p class=\"sub\">Sensorless six-step drive in co-simulation: engine {4}, rotor at {5:g} "
+      "electrical degrees, {6:g} s at {7:g} MHz.</p>\n",
+      escaped(s.drive.name), kStyle, failures.empty() ? "well" : "failed",
+      failures.empty() ? "passed" : "failed", sum.engine, sum.angle_deg, sum.simulated_s,
+      s.control.clock_hz / 1e6);
+  if (!failures.empty()) {
+    page += "<ul>\n";
+    for (const std::string& why : failures) page += fmt::format("<li>{}</li>\n", escaped(why));
+    page += "</ul>\n";
+  }
+
+  page += "<div class=\"cards\">\n";
+  page += card(sum.lock_time_s ? fmt::format("{:.3f} s", *sum.lock_time_s) : "never", "first lock");
+  page += card(sum.start_time_s ? fmt::format("{:.3f} s", *sum.start_time_s) : "never",
+               "from run to set speed");
+  page += card(fmt::format("{:.1f} rpm", sum.steady.mean_rpm),
+               fmt::format("mean speed, set {:g}", sum.set_speed_rpm).c_str());
+  page += card(fmt::format("{:+.3f} %", sum.steady.error_percent), "speed error");
+  page += card(fmt::format("{:.2f}&deg;", sum.commutation_error_rms_deg), "commutation error, rms");
+  page += card(fmt::format("{:.2f} A", sum.peak_current_a), "peak phase current");
+  page += card(fmt::format("{}", sum.step_outs), "steps slipped");
+  page += card(fmt::format("{:.1f} M/s", sum.clocks_per_cpu_second / 1e6), "clocks simulated");
+  page += "</div>\n<h2>What happened</h2>\n";
+  for (const PageFigure& f : figures) {
+    page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg,
+                        escaped(f.caption));
+  }
+
+  page += "<h2>The drive's states</h2>\n<div class=\"box\"><table>\n"
+          "<tr><th>time</th><th>state</th><th>reason</th></tr>\n";
+  for (const StateChange& c : record.changes) {
+    page += fmt::format("<tr><td>{:.6f} s</td><td>{}</td><td>{}</td></tr>\n", c.time,
+                        name_of(c.state), c.reason == Reason::kNone ? "" : name_of(c.reason));
+  }
+  page += "</table></div>\n<h2>All numbers</h2>\n<div class=\"box\"><table>\n" + all_numbers(sum) +
+          "</table></div>\n";
+
+  page += fmt::format("<h2>Where the motor's numbers come from</h2>\n<div class=\"box\"><p>{}</p>\n",
+                      escaped(s.drive.source));
+  if (!s.drive.notes.empty()) page += fmt::format("<p>{}</p>\n", escaped(s.drive.notes));
+  if (!s.drive.assumed.empty()) {
+    page += "<p>Assumed, because nobody publishes it:</p>\n<ul>\n";
+    for (const std::string& a : s.drive.assumed) page += fmt::format("<li>{}</li>\n", escaped(a));
+    page += "</ul>\n";
+  }
+  return page + "</div>\n</main>\n</body>\n</html>\n";
+}
+
+}  // namespace steplock
