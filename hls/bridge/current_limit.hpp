@@ -61,7 +61,18 @@ class CurrentLimit {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet(bool on) const {
+    return !counts(on) ? ~std::uint64_t{0} : left_ < 2 ? 0 : left_.raw() - 1;
+  }
+  void skip(bool on, std::uint64_t clocks) {
+    if (counts(on)) left_ = UInt<12>::of(left_.raw() - clocks);
+  }
+  bool operator==(const CurrentLimit&) const = default;
+
  private:
+  bool counts(bool on) const { return cut_ || (on && left_ != 0); }
+
   UInt<12> left_ = 0;      // clocks of off-time (cut) or of blanking
   bool cut_ = false;       // off-time
   bool released_ = false;  // the comparator fell in this off-time

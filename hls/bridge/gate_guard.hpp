@@ -61,7 +61,18 @@ class GateGuard {
     return {.uh = u.high, .ul = u.low, .vh = v.high, .vl = v.low, .wh = w.high, .wl = w.low};
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet() const { return least(u_.quiet(), least(v_.quiet(), w_.quiet())); }
+  void skip(std::uint64_t clocks) {
+    u_.skip(clocks);
+    v_.skip(clocks);
+    w_.skip(clocks);
+  }
+  bool operator==(const GateGuard&) const = default;
+
  private:
+  static std::uint64_t least(std::uint64_t a, std::uint64_t b) { return a < b ? a : b; }
+
   GuardedLeg u_;
   GuardedLeg v_;
   GuardedLeg w_;

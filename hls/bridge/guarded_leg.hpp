@@ -58,7 +58,18 @@ class GuardedLeg {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet() const {
+    return !counts() ? ~std::uint64_t{0} : timer_ < 2 ? 0 : timer_.raw() - 1;
+  }
+  void skip(std::uint64_t clocks) {
+    if (counts()) timer_ = UInt<8>::of(timer_.raw() - clocks);
+  }
+  bool operator==(const GuardedLeg&) const = default;
+
  private:
+  bool counts() const { return timer_ > 1 && (high_ || low_ || was_high_ || was_low_); }
+
   bool high_ = false;      // gate of the high side
   bool low_ = false;       // gate of the low side
   bool was_high_ = false;  // the request of the last clock

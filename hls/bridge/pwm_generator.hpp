@@ -76,6 +76,20 @@ class PwmGenerator {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet() const {
+    std::uint64_t clocks = left_ < 2 ? 0 : left_.raw() - 2;
+    if (waiting_ && lead_ < clocks) clocks = lead_.raw();
+    if (on_ && pulse_ < clocks) clocks = pulse_.raw();
+    return clocks;
+  }
+  void skip(std::uint64_t clocks) {
+    left_ = Clocks::of(left_.raw() - clocks);
+    if (waiting_) lead_ = UInt<13>::of(lead_.raw() - clocks);
+    if (on_) pulse_ = Clocks::of(pulse_.raw() - clocks);
+  }
+  bool operator==(const PwmGenerator&) const = default;
+
  private:
   Clocks left_ = 0;       // clocks of the period, with this one
   UInt<13> lead_ = 0;     // clocks to the pulse

@@ -25,6 +25,7 @@ class Synchroniser {
     bool hall_u = false;        // Hall sensor U
     bool hall_v = false;        // Hall sensor V
     bool hall_w = false;        // Hall sensor W
+    bool operator==(const Pins&) const = default;
   };
   using In = Pins;
   using Out = Pins;
@@ -35,6 +36,8 @@ class Synchroniser {
     first_ = in;
     return out;
   }
+
+  bool operator==(const Synchroniser&) const = default;
 
  private:
   Pins first_;

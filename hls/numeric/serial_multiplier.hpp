@@ -57,6 +57,8 @@ class SerialMultiplier {
     return out;
   }
 
+  bool operator==(const SerialMultiplier&) const = default;
+
  private:
   using Left = UInt<(WB >= 32 ? 6 : WB >= 16 ? 5 : WB >= 8 ? 4 : WB >= 4 ? 3 : 2)>;
 

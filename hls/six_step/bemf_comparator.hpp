@@ -57,26 +57,55 @@ class BemfComparator {
 
     const bool edge = in.chop != chop_ || in.commutate;
     const bool due = (left_ >> 1) == 0;
-    const bool allowed = in.words.sampling == Sampling::kBoth ||
-                         (in.words.sampling == Sampling::kOnTime) == in.chop;
     left_ = edge  ? in.words.blanking
             : due ? UInt<10>(in.words.sample_every)
                   : wrap<UInt<10>>(left_ - 1);
     chop_ = in.chop;
 
-    const UInt<4> full = in.words.samples == 0 ? UInt<4>(1) : in.words.samples;
     crossing_ = false;
     if (in.commutate) {
-      count_ = full;
+      count_ = full(in);
       before_seen_ = found_ = false;
       if (endless) freewheel_ = Phase::max();
-    } else if (due && !edge && allowed && !found_) {
-      take(in, full);
+    } else if (due && !edge && allowed(in) && !found_) {
+      take(in, full(in));
     }
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  // Samples that only confirm what the filter holds are no event; skip() tells in which of the
+  // skipped clocks, from 1, the last of them was whose phase has to be remembered, or 0.
+  std::uint64_t quiet(const In& in) const {
+    return confirms(in) ? ~std::uint64_t{0} : left_ < 2 ? 0 : left_.raw() - 1;
+  }
+  std::uint64_t skip(const In& in, std::uint64_t clocks) {
+    const std::uint64_t first = left_ < 2 ? 1 : left_.raw();
+    if (clocks < first) {
+      left_ = UInt<10>::of(left_.raw() - clocks);
+      return 0;
+    }
+    const std::uint64_t every = in.words.sample_every < 2 ? 1 : in.words.sample_every.raw();
+    const std::uint64_t since = (clocks - first) % every;
+    left_ = UInt<10>::of(in.words.sample_every.raw() - since);
+    return allowed(in) && !found_ && !after(in) ? clocks - since : 0;
+  }
+  void remember(Phase phase) { before_ = phase; }
+  bool operator==(const BemfComparator&) const = default;
+
  private:
+  static bool allowed(const In& in) {
+    return in.words.sampling == Sampling::kBoth ||
+           (in.words.sampling == Sampling::kOnTime) == in.chop;
+  }
+  static UInt<4> full(const In& in) {
+    return in.words.samples == 0 ? UInt<4>(1) : in.words.samples;
+  }
+  bool confirms(const In& in) const {
+    if (found_ || !allowed(in)) return true;
+    return after(in) ? count_ == full(in) && !before_seen_ : count_ == 0 && before_seen_;
+  }
+
   static bool after(const In& in) {
     const bool floating = in.step == 0 || in.step == 3   ? in.w
                           : in.step == 1 || in.step == 4 ? in.v

@@ -28,6 +28,7 @@ struct Gates {
   bool vl = false;  // phase V, low side
   bool wh = false;  // phase W, high side
   bool wl = false;  // phase W, low side
+  bool operator==(const Gates&) const = default;
 };
 
 class Commutation {
@@ -62,6 +63,8 @@ class Commutation {
             .wh = w_high && in.chop,
             .wl = w_low || brake || (w_high && freewheel)};
   }
+
+  bool operator==(const Commutation&) const = default;
 };
 
 }  // namespace steplock

@@ -57,13 +57,19 @@ class DivideByN {
       if (elapsed && !in.hold) step_ = next_step(step_, in.reverse);
       sub_ = elapsed ? UInt<3>(0) : wrap<UInt<3>>(sub_ + 1);
     }
-    const UInt<19> turns = (UInt<19>(sub_) << 16) | in.phase;
     return {.step = step_,
-            .phase = wrap<Phase>(turns >> int(in.divide.raw())),
+            .phase = step_phase(in.phase, in.divide),
             .commutate = in.load || (elapsed && !in.hold),
             .elapsed = elapsed,
             .turn = step_ < 3};
   }
+
+  // Turns of the step at a phase of the VCO.
+  Phase step_phase(Phase phase, UInt<2> divide) const {
+    return wrap<Phase>(((UInt<19>(sub_) << 16) | phase) >> int(divide.raw()));
+  }
+
+  bool operator==(const DivideByN&) const = default;
 
  private:
   UInt<3> sub_ = 0;  // VCO turns into the step

@@ -68,6 +68,13 @@ class HallDecoder {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet() const { return left_ == 0 ? ~std::uint64_t{0} : left_.raw(); }
+  void skip(std::uint64_t clocks) {
+    if (left_ != 0) left_ = UInt<10>::of(left_.raw() - clocks);
+  }
+  bool operator==(const HallDecoder&) const = default;
+
  private:
   struct Decoded {
     UInt<3> sector = 0;  // 0 to 5

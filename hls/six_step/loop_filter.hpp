@@ -77,6 +77,10 @@ class LoopFilter {
     return out;
   }
 
+  // Nothing to work on: a tick without a strobe changes nothing (docs/theory.md, quiet clocks).
+  bool idle() const { return stage_ == Stage::kIdle; }
+  bool operator==(const LoopFilter&) const = default;
+
  private:
   using Work = Int<37>;  // s-3.40: |x|, |v| and |v - y| stay below 2^-4
   enum class Stage : std::uint8_t {

@@ -69,6 +69,8 @@ class PhaseDetector {
     return out;
   }
 
+  bool operator==(const PhaseDetector&) const = default;
+
  private:
   void watch_crossings(const In& in) {
     if (in.commutate) {

@@ -83,6 +83,8 @@ class Protection {
     return out;
   }
 
+  bool operator==(const Protection&) const = default;
+
  private:
   void watch_steps(const In& in) {
     if (in.missed) {

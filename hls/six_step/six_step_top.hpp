@@ -63,6 +63,7 @@ class SixStepTop {
     Phase freewheel = 0;        // u0.16, where in the step freewheeling ended
     Duty duty = 0;              // u1.15
     Telemetry::Out counts;
+    bool operator==(const Out&) const = default;
   };
 
   Out tick(const In& in) {
@@ -230,7 +231,64 @@ class SixStepTop {
             .counts = counts};
   }
 
+
+  // Quiet clocks (docs/theory.md): how many ticks, with the inputs of the last one, whose outputs were
+  // `last`, would do nothing but count; and that many at once.  Both are for simulation.
+  std::uint64_t quiet(const In& in, const Out& last) const {
+    if (tick_ || limited_ || pulse_ || commutate_ || update_ || !filter_.idle() || !speed_.idle()) {
+      return 0;
+    }
+    std::uint64_t clocks = vco_.quiet(turning(last));
+    clocks = least(clocks, hall_.quiet());
+    clocks = least(clocks, bemf_.quiet(sensed(in, last)));
+    clocks = least(clocks, pwm_.quiet());
+    clocks = least(clocks, limit_.quiet(chop_));
+    clocks = least(clocks, guard_.quiet());
+    if (clocks < kWorthwhile) return 0;
+    // If one clock changes counters alone, each of these does: no counter reaches its event.
+    SixStepTop ticked = *this;
+    Out out = ticked.tick(in);
+    out.step_phase = last.step_phase;
+    SixStepTop skipped = *this;
+    skipped.skip(in, last, 1);
+    return out == last && ticked == skipped ? clocks : 0;
+  }
+  void skip(const In& in, const Out& last, std::uint64_t clocks) {
+    const auto vco = turning(last);
+    if (const auto sampled = bemf_.skip(sensed(in, last), clocks); sampled != 0) {
+      const Phase phase = sampled == 1 ? phase_ : vco_.shown(vco, sampled - 1);
+      bemf_.remember(divide_.step_phase(phase, in.words.loop.divide));
+    }
+    phase_ = vco_.shown(vco, clocks);
+    vco_.skip(vco, clocks);
+    hall_.skip(clocks);
+    pwm_.skip(clocks);
+    limit_.skip(chop_, clocks);
+    guard_.skip(clocks);
+  }
+  bool operator==(const SixStepTop&) const = default;
+
  private:
+  static constexpr std::uint64_t kWorthwhile = 4;  // clocks; below, looking costs more than ticking
+  static std::uint64_t least(std::uint64_t a, std::uint64_t b) { return a < b ? a : b; }
+
+  VcoCounter::In turning(const Out& last) const {
+    const bool held = last.state == State::kIdle || last.state == State::kBrake ||
+                      last.state == State::kSettle || last.state == State::kReset ||
+                      last.state == State::kRest || last.state == State::kFault;
+    return {.enable = !held, .frequency = frequency_};
+  }
+  BemfComparator::In sensed(const In& in, const Out& last) const {
+    return {.u = in.pins.comparator_u,
+            .v = in.pins.comparator_v,
+            .w = in.pins.comparator_w,
+            .step = last.step,
+            .reverse = last.reverse,
+            .chop = chop_,
+            .phase = last.step_phase,
+            .words = in.words.bemf};
+  }
+
   Synchroniser synchroniser_;
   HallDecoder hall_;
   StartSequence start_;

@@ -70,6 +70,10 @@ class SpeedControl {
     return out;
   }
 
+  // Nothing to work on: a tick without a strobe changes nothing (docs/theory.md, quiet clocks).
+  bool idle() const { return stage_ == Stage::kIdle; }
+  bool operator==(const SpeedControl&) const = default;
+
  private:
   enum class Stage : std::uint8_t { kIdle, kBemf, kIntegral, kProportional, kOnClocks };
 

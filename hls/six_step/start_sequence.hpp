@@ -90,6 +90,8 @@ class StartSequence {
     return present;
   }
 
+  bool operator==(const StartSequence&) const = default;
+
  private:
   void enter(State state, Ticks ticks) {
     state_ = state;

@@ -31,6 +31,7 @@ class Telemetry {
     Count freewheel_long = 0;  // events, stops at 65535
     Count limit_hits = 0;      // events, stops at 65535
     Count retries = 0;         // events, stops at 65535
+    bool operator==(const Out&) const = default;
   };
 
   Out tick(const In& in) {
@@ -42,6 +43,8 @@ class Telemetry {
     count(counts_.retries, in.retry, in.clear);
     return out;
   }
+
+  bool operator==(const Telemetry&) const = default;
 
  private:
   static void count(Count& counter, bool event, bool clear) {

@@ -44,6 +44,20 @@ class VcoCounter {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet(const In& in) const {
+    if (!in.enable || in.frequency == 0) return ~std::uint64_t{0};
+    return UInt<32>(~phase_).raw() / std::uint64_t{in.frequency.raw()};
+  }
+  void skip(const In& in, std::uint64_t clocks) {
+    if (in.enable) phase_ = UInt<32>::of(phase_.raw() + clocks * in.frequency.raw());
+  }
+  // The phase that the last of `clocks` skipped ones showed.
+  Phase shown(const In& in, std::uint64_t clocks) const {
+    return UInt<32>::of(phase_.raw() + (in.enable ? (clocks - 1) * in.frequency.raw() : 0)).slice<31, 16>();
+  }
+  bool operator==(const VcoCounter&) const = default;
+
  private:
   UInt<32> phase_ = 0;  // u0.32, VCO turns
   bool pulse_ = false;  // the last addition passed a whole turn
