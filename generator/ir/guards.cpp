@@ -1,12 +1,10 @@
 #include "generator/ir/guards.hpp"
 
+#include "generator/ir/ranges.hpp"
 #include "generator/refusal.hpp"
 
 #include <llvm/Analysis/AssumptionCache.h>
-#include <llvm/Analysis/LazyValueInfo.h>
-#include <llvm/Analysis/TargetLibraryInfo.h>
 #include <llvm/Analysis/ValueTracking.h>
-#include <llvm/IR/ConstantRange.h>
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/InstIterator.h>
@@ -57,7 +55,7 @@ void guard_indices(llvm::GetElementPtrInst& address, Opaque& opaque) {
   }
 }
 
-// Whether a pointer moved by a constant still points into its object.
+// Whether a pointer moved by a constant still points into its object, or to its end.
 bool stays_inside(const llvm::CallInst& guard, const llvm::ConstantInt& index) {
   const auto& data = guard.getModule()->getDataLayout();
   for (const auto* user : guard.users()) {
@@ -74,7 +72,7 @@ bool stays_inside(const llvm::CallInst& guard, const llvm::ConstantInt& index) {
     } else if (const auto* global = dyn_cast<llvm::GlobalVariable>(base)) {
       size = data.getTypeAllocSize(global->getValueType());
     }
-    if (offset.isNegative() || offset.uge(size)) return false;
+    if (offset.isNegative() || offset.ugt(size)) return false;
   }
   return true;
 }
@@ -112,10 +110,8 @@ bool fold_guards(llvm::Function& function) {
 std::vector<unsigned> prove_guards(llvm::Function& function) {
   llvm::DominatorTree dominators(function);
   llvm::AssumptionCache assumptions(function);
-  llvm::TargetLibraryInfoImpl library_impl;
-  llvm::TargetLibraryInfo library(library_impl);
   const auto& data = function.getParent()->getDataLayout();
-  llvm::LazyValueInfo ranges(&assumptions, &data, &library);
+  Ranges ranges(function);
 
   // All questions first: answers may lean on conditions over other indices.
   std::vector<unsigned> failed;
@@ -125,7 +121,7 @@ std::vector<unsigned> prove_guards(llvm::Function& function) {
     const auto count = count_of(guard);
     const auto bits = llvm::computeKnownBits(index, data, 0, &assumptions, guard, &dominators);
     const bool below = is_below(bits.getMaxValue(), count) ||
-                       is_below(ranges.getConstantRange(index, guard).getUnsignedMax(), count);
+                       is_below(ranges.of(index, *guard).getUnsignedMax(), count);
     if (guard->use_empty() || below) {
       proved.push_back(guard);
     } else {

@@ -1,0 +1,157 @@
+#include "generator/ir/ranges.hpp"
+
+#include <llvm/IR/Constants.h>
+#include <llvm/IR/Operator.h>
+#include <llvm/IR/PatternMatch.h>
+
+namespace hlsgen {
+namespace {
+
+using llvm::ConstantRange;
+using llvm::dyn_cast;
+namespace match = llvm::PatternMatch;
+
+constexpr unsigned kBudget = 4000;  // values looked at for one question
+
+ConstantRange full(const llvm::Value* value) {
+  return ConstantRange::getFull(value->getType()->getIntegerBitWidth());
+}
+
+}  // namespace
+
+ConstantRange Ranges::of(const llvm::Value* value, const llvm::Instruction& at) {
+  facts_.clear();
+  budget_ = kBudget;
+  learn_block(at.getParent());
+  return range(value);
+}
+
+// What must have held for control to come to a block: the edges that dominate it.
+void Ranges::learn_block(const llvm::BasicBlock* block) {
+  for (auto* node = dominators_.getNode(block); node != nullptr && node->getIDom() != nullptr;
+       node = node->getIDom()) {
+    const auto* from = node->getIDom()->getBlock();
+    const auto* to = node->getBlock();
+    const bool is_only_way = to->getSinglePredecessor() == from;
+    if (is_only_way) learn_edge(from, to);
+  }
+}
+
+void Ranges::learn_edge(const llvm::BasicBlock* from, const llvm::BasicBlock* to) {
+  const auto* end = from->getTerminator();
+  if (const auto* branch = dyn_cast<llvm::BranchInst>(end)) {
+    if (branch->isUnconditional() || branch->getSuccessor(0) == branch->getSuccessor(1)) return;
+    learn(branch->getCondition(), branch->getSuccessor(0) == to);
+  } else if (const auto* choice = dyn_cast<llvm::SwitchInst>(end)) {
+    auto taken = ConstantRange::getEmpty(choice->getCondition()->getType()->getIntegerBitWidth());
+    auto rest = taken.inverse();
+    for (const auto& entry : choice->cases()) {
+      const ConstantRange value(entry.getCaseValue()->getValue());
+      if (entry.getCaseSuccessor() == to) taken = taken.unionWith(value);
+      else rest = rest.difference(value);
+    }
+    learn(choice->getCondition(), choice->getDefaultDest() == to ? taken.unionWith(rest) : taken);
+  }
+}
+
+void Ranges::learn(const llvm::Value* condition, bool holds) {
+  learn(condition, ConstantRange(llvm::APInt(1, holds ? 1 : 0)));
+  const llvm::Value* a = nullptr;
+  const llvm::Value* b = nullptr;
+  if (match::match(condition, match::m_Not(match::m_Value(a)))) return learn(a, !holds);
+  if (holds ? match::match(condition, match::m_LogicalAnd(match::m_Value(a), match::m_Value(b)))
+            : match::match(condition, match::m_LogicalOr(match::m_Value(a), match::m_Value(b)))) {
+    learn(a, holds);
+    learn(b, holds);
+  }
+  const auto* compare = dyn_cast<llvm::ICmpInst>(condition);
+  if (compare == nullptr || !compare->getOperand(0)->getType()->isIntegerTy()) return;
+  const auto predicate = holds ? compare->getPredicate() : compare->getInversePredicate();
+  const auto* bound = dyn_cast<llvm::ConstantInt>(compare->getOperand(1));
+  if (bound == nullptr) return;
+  learn(compare->getOperand(0), ConstantRange::makeExactICmpRegion(predicate, bound->getValue()));
+}
+
+void Ranges::learn(const llvm::Value* value, const ConstantRange& range) {
+  facts_.push_back({value, range});
+  // x + c in [a, b), LLVM's form of a two-sided test, says as much of x.
+  const llvm::APInt* added = nullptr;
+  const llvm::Value* x = nullptr;
+  if (match::match(value, match::m_Add(match::m_Value(x), match::m_APInt(added)))) {
+    facts_.push_back({x, range.subtract(*added)});
+  } else if (const auto* wide = dyn_cast<llvm::ZExtInst>(value)) {
+    const unsigned width = wide->getSrcTy()->getIntegerBitWidth();
+    const auto inside = range.intersectWith(ConstantRange::getFull(width).zeroExtend(
+        value->getType()->getIntegerBitWidth()));
+    facts_.push_back({wide->getOperand(0), inside.truncate(width)});
+  }
+}
+
+ConstantRange Ranges::range(const llvm::Value* value) {
+  if (const auto* constant = dyn_cast<llvm::ConstantInt>(value)) {
+    return ConstantRange(constant->getValue());
+  }
+  if (budget_ == 0 || !value->getType()->isIntegerTy()) return full(value);
+  --budget_;
+  auto result = by_operands(value);
+  for (const auto& fact : facts_) {
+    if (fact.value == value) result = result.intersectWith(fact.range);
+  }
+  return result;
+}
+
+ConstantRange Ranges::by_operands(const llvm::Value* value) {
+  const auto* at = dyn_cast<llvm::Instruction>(value);
+  if (at == nullptr) return full(value);
+  if (const auto* bounds = at->getMetadata(llvm::LLVMContext::MD_range)) {
+    return llvm::getConstantRangeFromMetadata(*bounds);
+  }
+  if (const auto* binary = dyn_cast<llvm::BinaryOperator>(at)) {
+    return range(binary->getOperand(0))
+        .binaryOp(binary->getOpcode(), range(binary->getOperand(1)));
+  }
+  if (llvm::isa<llvm::ZExtInst, llvm::SExtInst, llvm::TruncInst>(at)) {
+    return range(at->getOperand(0))
+        .castOp(llvm::cast<llvm::CastInst>(at)->getOpcode(),
+                at->getType()->getIntegerBitWidth());
+  }
+  if (const auto* choice = dyn_cast<llvm::SelectInst>(at)) return select(*choice);
+  if (const auto* merge = dyn_cast<llvm::PHINode>(at)) return phi(*merge);
+  if (const auto* call = dyn_cast<llvm::CallInst>(at)) {
+    const auto id = call->getIntrinsicID();
+    if (!ConstantRange::isIntrinsicSupported(id)) return full(value);
+    std::vector<ConstantRange> operands;
+    for (const auto& operand : call->args()) operands.push_back(range(operand));
+    return ConstantRange::intrinsic(id, operands);
+  }
+  if (llvm::isa<llvm::FreezeInst>(at)) return range(at->getOperand(0));
+  return full(value);
+}
+
+ConstantRange Ranges::select(const llvm::SelectInst& choice) {
+  const auto before = facts_.size();
+  auto result = ConstantRange::getEmpty(choice.getType()->getIntegerBitWidth());
+  for (const bool holds : {true, false}) {
+    learn(choice.getCondition(), holds);
+    result = result.unionWith(range(holds ? choice.getTrueValue() : choice.getFalseValue()));
+    facts_.erase(facts_.begin() + static_cast<std::ptrdiff_t>(before), facts_.end());
+  }
+  return result;
+}
+
+ConstantRange Ranges::phi(const llvm::PHINode& phi) {
+  // What holds where the phi is used need not hold where its values came from, except in what both
+  // lie below; the facts of each edge replace the others.
+  const auto outer = facts_;
+  auto result = ConstantRange::getEmpty(phi.getType()->getIntegerBitWidth());
+  for (unsigned i = 0; i < phi.getNumIncomingValues(); ++i) {
+    facts_.clear();
+    learn_block(phi.getIncomingBlock(i));
+    learn_edge(phi.getIncomingBlock(i), phi.getParent());
+    result = result.unionWith(range(phi.getIncomingValue(i)));
+  }
+  facts_ = outer;
+  return result;
+}
+
+}  // namespace hlsgen

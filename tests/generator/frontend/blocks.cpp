@@ -1,0 +1,26 @@
+// The tops of design_test; each test names the one it wants.
+
+#include "hls/numeric/block.hpp"
+#include "tests/generator/frontend/blocks/accumulator.hpp"
+#include "tests/generator/frontend/blocks/arrays.hpp"
+#include "tests/generator/frontend/blocks/calls.hpp"
+#include "tests/generator/frontend/blocks/control.hpp"
+#include "tests/generator/frontend/blocks/hierarchy.hpp"
+#include "tests/generator/frontend/blocks/numbers.hpp"
+
+namespace steplock {
+
+template struct Synthesize<test::PhaseAccumulator<>>;
+template struct Synthesize<test::PhaseAccumulator<12, 3>>;
+template struct Synthesize<test::StateMachine>;
+template struct Synthesize<test::SectorCounter>;
+template struct Synthesize<test::Loops<11>>;
+template struct Synthesize<test::History>;
+template struct Synthesize<test::Tables>;
+template struct Synthesize<test::Arithmetic>;
+template struct Synthesize<test::Wide>;
+template struct Synthesize<test::Plain>;
+template struct Synthesize<test::Calls>;
+template struct Synthesize<test::Hierarchy>;
+
+}  // namespace steplock

@@ -1,0 +1,34 @@
+#include "tests/generator/frontend/against_native.hpp"
+#include "tests/generator/frontend/blocks/accumulator.hpp"
+#include "tests/generator/frontend/blocks/arrays.hpp"
+#include "tests/generator/frontend/blocks/calls.hpp"
+#include "tests/generator/frontend/blocks/control.hpp"
+#include "tests/generator/frontend/blocks/hierarchy.hpp"
+#include "tests/generator/frontend/blocks/numbers.hpp"
+
+namespace hlsgen::test {
+namespace {
+
+using namespace steplock::test;
+
+TEST(Design, AnAccumulatorEqualsItsCpp) {
+  expect_equal_to_native<PhaseAccumulator<>>("phase_accumulator");
+}
+TEST(Design, TemplateArgumentsReachTheModule) {
+  expect_equal_to_native<PhaseAccumulator<12, 3>>("phase_accumulator_12_3");
+}
+TEST(Design, AStateMachineEqualsItsCpp) { expect_equal_to_native<StateMachine>("state_machine"); }
+TEST(Design, ARegisterOfAnEnumerationStaysWithinIt) {
+  expect_equal_to_native<SectorCounter>("sector_counter");
+}
+TEST(Design, LoopsEqualTheirCpp) { expect_equal_to_native<Loops<11>>("loops_11"); }
+TEST(Design, ArraysEqualTheirCpp) { expect_equal_to_native<History>("history"); }
+TEST(Design, TablesEqualTheirCpp) { expect_equal_to_native<Tables>("tables"); }
+TEST(Design, ArithmeticEqualsItsCpp) { expect_equal_to_native<Arithmetic>("arithmetic"); }
+TEST(Design, NumbersUpTo128BitsEqualTheirCpp) { expect_equal_to_native<Wide>("wide"); }
+TEST(Design, PlainIntegersKeepTheirPromotions) { expect_equal_to_native<Plain>("plain"); }
+TEST(Design, HelpersAndReferencesEqualTheirCpp) { expect_equal_to_native<Calls>("calls"); }
+TEST(Design, BlocksWithinBlocksEqualTheirCpp) { expect_equal_to_native<Hierarchy>("hierarchy"); }
+
+}  // namespace
+}  // namespace hlsgen::test
