@@ -202,6 +202,17 @@ TEST(Sensors, NoiseMakesTheOutputChatterAroundTheCrossingOnly) {
   EXPECT_GT(chatter, 5);
 }
 
+TEST(Sensors, HysteresisWiderThanTheNoiseGivesOneCleanEdge) {
+  Parameters p = steady();
+  p.sensing.comparator[2] = {.hysteresis = 0.2, .delay = 0, .noise = 0.01};  // 20 sigma
+  const auto edges = coast(p, {.angle = 40 * kDegree / 4, .speed = kSpeed3000 / 10}, 5e-3);
+  int changes = 0;  // w falls through 60 degrees; the run ends at 76
+  for (std::size_t n = 0; n < edges.size(); ++n) {
+    changes += edges[n].pins.comparator[2] != (n == 0 || edges[n - 1].pins.comparator[2]);
+  }
+  EXPECT_EQ(changes, 1);
+}
+
 TEST(Sensors, NoiseDoesNotDependOnHowTheRunIsCut) {
   Parameters p = steady();
   p.accuracy.tolerance = 1e-10;
