@@ -59,6 +59,7 @@ std::string mend_for(const std::string& message, const std::string& flag) {
   if (flag == "infinite-recursion") return "write it as a loop with a constant bound";
   if (flag == "return-type") return "return a value on every path";
   if (flag.find("shift-count") != std::string::npos) return "shift by less than the width";
+  if (says("bit sizes greater than")) return "split it into parts";
   if (says("throw") || says("exceptions")) return "report errors in Out";
   if (says("dynamic_cast") || says("typeid")) return "use types known at compile time";
   return "mend the C++ first";

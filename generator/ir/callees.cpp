@@ -95,6 +95,9 @@ class Walk {
       refuse(call, "memory from the heap ('" + name + "')", "use a member or a std::array");
     }
     const auto name_starts = [&](const char* text) { return callee->getName().startswith(text); };
+    if (name_starts("__atomic_")) {
+      refuse(call, "atomic access", "a block is one thread: drop the atomic");
+    }
     if (name_starts("__cxa_guard")) {
       refuse(call, "state outside the registers: a static local", "make it a member of the block");
     }

@@ -50,11 +50,19 @@ struct Analyses {
   llvm::OptimizationRemarkEmitter remarks;
 };
 
+// At most so many times; 0 when there is no telling.
+unsigned iterations(const llvm::Loop& loop, Analyses& a) {
+  const unsigned count = a.evolution.getSmallConstantMaxTripCount(&loop);
+  const auto* latch = loop.getLoopLatch();
+  const bool tests_first = latch != nullptr && !loop.isLoopExiting(latch);
+  return count != 0 && tests_first ? count - 1 : count;  // the last visit only finds the end
+}
+
 bool unroll(llvm::Loop& loop, Analyses& a) {
   llvm::simplifyLoop(&loop, &a.dominators, &a.loops, &a.evolution, &a.assumptions, nullptr, false);
   llvm::formLCSSARecursively(loop, a.dominators, &a.loops, &a.evolution);
   const unsigned count = a.evolution.getSmallConstantMaxTripCount(&loop);
-  if (count == 0 || count > kMaxIterations + 1) return false;
+  if (count == 0 || iterations(loop, a) > kMaxIterations) return false;
   llvm::UnrollLoopOptions options{};
   options.Count = count;
   options.Force = true;
@@ -78,7 +86,7 @@ bool unroll_one(llvm::Function& function) {
 void refuse_loops(llvm::Function& function) {
   Analyses analyses(function);
   for (auto* loop : analyses.loops.getLoopsInPreorder()) {
-    const unsigned count = analyses.evolution.getSmallConstantMaxTripCount(loop);
+    const unsigned count = iterations(*loop, analyses);
     if (count > kMaxIterations) {
       throw Refusal(source_of_loop(*loop),
                     "the loop may run " + std::to_string(count) + " times, more than " +

@@ -9,3 +9,4 @@ function(frontend_test stem)
 endfunction()
 
 frontend_test(design)
+frontend_test(refusal)

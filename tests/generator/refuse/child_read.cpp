@@ -1,0 +1,40 @@
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/block.hpp"
+
+namespace steplock {
+
+class Child {
+ public:
+  struct In {
+    bool go = false;
+  };
+  struct Out {
+    UInt<4> count = 0;
+  };
+  Out tick(const In& in) {
+    if (in.go) count_ = wrap<UInt<4>>(count_ + 1);
+    return {count_};
+  }
+  UInt<4> count_ = 0;
+};
+
+class Refused {
+ public:
+  struct In {
+    UInt<8> x = 0;
+  };
+  struct Out {
+    UInt<8> y = 0;
+  };
+  Out tick(const In& in) {
+    child_.tick({in.x == 1});
+    return {child_.count_};
+  }
+
+ private:
+  Child child_;  // refused: the block reads register 'count_' of its instance 'child_'
+};
+
+template struct Synthesize<Refused>;
+
+}  // namespace steplock

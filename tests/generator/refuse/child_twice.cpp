@@ -1,0 +1,41 @@
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/block.hpp"
+
+namespace steplock {
+
+class Child {
+ public:
+  struct In {
+    bool go = false;
+  };
+  struct Out {
+    UInt<4> count = 0;
+  };
+  Out tick(const In& in) {
+    if (in.go) count_ = wrap<UInt<4>>(count_ + 1);
+    return {count_};
+  }
+  UInt<4> count_ = 0;
+};
+
+class Refused {
+ public:
+  struct In {
+    UInt<8> x = 0;
+  };
+  struct Out {
+    UInt<8> y = 0;
+  };
+  Out tick(const In& in) {
+    const auto first = child_.tick({true}).count;
+    const auto second = child_.tick({false}).count;  // refused: 'child_' is ticked more than once
+    return {wrap<UInt<8>>(first + second + in.x)};
+  }
+
+ private:
+  Child child_;
+};
+
+template struct Synthesize<Refused>;
+
+}  // namespace steplock

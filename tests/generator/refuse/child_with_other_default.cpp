@@ -1,0 +1,41 @@
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/block.hpp"
+
+namespace steplock {
+
+class Child {  // refused: instances of steplock::Child have different default values
+ public:
+  Child() = default;
+  explicit Child(UInt<4> count) : count_(count) {}
+  struct In {
+    bool go = false;
+  };
+  struct Out {
+    UInt<4> count = 0;
+  };
+  Out tick(const In& in) {
+    if (in.go) count_ = wrap<UInt<4>>(count_ + 1);
+    return {count_};
+  }
+  UInt<4> count_ = 0;
+};
+
+class Refused {
+ public:
+  struct In {
+    UInt<8> x = 0;
+  };
+  struct Out {
+    UInt<8> y = 0;
+  };
+  Out tick(const In& in) {
+    return {a_.tick({in.x == 1}).count ^ b_.tick({in.x == 2}).count};
+  }
+
+ private:
+  Child a_, b_{5};
+};
+
+template struct Synthesize<Refused>;
+
+}  // namespace steplock

@@ -1,0 +1,30 @@
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/block.hpp"
+
+#include <array>
+
+namespace steplock {
+
+class Refused {
+ public:
+  struct In {
+    UInt<8> x = 0;
+  };
+  struct Out {
+    UInt<8> y = 0;
+  };
+  Out tick(const In& in) {
+    for (int i = 0; i <= 6; ++i) {
+      kept_ = kept_ ^ table_[i];  // refused: the index may leave the array of 6
+    }
+    return {kept_ & in.x};
+  }
+
+ private:
+  UInt<8> kept_ = 0;
+  std::array<UInt<8>, 6> table_ = {1, 2, 3, 4, 5, 6};
+};
+
+template struct Synthesize<Refused>;
+
+}  // namespace steplock

@@ -1,0 +1,24 @@
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/block.hpp"
+
+namespace steplock {
+
+class Refused {
+ public:
+  struct In {
+    UInt<8> x = 0;
+  };
+  struct Out {
+    UInt<8> y = 0;
+  };
+  Out tick(const In& in) {
+    volatile int pin = in.x.raw();  // refused: volatile
+    return {pin};
+  }
+
+ private:
+};
+
+template struct Synthesize<Refused>;
+
+}  // namespace steplock
