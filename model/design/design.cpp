@@ -189,7 +189,7 @@ void set_speed(const Settings& s, Design& d) {
   p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s)
                         : std::min(able, followed(loop, f_a));
   p.duty_slew = v.duty_slew_per_s.value_or(std::max(
-      3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.1));
+      3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.02));
   p.minimum = v.minimum_duty;
   p.maximum = v.maximum_duty;
 }
