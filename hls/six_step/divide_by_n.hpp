@@ -45,6 +45,7 @@ class DivideByN {
     bool commutate = false;  // one clock, the first of a new step
     bool elapsed = false;    // one clock: a step's worth of VCO turns is over, even if held
     bool turn = false;       // the divided VCO signal: high in the first half electrical turn
+    bool operator==(const Out&) const = default;
   };
 
   Out tick(const In& in) {

@@ -28,18 +28,17 @@
 
 namespace steplock {
 
-// kHold: frequency stays. kRamp: it grows by `ramp` per tick. kTrack: the PLL is closed.
-enum class Loop : std::uint8_t { kHold, kRamp, kTrack, kCatch, kHall };
+// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatch, kHall:
+// it follows the intervals between changes of sector.
+enum class Loop : std::uint8_t { kStop, kRamp, kTrack, kCatch, kHall };
 
 class LoopFilter {
  public:
   struct In {
-    Loop loop = Loop::kHold;
+    Loop loop = Loop::kStop;
     PhaseError error = 0;          // s0.16, turns of one step; held between updates
     bool update = false;           // strobe: the error is new
     bool tick = false;             // strobe: time base of ramp and per-second form
-    bool load = false;             // takes load_frequency and drops work in flight
-    Frequency load_frequency = 0;  // u0.32, VCO turns per clock
     UInt<20> ramp = 0;             // u0.32, VCO turns per clock, per tick
     Bandwidth bandwidth = Bandwidth::kPerStep;
     UInt<10> delay = 0;            // clocks / 2^divide
@@ -49,21 +48,25 @@ class LoopFilter {
     Frequency scale = 0;           // u0.32, stands for the frequency in the per-second form
     Frequency minimum = 0;         // u0.32, VCO turns per clock
     Frequency maximum = 0;         // u0.32, VCO turns per clock
+    Frequency hand_over = 0;       // u0.32, VCO turns per clock
   };
 
   struct Out {
     Frequency frequency = 0;  // u0.32, VCO turns per clock
+    bool fast = false;        // frequency >= hand_over
     bool busy = false;        // an update is being worked on
   };
 
   Out tick(const In& in) {
-    const Out out{.frequency = frequency(), .busy = stage_ != Stage::kIdle};
+    const Out out{.frequency = frequency(),
+                  .fast = frequency() >= in.hand_over,
+                  .busy = stage_ != Stage::kIdle};
     const bool start = multiplies() && !started_;
     const auto product = multiplier_.tick(
         {.start = start, .a = stage_ == Stage::kPole ? subtract_y() : work_, .b = factor(in)});
-    if (in.load) {
-      x_ = wrap<Int<37>>(UInt<37>(in.load_frequency) << 8);
-      y_ = UInt<34>(in.load_frequency) << 8;
+    if (in.loop == Loop::kStop) {
+      x_ = 0;
+      y_ = 0;
       at_top_ = at_bottom_ = started_ = false;
       stage_ = Stage::kIdle;
     } else if (stage_ == Stage::kIdle) {
@@ -107,7 +110,7 @@ class LoopFilter {
   void begin(const In& in) {
     const bool ramp = in.loop == Loop::kRamp;
     const bool per_second = in.loop == Loop::kTrack && in.bandwidth == Bandwidth::kPerSecond;
-    if (in.loop == Loop::kHold || !(ramp || per_second ? in.tick : in.update)) return;
+    if (!(ramp || per_second ? in.tick : in.update)) return;
     work_ = ramp ? wrap<Work>(UInt<36>(in.ramp) << 8) : Work(frequency());
     stage_ = ramp ? Stage::kIntegral : Stage::kDelay;
   }
@@ -139,10 +142,17 @@ class LoopFilter {
     }
   }
 
+  // A ramp begins at standstill.  What turns slower than half the hand-over speed is not caught: the
+  // errors against this frequency are never small.
+  static Frequency lowest(const In& in) {
+    return in.loop == Loop::kRamp    ? Frequency(0)
+           : in.loop == Loop::kCatch ? in.hand_over >> 1
+                                     : in.minimum;
+  }
+
   void bound(const In& in) {
     if (stage_ == Stage::kBoundX) {
-      // A ramp begins below the minimum.
-      const Work low = in.loop == Loop::kRamp ? Work(0) : wrap<Work>(UInt<36>(in.minimum) << 8);
+      const Work low = wrap<Work>(UInt<36>(lowest(in)) << 8);
       const Work high = wrap<Work>(UInt<36>(in.maximum) << 8);
       const Work x = x_ < low ? low : x_ > high ? high : x_;
       x_ = x;

@@ -79,9 +79,8 @@ class SixStepTop {
                                     .command = in.command,
                                     .source = words.source,
                                     .words = words.start,
-                                    .target = words.speed.target,
-                                    .frequency = frequency_,
-                                    .commutate = commutate_,
+                                    .fast = fast_,
+                                    .commutate = divided_.commutate,
                                     .update = update_,
                                     .good = good_,
                                     .turns_reverse = sectors.reverse,
@@ -96,14 +95,7 @@ class SixStepTop {
     const Step hall_step = !start.reverse       ? sectors.sector
                            : sectors.sector < 3 ? wrap<Step>(sectors.sector + 3)
                                                 : wrap<Step>(sectors.sector - 3);
-    const auto divider = divide_.tick({.pulse = pulse_,
-                                       .phase = phase_,
-                                       .divide = words.loop.divide,
-                                       .reverse = start.reverse,
-                                       .hold = follow,
-                                       .load = start.load_step || new_sector,
-                                       .step = start.load_step ? start.step : hall_step,
-                                       .half = start.load_step});
+    const DivideByN::Out divider = divided_;
     const Step step = hall ? hall_step : divider.step;
 
     const auto bemf = bemf_.tick({.u = pins.comparator_u,
@@ -133,8 +125,6 @@ class SixStepTop {
                                       .error = detector.error,
                                       .update = detector.update,
                                       .tick = tick_,
-                                      .load = start.load,
-                                      .load_frequency = start.load_frequency,
                                       .ramp = words.start.ramp,
                                       .bandwidth = words.loop.bandwidth,
                                       .delay = words.loop.delay >> int(words.loop.divide.raw()),
@@ -143,19 +133,28 @@ class SixStepTop {
                                       .pole = words.loop.pole,
                                       .scale = words.loop.scale,
                                       .minimum = words.loop.minimum,
-                                      .maximum = words.loop.maximum});
-    const bool load_phase = start.load_step || new_sector;
+                                      .maximum = words.loop.maximum,
+                                      .hand_over = words.start.hand_over});
+    const bool load = start.load_step || new_sector;
+    const bool half_turn = start.load_step && words.loop.divide == 0;
     const auto vco = vco_.tick({.enable = start.turn_vco,
-                                .load = load_phase,
-                                .phase = start.load_step && words.loop.divide == 0 ? Phase(0x8000)
-                                                                                   : Phase(0),
+                                .load = load,
+                                .phase = half_turn ? Phase(0x8000) : Phase(0),
                                 .frequency = filter.frequency});
+    divided_ = divide_.tick({.pulse = vco.pulse,
+                             .phase = vco.phase,
+                             .divide = words.loop.divide,
+                             .reverse = start.reverse,
+                             .hold = follow,
+                             .load = load,
+                             .step = start.load_step ? start.step : hall_step,
+                             .half = start.load_step});
 
     const auto speed = speed_.tick({.tick = tick_,
                                     .mode = start.mode,
                                     .fixed_duty = start.duty,
                                     .frequency = filter.frequency,
-                                    .target = start.target,
+                                    .target = start.stop ? Frequency(0) : words.speed.target,
                                     .limited = limited_,
                                     .period = words.pwm.period,
                                     .words = words.speed});
@@ -200,10 +199,7 @@ class SixStepTop {
     tick_ = pwm.tick;
     chop_ = limit.on;
     limited_ = limit.hit;
-    phase_ = vco.phase;
-    pulse_ = vco.pulse;
-    frequency_ = filter.frequency;
-    commutate_ = divider.commutate;
+    fast_ = filter.fast;
     update_ = detector.update;
     good_ = detector.good;
     lost_ = protection.lost;
@@ -235,7 +231,7 @@ class SixStepTop {
   // Quiet clocks (docs/theory.md): how many ticks, with the inputs of the last one, whose outputs were
   // `last`, would do nothing but count; and that many at once.  Both are for simulation.
   std::uint64_t quiet(const In& in, const Out& last) const {
-    if (tick_ || limited_ || pulse_ || commutate_ || update_ || !filter_.idle() || !speed_.idle()) {
+    if (tick_ || limited_ || divided_.commutate || divided_.elapsed || update_ || !filter_.idle() || !speed_.idle()) {
       return 0;
     }
     std::uint64_t clocks = vco_.quiet(turning(last));
@@ -256,10 +252,9 @@ class SixStepTop {
   void skip(const In& in, const Out& last, std::uint64_t clocks) {
     const auto vco = turning(last);
     if (const auto sampled = bemf_.skip(sensed(in, last), clocks); sampled != 0) {
-      const Phase phase = sampled == 1 ? phase_ : vco_.shown(vco, sampled - 1);
-      bemf_.remember(divide_.step_phase(phase, in.words.loop.divide));
+      bemf_.remember(sampled == 1 ? divided_.phase : step_phase(in, vco_.shown(vco, sampled - 1)));
     }
-    phase_ = vco_.shown(vco, clocks);
+    divided_.phase = step_phase(in, vco_.shown(vco, clocks));
     vco_.skip(vco, clocks);
     hall_.skip(clocks);
     pwm_.skip(clocks);
@@ -272,11 +267,14 @@ class SixStepTop {
   static constexpr std::uint64_t kWorthwhile = 4;  // clocks; below, looking costs more than ticking
   static std::uint64_t least(std::uint64_t a, std::uint64_t b) { return a < b ? a : b; }
 
+  Phase step_phase(const In& in, Phase vco) const {
+    return divide_.step_phase(vco, in.words.loop.divide);
+  }
   VcoCounter::In turning(const Out& last) const {
     const bool held = last.state == State::kIdle || last.state == State::kBrake ||
                       last.state == State::kSettle || last.state == State::kReset ||
                       last.state == State::kRest || last.state == State::kFault;
-    return {.enable = !held, .frequency = frequency_};
+    return {.enable = !held, .frequency = last.frequency};
   }
   BemfComparator::In sensed(const In& in, const Out& last) const {
     return {.u = in.pins.comparator_u,
@@ -308,10 +306,8 @@ class SixStepTop {
   bool tick_ = false;
   bool chop_ = false;
   bool limited_ = false;
-  Phase phase_ = 0;          // u0.16, of the VCO
-  bool pulse_ = false;
-  Frequency frequency_ = 0;  // u0.32
-  bool commutate_ = false;
+  DivideByN::Out divided_;
+  bool fast_ = false;
   bool update_ = false;
   bool good_ = false;
   bool lost_ = false;

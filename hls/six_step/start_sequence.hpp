@@ -24,6 +24,7 @@
 
 #include "hls/numeric/bits.hpp"
 #include "hls/six_step/commutation.hpp"
+#include "hls/six_step/divide_by_n.hpp"
 #include "hls/six_step/loop_filter.hpp"
 #include "hls/six_step/phase_detector.hpp"
 #include "hls/six_step/speed_control.hpp"
@@ -38,8 +39,7 @@ class StartSequence {
     Command command;
     Source source = Source::kBemf;
     StartWords words;
-    Frequency target = 0;             // u0.32, set speed
-    Frequency frequency = 0;          // u0.32, of the VCO
+    bool fast = false;                // the VCO's frequency is hand_over or more
     bool commutate = false;           // strobe: a new step began
     bool update = false;              // strobe: the phase detector has a new error
     bool good = false;                // with `update`: it is a small one
@@ -59,11 +59,9 @@ class StartSequence {
     bool running = false;               // locked and under speed control
     SpeedMode mode = SpeedMode::kFixed;
     Duty duty = 0;                      // u1.15, for kFixed and kAboveBemf
-    Frequency target = 0;               // u0.32, for speed control
-    Evidence watch = Evidence::kNothing;      // phase detector
-    Loop loop = Loop::kHold;            // loop filter
-    bool load = false;                  // loop filter: take load_frequency
-    Frequency load_frequency = 0;       // u0.32
+    bool stop = false;                  // speed control: towards standstill, not towards the set speed
+    Evidence watch = Evidence::kNothing;  // phase detector
+    Loop loop = Loop::kStop;            // loop filter
     bool load_step = false;             // one clock: take `step`, in its middle
     UInt<3> step = 0;                   // 0 to 5
     bool turn_vco = false;              // the VCO may count
@@ -73,45 +71,128 @@ class StartSequence {
 
   Out tick(const In& in) {
     const Out present = out(in);
-    load_step_ = began_ = failed_ = false;
-    fade(in);
-    const bool rearm = in.command.clear_fault && !clear_was_;
-    clear_was_ = in.command.clear_fault;
+    const bool over = in.tick && ticks_ == 0;
+    const State wanted = choose(in, over);
+    const bool leaves = wanted != state_;
+    const State next = leaves ? admit(in, wanted) : state_;
 
-    if (state_ == State::kFault) {
-      if (rearm && !in.command.run && !in.fatal) enter(State::kIdle, 0);
-    } else if (!in.command.configured) {
-      enter(State::kIdle, 0);
-    } else if (in.fatal) {
-      latch(in.cause);
-    } else {
-      advance(in);
+    began_ = leaves && state_ == State::kIdle && wanted == State::kObserve;
+    failed_ = leaves && wanted == State::kRest;
+    load_step_ = leaves && (next == State::kAccelerate ||
+                            (state_ == State::kObserve && next == State::kRun));
+    if (leaves && wanted == State::kObserve) reverse_ = in.command.reverse;
+    if (began_) {
+      reason_ = Reason::kNone;
+    } else if (leaves && (next == State::kRest || next == State::kFault)) {
+      reason_ = wanted == State::kBrake                             ? Reason::kCannotStop
+                : in.fatal || in.lost ? in.cause
+                                                                    : Reason::kNoLock;
     }
+    count(in, over, leaves, wanted);
+    fade(in);
+    if (leaves) {
+      ticks_ = length(in, next);
+    } else if (in.tick && !over) {
+      ticks_ = wrap<Ticks>(ticks_ - 1);
+    }
+    clear_was_ = in.command.clear_fault;
+    state_ = next;
     return present;
   }
 
   bool operator==(const StartSequence&) const = default;
 
  private:
-  void enter(State state, Ticks ticks) {
-    state_ = state;
-    ticks_ = ticks;
-    good_ = 0;
+  // Where the present state wants to go; itself, if nowhere.  kObserve stands for a new try, kBrake for
+  // one more braking interval, kRest for a failed try: admit() knows what becomes of them.
+  State choose(const In& in, bool over) const {
+    if (state_ == State::kFault) {
+      const bool rearm = in.command.clear_fault && !clear_was_;
+      return rearm && !in.command.run && !in.fatal ? State::kIdle : State::kFault;
+    }
+    if (!in.command.configured) return State::kIdle;
+    if (in.fatal) return State::kFault;
+    const bool brakes = in.command.brake_to_stop &&
+                        (state_ == State::kRun || state_ == State::kSlowDown ||
+                         state_ == State::kBrake || state_ == State::kObserve);
+    if (!in.command.run && !brakes) return State::kIdle;
+
+    const bool enough = fresh_ && good_ >= in.words.good_crossings;
+    const bool turn_round = !in.command.run || in.command.reverse != reverse_;
+    switch (state_) {
+      case State::kIdle: return State::kObserve;
+      case State::kObserve:
+        if (enough) {
+          return !in.command.run || turns_reverse_ != reverse_ ? State::kBrake : State::kRun;
+        }
+        return !over ? State::kObserve : in.command.run ? State::kSettle : State::kIdle;
+      case State::kBrake:
+        if (!over) return State::kBrake;
+        return !in.command.run && !looks(in) ? State::kIdle : State::kObserve;
+      case State::kSettle: return over ? State::kReset : State::kSettle;
+      case State::kReset: return over ? State::kAccelerate : State::kReset;
+      case State::kAccelerate:
+        return in.fast ? State::kPullIn : over ? State::kRest : State::kAccelerate;
+      case State::kPullIn: return enough ? State::kRun : over ? State::kRest : State::kPullIn;
+      case State::kRun:
+        return in.lost ? State::kRest : turn_round ? State::kSlowDown : State::kRun;
+      case State::kSlowDown:
+        if (in.lost) return State::kRest;
+        if (!turn_round) return State::kRun;
+        return over || !in.fast ? State::kBrake : State::kSlowDown;
+      default: return over ? State::kObserve : state_;
+    }
   }
 
-  void latch(Reason reason) {
-    reason_ = reason;
-    enter(State::kFault, 0);
+  static bool looks(const In& in) {
+    return in.source == Source::kBemf && in.words.observe != 0;
   }
 
-  void fail(const In& in, Reason reason) {
-    failed_ = true;
-    if (retries_ >= in.words.retries) {
-      latch(reason);
-    } else {
+  State admit(const In& in, State wanted) const {
+    switch (wanted) {
+      case State::kObserve:
+        return looks(in)                    ? State::kObserve
+               : in.source == Source::kHall ? State::kRun
+                                            : State::kSettle;
+      case State::kBrake: return brakes_ == kMostBrakes ? State::kFault : State::kBrake;
+      case State::kRest: return retries_ >= in.words.retries ? State::kFault : State::kRest;
+      default: return wanted;
+    }
+  }
+
+  static Ticks length(const In& in, State state) {
+    switch (state) {
+      case State::kObserve: return in.words.observe;
+      case State::kBrake: return in.words.brake;
+      case State::kSettle: return in.words.settle;
+      case State::kReset: return in.words.reset;
+      case State::kPullIn: return in.words.pull_in;
+      case State::kSlowDown: return in.words.slow_down;
+      case State::kRest: return in.words.rest;
+      case State::kRun: return 1024;   // after that long earlier failures are forgotten
+      default: return Ticks::max();    // a ramp of 0 must end, too
+    }
+  }
+
+  void count(const In& in, bool over, bool leaves, State wanted) {
+    if (began_ || (over && state_ == State::kRun)) {
+      retries_ = 0;
+    } else if (failed_) {
       retries_ = wrap<UInt<4>>(retries_ + 1);
-      reason_ = reason;
-      enter(State::kRest, in.words.rest);
+    }
+    if (began_ || state_ == State::kRun) {
+      brakes_ = 0;
+    } else if (leaves && wanted == State::kBrake) {
+      brakes_ = wrap<UInt<8>>(brakes_ + 1);
+    }
+    // While observing, changes that go on in the direction of the last one.
+    const bool same = state_ != State::kObserve || in.turns_reverse == turns_reverse_;
+    fresh_ = in.update;
+    if (leaves) {
+      good_ = 0;
+    } else if (in.update) {
+      good_ = in.good && same ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
+      turns_reverse_ = in.turns_reverse;
     }
   }
 
@@ -125,161 +206,17 @@ class StartSequence {
     }
   }
 
-  // A try begins, in the direction that is wanted now.
-  void begin(const In& in) {
-    reverse_ = in.command.reverse;
-    if (in.source == Source::kHall) {
-      enter(State::kRun, kStable);
-    } else if (in.words.observe != 0) {
-      enter(State::kObserve, in.words.observe);
-    } else {
-      enter(State::kSettle, in.words.settle);
-    }
-  }
-
-  void brake(const In& in) {
-    if (brakes_ == 255) {
-      latch(Reason::kCannotStop);
-    } else {
-      brakes_ = wrap<UInt<8>>(brakes_ + 1);
-      enter(State::kBrake, in.words.brake);
-    }
-  }
-
-  void advance(const In& in) {
-    const bool over = in.tick && ticks_ == 0;
-    if (in.tick && ticks_ != 0) ticks_ = wrap<Ticks>(ticks_ - 1);
-    const bool brakes_to_stop = in.command.brake_to_stop &&
-                                (state_ == State::kRun || state_ == State::kSlowDown ||
-                                 state_ == State::kBrake || state_ == State::kObserve);
-    if (!in.command.run && !brakes_to_stop) {
-      enter(State::kIdle, 0);
-      return;
-    }
-    switch (state_) {
-      case State::kIdle:
-        began_ = true;
-        retries_ = 0;
-        brakes_ = 0;
-        reason_ = Reason::kNone;
-        begin(in);
-        break;
-      case State::kObserve: observe(in, over); break;
-      case State::kBrake:
-        if (over) after_braking(in);
-        break;
-      case State::kSettle:
-        if (over) enter(State::kReset, in.words.reset);
-        break;
-      case State::kReset:
-        if (over) {
-          load(reverse_ ? UInt<3>(0) : UInt<3>(3));
-          enter(State::kAccelerate, Ticks::max());  // a ramp of 0 must end, too
-        }
-        break;
-      case State::kAccelerate:
-        if (in.frequency >= in.words.hand_over) {
-          enter(State::kPullIn, in.words.pull_in);
-        } else if (over) {
-          fail(in, Reason::kNoLock);
-        }
-        break;
-      case State::kPullIn: pull_in(in, over); break;
-      case State::kRun: run(in, over); break;
-      case State::kSlowDown:
-        if (in.lost) {
-          fail(in, in.cause);
-        } else if (in.command.run && in.command.reverse == reverse_) {
-          enter(State::kRun, kStable);
-        } else if (over || slow(in)) {
-          brake(in);
-        }
-        break;
-      case State::kRest:
-        if (over) begin(in);
-        break;
-      default: break;
-    }
-  }
-
-  void load(UInt<3> step) {
-    load_step_ = true;
-    step_ = step;
-  }
-
-  void observe(const In& in, bool over) {
-    if (in.update) {
-      const bool again = in.good && in.turns_reverse == turns_reverse_;
-      turns_reverse_ = in.turns_reverse;
-      good_ = again ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
-      const bool turns = again && good_ >= in.words.good_crossings &&
-                         in.frequency > (in.words.hand_over >> 1);
-      if (turns && (in.turns_reverse != reverse_ || !in.command.run)) {
-        brake(in);
-        return;
-      }
-      if (turns) {
-        load(in.turns_reverse ? in.sector
-             : in.sector == 0 ? UInt<3>(5)
-                              : wrap<UInt<3>>(in.sector - 1));
-        enter(State::kRun, kStable);
-        return;
-      }
-    }
-    if (over) at_rest(in);
-  }
-
-  // No rotation was found.
-  void at_rest(const In& in) {
-    if (in.command.run) {
-      enter(State::kSettle, in.words.settle);
-    } else {
-      enter(State::kIdle, 0);
-    }
-  }
-
-  void after_braking(const In& in) {
-    if (!in.command.run && (in.source == Source::kHall || in.words.observe == 0)) {
-      enter(State::kIdle, 0);
-    } else {
-      begin(in);
-    }
-  }
-
-  void pull_in(const In& in, bool over) {
-    if (in.update) good_ = in.good ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
-    if (in.update && in.good && good_ >= in.words.good_crossings) {
-      enter(State::kRun, kStable);
-    } else if (over) {
-      fail(in, Reason::kNoLock);
-    }
-  }
-
-  void run(const In& in, bool over) {
-    if (over) retries_ = 0;
-    if (in.lost) {
-      fail(in, in.cause);
-    } else if (!in.command.run || in.command.reverse != reverse_) {
-      brakes_ = 0;
-      enter(State::kSlowDown, in.words.slow_down);
-    }
-  }
-
-  static bool slow(const In& in) {
-    return in.frequency <= in.words.hand_over + (in.words.hand_over >> 2);
-  }
-
   Out out(const In& in) const {
+    const bool hall = in.source == Source::kHall;
     Out out;
     out.state = state_;
     out.reason = reason_;
     out.reverse = reverse_;
     out.load_step = load_step_;
-    out.step = step_;
+    out.step = step(in);
     out.began = began_;
     out.failed = failed_;
-    out.target = state_ == State::kSlowDown ? in.words.hand_over : in.target;
-    out.load_frequency = in.words.hand_over;
+    out.stop = state_ == State::kSlowDown;
     switch (state_) {
       case State::kObserve:
         out.turn_vco = true;
@@ -288,28 +225,21 @@ class StartSequence {
         out.mode = SpeedMode::kAboveBemf;
         break;
       case State::kBrake:
-        out.enable = out.load = true;
+        out.enable = true;
         out.pattern = Pattern::kBrake;
         out.duty = in.words.brake_duty;
         break;
       case State::kSettle:
       case State::kReset:
-        out.enable = out.load = true;
-        out.load_frequency = 0;
+        out.enable = true;
         out.pattern = state_ == State::kSettle ? Pattern::kSettle : Pattern::kReset;
         out.duty = in.words.reset_duty;
         break;
       case State::kAccelerate:
-        out.enable = out.turn_vco = true;
-        out.loop = Loop::kRamp;
-        out.pattern = Pattern::kDrive;
-        out.mode = SpeedMode::kAboveBemf;
-        out.duty = in.words.start_duty;
-        break;
       case State::kPullIn:
         out.enable = out.turn_vco = true;
-        out.watch = Evidence::kCrossings;
-        out.loop = Loop::kTrack;
+        out.watch = state_ == State::kPullIn ? Evidence::kCrossings : Evidence::kNothing;
+        out.loop = state_ == State::kPullIn ? Loop::kTrack : Loop::kRamp;
         out.pattern = Pattern::kDrive;
         out.mode = SpeedMode::kAboveBemf;
         out.duty = boost_;
@@ -317,26 +247,32 @@ class StartSequence {
       case State::kRun:
       case State::kSlowDown:
         out.enable = out.turn_vco = out.running = true;
-        out.watch = in.source == Source::kHall ? Evidence::kSectors : Evidence::kCrossings;
-        out.loop = in.source == Source::kHall ? Loop::kHall : Loop::kTrack;
+        out.watch = hall ? Evidence::kSectors : Evidence::kCrossings;
+        out.loop = hall ? Loop::kHall : Loop::kTrack;
         out.pattern = Pattern::kDrive;
         out.mode = SpeedMode::kControl;
         break;
-      default: out.load = true; break;
+      default: break;
     }
     return out;
   }
 
-  static constexpr int kStable = 1024;  // ticks in kRun after which earlier failures are forgotten
+  // With load_step: full torque from the reset position, or where a rotor that enters `sector` is.
+  Step step(const In& in) const {
+    if (state_ == State::kAccelerate) return reverse_ ? Step(0) : Step(3);
+    return reverse_ ? in.sector : next_step(in.sector, true);
+  }
+
+  static constexpr int kMostBrakes = 255;  // intervals before a rotor counts as unstoppable
 
   State state_ = State::kIdle;
   Reason reason_ = Reason::kNone;
   Ticks ticks_ = 0;             // left in this state
   UInt<6> good_ = 0;            // good crossings in a row
+  bool fresh_ = false;          // good_ was counted in the last clock
   UInt<4> retries_ = 0;         // failed tries
   UInt<8> brakes_ = 0;          // braking intervals of this stop
   Duty boost_ = 0;              // u1.15, duty above the back-EMF's while pulling in
-  UInt<3> step_ = 0;            // to be loaded
   bool load_step_ = false;
   bool began_ = false;
   bool failed_ = false;

@@ -11,9 +11,9 @@ namespace {
 
 using In = LoopFilter::In;
 
-constexpr double kTurn = 4294967296.0;    // u0.32
+constexpr double kTurn = 4294967296.0;       // u0.32
 constexpr double kFine = 1.0 / (1LL << 40);  // the last bit of x, v and y, turns per clock
-constexpr int kSlowest = 200;             // clocks, more than five products
+constexpr int kSlowest = 200;                // clocks, more than five products
 
 Frequency settle(LoopFilter& dut, const In& in) {
   LoopFilter::Out out;
@@ -30,9 +30,15 @@ Frequency update(LoopFilter& dut, In in) {
   return settle(dut, in);
 }
 
+// A filter that stands at this frequency: a ramp has taken it there.
 LoopFilter at(double frequency) {
   LoopFilter dut;
-  dut.tick({.load = true, .load_frequency = Frequency(std::int64_t(frequency * kTurn))});
+  auto left = std::int64_t(frequency * kTurn);
+  while (left > 0) {
+    const auto ramp = std::min<std::int64_t>(left, 1 << 19);
+    update(dut, {.loop = Loop::kRamp, .ramp = ramp, .maximum = Frequency::max()});
+    left -= ramp;
+  }
   return dut;
 }
 
@@ -144,7 +150,7 @@ TEST(LoopFilter, ARampGrowsPerTickFromStandstillBelowTheMinimum) {
   for (int n = 1; n <= 20; ++n) EXPECT_EQ(update(dut, in), Frequency(1234 * n));
 }
 
-TEST(LoopFilter, LoadDropsTheWorkInFlight) {
+TEST(LoopFilter, StopDropsTheWorkInFlight) {
   auto in = track();
   in.kp = 0x4000;
   in.error = 0x4000;
@@ -153,11 +159,31 @@ TEST(LoopFilter, LoadDropsTheWorkInFlight) {
   dut.tick(in);
   in.update = false;
   for (int i = 0; i < 50; ++i) dut.tick(in);
-  in.load = true;
-  in.load_frequency = 777;
+  in.loop = Loop::kStop;
   dut.tick(in);
-  in.load = false;
-  EXPECT_EQ(settle(dut, in), Frequency(777));
+  in.loop = Loop::kTrack;
+  EXPECT_EQ(settle(dut, in), Frequency(0));
+}
+
+TEST(LoopFilter, SaysWhenItTurnsAtHandOverSpeedOrFaster) {
+  auto dut = at(1e-3);
+  const auto f = settle(dut, track());
+  EXPECT_TRUE(dut.tick({.loop = Loop::kTrack, .hand_over = f}).fast);
+  EXPECT_FALSE(dut.tick({.loop = Loop::kTrack, .hand_over = wrap<Frequency>(f + 1)}).fast);
+}
+
+// From standstill, too: the first change finds the frequency at its lower end, half of hand-over, and
+// each that follows may raise it by half.  A rotor slower than that end never shows a small error.
+TEST(LoopFilter, CatchesFromStandstillButNothingSlowerThanHalfTheHandOverSpeed) {
+  LoopFilter dut;
+  In in = {.loop = Loop::kCatch, .maximum = Frequency::max(), .hand_over = 1 << 20};
+  in.error = PhaseError::max();
+  EXPECT_EQ(update(dut, in), Frequency(1 << 19));
+  // 3/2 but for the last bit of the largest error.
+  EXPECT_NEAR(double(update(dut, in).raw()), 3 << 18, 1 << 4);
+  in.error = PhaseError::min();
+  for (int i = 0; i < 5; ++i) update(dut, in);
+  EXPECT_EQ(update(dut, in), Frequency(1 << 19));
 }
 
 // e = 1 - f T with the interval T: the error squares itself at each change of sector.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hls/six_step/divide_by_n.hpp"
@@ -33,8 +34,15 @@ struct Loop6 {
 
   // Frequencies of the rotor and of the loop's outside are in steps per clock.
   explicit Loop6(double frequency, int divide_by = 0) : divide(divide_by) {
-    const Frequency f = Frequency(std::int64_t(std::ldexp(frequency, divide) * kTurn));
-    filter.tick({.load = true, .load_frequency = f});
+    // Ticks of a ramp take the filter to its frequency.
+    auto left = std::int64_t(std::ldexp(frequency, divide) * kTurn);
+    while (left > 0) {
+      const auto ramp = std::min<std::int64_t>(left, 1 << 19);
+      for (int i = 0; i < 200; ++i) {
+        filter.tick({.loop = Loop::kRamp, .tick = i == 0, .ramp = ramp, .maximum = Frequency::max()});
+      }
+      left -= ramp;
+    }
     divider.tick({.divide = divide, .load = true, .half = true});
     vco.tick({.load = true, .phase = divide == 0 ? 0x8000 : 0});
   }
