@@ -12,7 +12,7 @@
 //
 // A bound is what bias leaves plus six standard deviations.
 //
-// Doc: docs/design.md   Test: tests/model/design/budget_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/error_budget_test.cpp
 #pragma once
 
 #include "model/design/design.hpp"

@@ -9,7 +9,7 @@
 //              start current's acceleration within 10 degrees
 //     PI       a quarter of the loop's bandwidth at hand-over; speed slew that the loop follows
 //
-// Doc: docs/design.md   Test: tests/model/design/design_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/design_rules_test.cpp
 #pragma once
 
 #include <string>

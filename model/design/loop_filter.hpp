@@ -10,7 +10,7 @@
 //     (integral / s + proportional) / (1 + s / omega_p)
 //     integral = K_L / (C1 + C2)        proportional = integral / omega_z
 //
-// Doc: docs/design.md   Test: tests/model/design/loop_filter_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/loop_design_test.cpp
 #pragma once
 
 #include <complex>

@@ -5,7 +5,7 @@
 // 60 electrical degrees.  Frequencies are steps per second, phases turns of one step, duties
 // fractions of the PWM period, durations seconds.
 //
-// Doc: docs/design.md   Test: tests/model/design/words_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/register_words_test.cpp
 #pragma once
 
 #include "model/design/settings.hpp"

@@ -8,7 +8,7 @@
 // The paper prints t_r = 0.622 s where Eq. (22) with its own constants gives 0.266 s; a drive file may
 // name t_r and t_a itself, and the formula is what it is.
 //
-// Doc: docs/design.md   Test: tests/model/design/start_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/start_times_test.cpp
 #pragma once
 
 #include <cmath>

@@ -9,7 +9,7 @@
 //     loop ki, kp             u2.14; per second times `scale`, chosen so that kp fills its word
 //     speed kp, bemf          u4.12 and ki u0.16 per tick, per frequency >> shift
 //
-// Doc: docs/design.md   Test: tests/model/design/words_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/register_words_test.cpp
 #pragma once
 
 #include <cstdint>

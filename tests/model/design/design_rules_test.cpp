@@ -1,0 +1,103 @@
+// Design rules, against the motor's own physics.
+#include "model/design/design.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "testbench/drive_file/drive_file.hpp"
+
+namespace steplock::design {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Settings settings_of(const std::string& name) {
+  return load_drive_file(std::string(DRIVES) + "/" + name + ".toml").settings;
+}
+
+TEST(DesignRules, TrapezoidConductsItsFullTopSinusItsMeanOverAStep) {
+  auto s = settings_of("amano2003");
+  EXPECT_NEAR(motor_constants(s).k_e, 0.0383, 1e-6);  // Table 1, line to line
+  s.motor.shape = Shape::kSinusoidal;
+  // Mean of sqrt(3) cos over +-30 degrees; 60 midpoints leave 1e-4.
+  EXPECT_NEAR(motor_constants(s).k_e, 3 * std::sqrt(3) / kPi * s.motor.flux_vs * 2, 1e-5);
+}
+
+TEST(DesignRules, ATableOfASinusEqualsTheSinus) {
+  auto s = settings_of("m2310p_servo");
+  const double sinus = motor_constants(s).k_e;
+  s.motor.shape = Shape::kTable;
+  for (int k = 0; k < 720; ++k) s.motor.table.push_back(std::sin(k * kPi / 360));
+  EXPECT_NEAR(motor_constants(s).k_e, sinus, 1e-4 * sinus);
+}
+
+TEST(DesignRules, StepsAndRpmAreInverse) {
+  const auto s = settings_of("hoverboard_hub");
+  EXPECT_DOUBLE_EQ(steps_per_second(s, 200), 200.0 / 60 * 15 * 6);
+  EXPECT_DOUBLE_EQ(rpm_of(s, steps_per_second(s, 123)), 123);
+}
+
+TEST(DesignRules, TakesWhatTheFileNames) {
+  const auto d = design_drive(settings_of("amano2003"));
+  EXPECT_DOUBLE_EQ(d.components.c1, 1.291e-6);
+  EXPECT_DOUBLE_EQ(d.parameters.start.reset, 0.622);  // printed, although Eq. (22) says less
+  EXPECT_LT(d.reset_time_formula, 0.4);
+  EXPECT_NEAR(d.continuous.phase_deg, 54.9, 0.05);
+  EXPECT_NEAR(d.parameters.loop.proportional, 68, 0.1);
+}
+
+// At stand-still the duty must drive the wanted current through the two phases, whichever way the
+// current freewheels.
+TEST(DesignRules, StartDutyDrivesTheStartCurrent) {
+  auto s = settings_of("hoverboard_hub");
+  for (const auto chopping : {Chopping::kComplementary, Chopping::kHighSide}) {
+    s.control.chopping = chopping;
+    const auto d = design_drive(s);
+    const double on = d.parameters.start.start_duty, v = s.inverter.bus_v;
+    const double lost = s.inverter.dead_time_s * s.control.pwm_hz;  // the on-time the guard takes
+    const double mean = chopping == Chopping::kComplementary
+                            ? (on - lost) * v
+                            : on * v - (1 - on) * s.inverter.diode_drop_v;
+    EXPECT_NEAR(mean, d.start_current * d.motor.r_loop, 1e-9);
+  }
+}
+
+TEST(DesignRules, RampIsSlowerThanTheStartCurrentCanAccelerate) {
+  for (const char* name : {"amano2003", "ceiling_fan", "br2804_drone", "tekin_spindle"}) {
+    const auto s = settings_of(name);
+    const auto d = design_drive(s);
+    const double able = (d.motor.k_e * d.start_current - s.motor.coulomb_nm) / d.motor.inertia;
+    EXPECT_LE(d.ramp_rpm_s * kPi / 30, 0.41 * able) << name;
+    EXPECT_GT(d.acceleration_time, 0) << name;
+  }
+}
+
+TEST(DesignRules, SpeedPiPlacesItsBandwidthOnTheMotorsPole) {
+  auto s = settings_of("hoverboard_hub");  // a fast motor: the pole is cancelled
+  s.speed.bandwidth_rad_s = 5;
+  const auto d = design_drive(s);
+  const auto& p = d.parameters.speed;
+  const double steps = 6 * s.motor.pole_pairs / (2 * kPi);
+  const auto open = [&](double omega) {
+    const std::complex<double> j(0, omega);
+    const auto motor = s.inverter.bus_v / d.motor.k_e * steps / (1.0 + j * d.motor.tau_m);
+    return (p.kp + p.ki / j) * motor;
+  };
+  EXPECT_NEAR(std::abs(open(5)), 1, 1e-9);
+  EXPECT_NEAR(std::arg(open(5)), -kPi / 2, 1e-9);
+}
+
+TEST(DesignRules, HandOverShowsTheBackEmfAboveTheComparatorsDoubt) {
+  auto s = settings_of("m2310p_servo");
+  s.start.hand_over_rpm.reset();
+  s.sensors.comparator_noise_v = 0.05;
+  const auto d = design_drive(s);
+  const double emf = s.motor.flux_vs * d.hand_over_rpm * kPi / 30 * s.motor.pole_pairs;
+  const bool at_the_cap = d.hand_over_rpm > 0.399 * s.scenario.speed_rpm;
+  EXPECT_TRUE(emf >= 9.9 * (0.02 + 0.005 + 0.15) || at_the_cap);
+}
+
+}  // namespace
+}  // namespace steplock::design
