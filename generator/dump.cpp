@@ -7,9 +7,9 @@ namespace hlsgen {
 namespace {
 
 constexpr const char* kOperators[] = {
-    "constant", "input", "register", "output_of", "add", "sub", "mul", "and", "or", "xor", "not",
-    "shl", "lshr", "ashr", "eq", "ne", "ult", "ule", "slt", "sle", "mux", "slice", "concat", "zext",
-    "sext", "table"};
+    "constant", "input", "register", "output_of", "add",    "sub",  "mul",  "and",  "or",
+    "xor",      "not",   "shl",      "lshr",      "ashr",   "eq",   "ne",   "ult",  "ule",
+    "slt",      "sle",   "mux",      "slice",     "concat", "zext", "sext", "table"};
 
 std::string decimal(const llvm::APInt& value) { return llvm::toString(value, 10, false); }
 
@@ -23,10 +23,18 @@ std::string node_text(const Design& design, const Module& module, NodeId id) {
   std::string text =
       fmt::format("  {} = {}.{}", id, kOperators[static_cast<std::size_t>(node.op)], node.width);
   switch (node.op) {
-    case Op::kConstant: text += " " + decimal(node.value); break;
-    case Op::kInput: text += " " + module.inputs[node.index].name; break;
-    case Op::kRegister: text += " " + module.registers[node.index].leaf.name; break;
-    case Op::kTable: text += " " + module.tables[node.index].name; break;
+    case Op::kConstant:
+      text += " " + decimal(node.value);
+      break;
+    case Op::kInput:
+      text += " " + module.inputs[node.index].name;
+      break;
+    case Op::kRegister:
+      text += " " + module.registers[node.index].leaf.name;
+      break;
+    case Op::kTable:
+      text += " " + module.tables[node.index].name;
+      break;
     case Op::kInstanceOutput: {
       const auto& instance = module.instances[node.index];
       text += " " + instance.name;
@@ -35,12 +43,14 @@ std::string node_text(const Design& design, const Module& module, NodeId id) {
       }
       break;
     }
-    default: break;
+    default:
+      break;
   }
   for (const NodeId in : node.in) text += fmt::format(" {}", in);
   if (node.op == Op::kSlice) text += fmt::format(" from {}", node.low);
   if (!node.name.empty()) text += "  ; " + node.name;
-  if (!node.source.file.empty()) text += fmt::format("  @{}:{}", node.source.file, node.source.line);
+  if (!node.source.file.empty())
+    text += fmt::format("  @{}:{}", node.source.file, node.source.line);
   return text + "\n";
 }
 

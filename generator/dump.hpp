@@ -4,9 +4,9 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <string>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 

@@ -1,12 +1,12 @@
 #include "generator/files.hpp"
 
-#include "generator/refusal.hpp"
-
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {

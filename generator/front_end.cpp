@@ -1,5 +1,7 @@
 #include "generator/front_end.hpp"
 
+#include <llvm/IR/Constants.h>
+
 #include "generator/cpp/blocks.hpp"
 #include "generator/dataflow/convert.hpp"
 #include "generator/ir/callees.hpp"
@@ -13,8 +15,6 @@
 #include "generator/ir/pipeline.hpp"
 #include "generator/ir/step.hpp"
 #include "generator/refusal.hpp"
-
-#include <llvm/IR/Constants.h>
 
 namespace hlsgen {
 namespace {
@@ -100,7 +100,8 @@ class FrontEnd {
       reset.push_back(by_offset.at(offset + place.offset));
     }
     if (!block.reset.empty() && block.reset != reset) {
-      throw Refusal(block.source, "instances of " + block.cpp_class + " have different default values",
+      throw Refusal(block.source,
+                    "instances of " + block.cpp_class + " have different default values",
                     "make what differs a template parameter");
     }
     block.reset = reset;

@@ -1,17 +1,18 @@
 // C++ in, netlist out: clang, then one step function per block, then data flow.
 //
 //     compile -> find_blocks -> check_callees -> reset values
-//     per block: build_step, inline_calls, mark_variables, insert_guards, unroll_loops, cut_instances,
+//     per block: build_step, inline_calls, mark_variables, insert_guards, unroll_loops,
+//     cut_instances,
 //                expand_accesses, LLVM's simplifications, prove_guards, convert
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 
 #pragma once
 
+#include <string>
+
 #include "generator/cpp/compile.hpp"
 #include "generator/netlist.hpp"
-
-#include <string>
 
 namespace hlsgen {
 

@@ -1,9 +1,9 @@
 #include "generator/interpret.hpp"
 
-#include "generator/passes/evaluate.hpp"
-
 #include <optional>
 #include <stdexcept>
+
+#include "generator/passes/evaluate.hpp"
 
 namespace hlsgen {
 namespace {
@@ -56,11 +56,16 @@ class Interpreter::Cell {
 
   llvm::APInt compute(const Node& node) {
     switch (node.op) {
-      case Op::kConstant: return node.value;
-      case Op::kInput: return (*inputs_)[node.index];
-      case Op::kRegister: return state_[node.index];
-      case Op::kInstanceOutput: return outputs_of_child(node.index)[node.port];
-      default: break;
+      case Op::kConstant:
+        return node.value;
+      case Op::kInput:
+        return (*inputs_)[node.index];
+      case Op::kRegister:
+        return state_[node.index];
+      case Op::kInstanceOutput:
+        return outputs_of_child(node.index)[node.port];
+      default:
+        break;
     }
     std::vector<llvm::APInt> in;
     for (const NodeId operand : node.in) in.push_back(value(operand));

@@ -4,10 +4,10 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <memory>
 #include <vector>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 

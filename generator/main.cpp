@@ -2,8 +2,12 @@
 //
 //     hlsgen hls/six_step/vco_counter.cpp -o build/rtl
 //
-// Exit code: 0 done, 1 the source was refused or a file could not be written (one line says why, and
-// nothing has changed), 2 a fault of hlsgen itself, above 100 a wrong command line.
+// Exit code: 0 done, 1 the source was refused or a file could not be written (one line says why,
+// and nothing has changed), 2 a fault of hlsgen itself, above 100 a wrong command line.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
 
 #include "generator/backend.hpp"
 #include "generator/dump.hpp"
@@ -11,11 +15,6 @@
 #include "generator/front_end.hpp"
 #include "generator/ports.hpp"
 #include "generator/refusal.hpp"
-
-#include <CLI/CLI.hpp>
-
-#include <filesystem>
-#include <iostream>
 
 namespace {
 

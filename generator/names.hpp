@@ -9,10 +9,10 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <string>
 #include <string_view>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 

@@ -1,8 +1,8 @@
 // What the printed ..._ports.hpp headers share: numbers of a block <-> ports of a Verilated module.
 //
-// A number is a bool, an integer, an enumeration, or a class with raw() and of() (Bits<W, S>).  A port
-// is an unsigned integer, or an array of 32-bit words where it is wider than 64 bits.  A signed number
-// arrives at its port as the lower bits of its two's complement.
+// A number is a bool, an integer, an enumeration, or a class with raw() and of() (Bits<W, S>).  A
+// port is an unsigned integer, or an array of 32-bit words where it is wider than 64 bits.  A
+// signed number arrives at its port as the lower bits of its two's complement.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/ports_test.cpp
 

@@ -1,8 +1,8 @@
 #include "generator/ports.hpp"
 
-#include "generator/names.hpp"
-
 #include <fmt/format.h>
+
+#include "generator/names.hpp"
 
 namespace hlsgen {
 namespace {
@@ -19,8 +19,9 @@ namespace steplock::ports::{module} {{
 )";
 
 std::string drive(const Module& module) {
-  std::string text = "template <class Rtl, class In>\n"
-                     "void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {\n";
+  std::string text =
+      "template <class Rtl, class In>\n"
+      "void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {\n";
   for (const auto& leaf : module.inputs) {
     text += fmt::format("  set_port(rtl.{}, word_of(in.{}, {}));\n",
                         port_name(leaf, Direction::kIn), leaf.name, leaf.width);

@@ -1,8 +1,8 @@
 // Prints <module>_ports.hpp: how the block's In and Out meet the ports of its Verilated module.
 //
 //     drive_ports(rtl, in)      every input port from its member of In
-//     differs(rtl, out)         the name of the first output port that is not its member of Out, or null
-//     randomise(in, stimulus)   every member of In from stimulus.bits(width)
+//     differs(rtl, out)         the name of the first output port that is not its member of Out, or
+//     null randomise(in, stimulus)   every member of In from stimulus.bits(width)
 //
 // The header knows neither the block's header nor Verilator's: all types are template parameters.
 //
@@ -10,9 +10,9 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <string>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 

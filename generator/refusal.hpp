@@ -6,13 +6,13 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/Instruction.h>
 
 #include <stdexcept>
 #include <string>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 

@@ -1,10 +1,10 @@
 #include "generator/cpp/blocks.hpp"
 
-#include "generator/names.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/Constants.h>
+
+#include "generator/names.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {

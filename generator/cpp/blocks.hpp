@@ -8,13 +8,13 @@
 
 #pragma once
 
-#include "generator/cpp/layout.hpp"
-
 #include <llvm/IR/Module.h>
 
 #include <map>
 #include <string>
 #include <vector>
+
+#include "generator/cpp/layout.hpp"
 
 namespace hlsgen {
 
@@ -29,7 +29,7 @@ struct Block {
 };
 
 struct Blocks {
-  std::vector<Block> order;  // children before parents; the top is last
+  std::vector<Block> order;         // children before parents; the top is last
   llvm::Function* reset = nullptr;  // returns the top in its reset state
   std::map<const llvm::DICompositeType*, std::size_t> index;
 

@@ -1,7 +1,5 @@
 #include "generator/cpp/compile.hpp"
 
-#include "generator/refusal.hpp"
-
 #include <llvm/ADT/StringExtras.h>
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/DebugInfo.h>
@@ -16,6 +14,8 @@
 
 #include <optional>
 #include <regex>
+
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -46,8 +46,8 @@ std::vector<std::string> arguments(const CompileOptions& options, const std::str
   for (const auto directory : system) {
     args.insert(args.end(), {"-isystem", directory.str()});
   }
-  args.insert(args.end(), {"-MMD", "-MF", rules.str(), "-MT", "out", options.source, "-o",
-                           output.str()});
+  args.insert(args.end(),
+              {"-MMD", "-MF", rules.str(), "-MT", "out", options.source, "-o", output.str()});
   return args;
 }
 
@@ -82,8 +82,8 @@ Refusal first_error(const std::string& diagnostics, const std::string& source) {
   return {{source, 1}, "clang++-16 failed: " + diagnostics, "see its message"};
 }
 
-// Variables of a target with address spaces carry a dereference that says nothing here and would keep
-// the variables' names from following their values into registers.
+// Variables of a target with address spaces carry a dereference that says nothing here and would
+// keep the variables' names from following their values into registers.
 void drop_address_spaces(llvm::Module& module) {
   for (auto& function : module) {
     for (auto& instruction : llvm::instructions(function)) {
@@ -147,8 +147,8 @@ Program compile(const CompileOptions& options) {
   const llvm::StringRef nothing;
   std::string failure;
   const int code = llvm::sys::ExecuteAndWait(
-      *clang, views, std::nullopt, {nothing, diagnostics.path.str(), diagnostics.path.str()}, 0,
-      0, &failure);
+      *clang, views, std::nullopt, {nothing, diagnostics.path.str(), diagnostics.path.str()}, 0, 0,
+      &failure);
   if (code != 0) {
     auto text = llvm::MemoryBuffer::getFile(diagnostics.path);
     throw first_error(text ? (*text)->getBuffer().str() + failure : failure, options.source);

@@ -1,8 +1,8 @@
 // C++ source -> LLVM IR, by clang 16, as a subprocess.
 //
-// The target is spir64: 64-bit like the native build, and classes travel by address instead of being
-// packed into integers as the x86 calling convention would.  No clang optimisation runs; what the
-// blocks need is done in generator/ir.
+// The target is spir64: 64-bit like the native build, and classes travel by address instead of
+// being packed into integers as the x86 calling convention would.  No clang optimisation runs; what
+// the blocks need is done in generator/ir.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/refusal_test.cpp
 

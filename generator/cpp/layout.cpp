@@ -1,12 +1,12 @@
 #include "generator/cpp/layout.hpp"
 
-#include "generator/cpp/comments.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/Constants.h>
 
 #include <algorithm>
+
+#include "generator/cpp/comments.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -20,8 +20,11 @@ const llvm::DIType* behind_typedefs(const llvm::DIType* type) {
     switch (derived->getTag()) {
       case dwarf::DW_TAG_typedef:
       case dwarf::DW_TAG_const_type:
-      case dwarf::DW_TAG_member: type = derived->getBaseType(); break;
-      default: return type;
+      case dwarf::DW_TAG_member:
+        type = derived->getBaseType();
+        break;
+      default:
+        return type;
     }
   }
   return type;
@@ -29,8 +32,7 @@ const llvm::DIType* behind_typedefs(const llvm::DIType* type) {
 
 bool is_data_member(const llvm::DINode* element) {
   const auto* member = llvm::dyn_cast_or_null<llvm::DIDerivedType>(element);
-  return member != nullptr && member->getTag() == dwarf::DW_TAG_member &&
-         !member->isStaticMember();
+  return member != nullptr && member->getTag() == dwarf::DW_TAG_member && !member->isStaticMember();
 }
 
 // The one data member, when there is exactly one and nothing else with data.
@@ -117,13 +119,19 @@ class Walk {
     place.storage_bits = static_cast<unsigned>(type->getSizeInBits());
     place.leaf.width = place.storage_bits;
     switch (type->getEncoding()) {
-      case dwarf::DW_ATE_boolean: place.leaf.width = 1; break;
+      case dwarf::DW_ATE_boolean:
+        place.leaf.width = 1;
+        break;
       case dwarf::DW_ATE_signed:
-      case dwarf::DW_ATE_signed_char: place.leaf.is_signed = true; break;
+      case dwarf::DW_ATE_signed_char:
+        place.leaf.is_signed = true;
+        break;
       case dwarf::DW_ATE_unsigned:
       case dwarf::DW_ATE_unsigned_char:
-      case dwarf::DW_ATE_UTF: break;
-      default: refuse("'" + name + "' is floating point", "use fixed point (UInt<W>, Int<W>)");
+      case dwarf::DW_ATE_UTF:
+        break;
+      default:
+        refuse("'" + name + "' is floating point", "use fixed point (UInt<W>, Int<W>)");
     }
     if (type->getName().contains("_BitInt")) {
       refuse("'" + name + "' is a bare _BitInt", "use UInt<W> or Int<W>");

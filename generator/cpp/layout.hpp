@@ -3,9 +3,9 @@
 //     struct In { bool enable; Config config; UInt<3> history[2]; };
 //         ->  enable  config.kp  config.ki  history[0]  history[1]
 //
-// Nested structs flatten with '.', arrays give one leaf per element.  A class with one private member
-// of a _BitInt type is a number (as Bits<W, S>) and gives one leaf.  Members that have a `tick` are
-// blocks: they become instances and their own members do not appear.
+// Nested structs flatten with '.', arrays give one leaf per element.  A class with one private
+// member of a _BitInt type is a number (as Bits<W, S>) and gives one leaf.  Members that have a
+// `tick` are blocks: they become instances and their own members do not appear.
 //
 // Refuses what is not a number: pointers, references, floating point, unions, bit-fields, virtual
 // functions.
@@ -14,16 +14,16 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <llvm/IR/DebugInfoMetadata.h>
 
 #include <vector>
 
+#include "generator/netlist.hpp"
+
 namespace hlsgen {
 
 struct LeafPlace {
-  Leaf leaf;  // leaf.enumeration is filled in when the module is made
+  Leaf leaf;                  // leaf.enumeration is filled in when the module is made
   std::uint64_t offset = 0;   // bytes
   unsigned storage_bits = 8;  // width of the integer that clang loads and stores
   const llvm::DICompositeType* enumeration = nullptr;

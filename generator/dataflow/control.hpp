@@ -10,12 +10,12 @@
 
 #pragma once
 
-#include "generator/dataflow/nodes.hpp"
-
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/Instructions.h>
 
 #include <functional>
+
+#include "generator/dataflow/nodes.hpp"
 
 namespace hlsgen {
 

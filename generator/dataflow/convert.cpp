@@ -1,15 +1,15 @@
 #include "generator/dataflow/convert.hpp"
 
+#include <llvm/IR/DebugInfo.h>
+#include <llvm/IR/InstIterator.h>
+
+#include <algorithm>
+
 #include "generator/dataflow/control.hpp"
 #include "generator/dataflow/instructions.hpp"
 #include "generator/dataflow/variables.hpp"
 #include "generator/names.hpp"
 #include "generator/refusal.hpp"
-
-#include <llvm/IR/DebugInfo.h>
-#include <llvm/IR/InstIterator.h>
-
-#include <algorithm>
 
 namespace hlsgen {
 namespace {
@@ -53,10 +53,10 @@ class Converter {
         if (use != nullptr && use->getDebugLoc()) where = source_of(*use);
       }
       const bool is_state = variable == step_.state;
-      throw Refusal(where,
-                    is_state ? "the address of a register escapes"
-                             : "the address of '" + name + "' escapes",
-                    "hold values and indices instead of pointers");
+      throw Refusal(
+          where,
+          is_state ? "the address of a register escapes" : "the address of '" + name + "' escapes",
+          "hold values and indices instead of pointers");
     }
   }
 
@@ -158,17 +158,14 @@ class Converter {
       in.push_back(operand->getType()->isIntegerTy() ? value(operand) : kNone);
     }
     const Located located(*this, at);
-    if (is_table) return nodes_.table(at.getType()->getIntegerBitWidth(), in[1], table(*call));
-    if (const auto* choice = dyn_cast<llvm::SelectInst>(&at)) {
+    if (is_table) return table(*call, in[1]);
+    if (llvm::isa<llvm::SelectInst>(at)) {
       if (in[1] == kNone || in[2] == kNone) return in[1] == kNone ? in[2] : in[1];
       if (in[0] == kNone) return in[1];
-      static_cast<void>(choice);
     }
     for (std::size_t i = 0; i < in.size(); ++i) {
       const auto* operand = at.getOperand(static_cast<unsigned>(i));
-      if (in[i] != kNone) continue;
-      if (llvm::isa<llvm::UndefValue>(operand)) return kNone;
-      if (operand->getType()->isIntegerTy()) return kNone;
+      if (in[i] == kNone && operand->getType()->isIntegerTy()) return kNone;
     }
     return instruction(nodes_, at, in);
   }
@@ -184,16 +181,29 @@ class Converter {
                               found->second.index, found->second.port);
   }
 
-  // Tables of the program, numbered within the module as they are met.
-  unsigned table(const llvm::CallInst& call) {
+  // Tables of the program, numbered within the module as they are met, and as narrow as their
+  // entries.
+  NodeId table(const llvm::CallInst& call, NodeId address) {
     const unsigned number = table_of(&call);
     const auto known = std::find(tables_.begin(), tables_.end(), number);
     const auto index = static_cast<unsigned>(known - tables_.begin());
     if (known == tables_.end()) {
       tables_.push_back(number);
       module_.tables.push_back(opaque_.tables()[number]);
+      auto& table = module_.tables.back();
+      unsigned as_unsigned = 1;
+      unsigned as_signed = 1;
+      for (const auto& entry : table.entries) {
+        as_unsigned = std::max(as_unsigned, entry.getActiveBits());
+        as_signed = std::max(as_signed, entry.getSignificantBits());
+      }
+      table.width = std::min(as_unsigned, as_signed);
+      for (auto& entry : table.entries) entry = entry.trunc(table.width);
+      table_signed_.push_back(as_signed < as_unsigned);
     }
-    return index;
+    const unsigned width = call.getType()->getIntegerBitWidth();
+    const NodeId entry = nodes_.table(module_.tables[index].width, address, index);
+    return table_signed_[index] ? nodes_.sext(entry, width) : nodes_.zext(entry, width);
   }
 
   // Nodes made while it lives carry the instruction's line.
@@ -225,6 +235,7 @@ class Converter {
   std::map<const llvm::GlobalVariable*, Source> sources_;
   std::map<const llvm::Value*, NodeId> values_;
   std::vector<unsigned> tables_;
+  std::vector<bool> table_signed_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // A block's step function, free of loops and memory -> a module of the netlist.
 //
-// Starts at what is stored to outputs, next values and instance inputs and follows operands, so that
-// only what matters is converted, in an order that the source alone decides.
+// Starts at what is stored to outputs, next values and instance inputs and follows operands, so
+// that only what matters is converted, in an order that the source alone decides.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 

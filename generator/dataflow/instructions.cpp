@@ -1,10 +1,10 @@
 #include "generator/dataflow/instructions.hpp"
 
-#include "generator/dataflow/intrinsics.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/IntrinsicInst.h>
+
+#include "generator/dataflow/intrinsics.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -17,14 +17,22 @@ namespace {
 NodeId comparison(NodeBuilder& nodes, const llvm::ICmpInst& at, NodeId a, NodeId b) {
   using Predicate = llvm::CmpInst;
   switch (at.getPredicate()) {
-    case Predicate::ICMP_EQ: return nodes.compare(Op::kEq, a, b);
-    case Predicate::ICMP_NE: return nodes.compare(Op::kNe, a, b);
-    case Predicate::ICMP_ULT: return nodes.compare(Op::kUlt, a, b);
-    case Predicate::ICMP_ULE: return nodes.compare(Op::kUle, a, b);
-    case Predicate::ICMP_UGT: return nodes.compare(Op::kUlt, b, a);
-    case Predicate::ICMP_UGE: return nodes.compare(Op::kUle, b, a);
-    case Predicate::ICMP_SLT: return nodes.compare(Op::kSlt, a, b);
-    case Predicate::ICMP_SLE: return nodes.compare(Op::kSle, a, b);
+    case Predicate::ICMP_EQ:
+      return nodes.compare(Op::kEq, a, b);
+    case Predicate::ICMP_NE:
+      return nodes.compare(Op::kNe, a, b);
+    case Predicate::ICMP_ULT:
+      return nodes.compare(Op::kUlt, a, b);
+    case Predicate::ICMP_ULE:
+      return nodes.compare(Op::kUle, a, b);
+    case Predicate::ICMP_UGT:
+      return nodes.compare(Op::kUlt, b, a);
+    case Predicate::ICMP_UGE:
+      return nodes.compare(Op::kUle, b, a);
+    case Predicate::ICMP_SLT:
+      return nodes.compare(Op::kSlt, a, b);
+    case Predicate::ICMP_SLE:
+      return nodes.compare(Op::kSle, a, b);
     case Predicate::ICMP_SGT: {
       const auto* constant = llvm::dyn_cast<llvm::ConstantInt>(at.getOperand(1));
       if (constant != nullptr && constant->isMinusOne()) {  // not negative
@@ -32,7 +40,8 @@ NodeId comparison(NodeBuilder& nodes, const llvm::ICmpInst& at, NodeId a, NodeId
       }
       return nodes.compare(Op::kSlt, b, a);
     }
-    default: return nodes.compare(Op::kSle, b, a);
+    default:
+      return nodes.compare(Op::kSle, b, a);
   }
 }
 
@@ -52,8 +61,9 @@ NodeId division(NodeBuilder& nodes, const llvm::BinaryOperator& at, NodeId x) {
       at.getOpcode() == llvm::Instruction::URem || at.getOpcode() == llvm::Instruction::SRem;
   if (divisor == nullptr || !divisor->getValue().isPowerOf2() ||
       (is_signed && divisor->isNegative())) {
-    refuse(at, divisor == nullptr ? "division by what is only known at run time"
-                                  : "division by a constant that is no power of two",
+    refuse(at,
+           divisor == nullptr ? "division by what is only known at run time"
+                              : "division by a constant that is no power of two",
            "multiply by a reciprocal, or divide by a power of two");
   }
   const unsigned k = divisor->getValue().logBase2();
@@ -71,23 +81,32 @@ NodeId division(NodeBuilder& nodes, const llvm::BinaryOperator& at, NodeId x) {
 
 NodeId arithmetic(NodeBuilder& nodes, const llvm::BinaryOperator& at, NodeId a, NodeId b) {
   switch (at.getOpcode()) {
-    case llvm::Instruction::Add: return nodes.binary(Op::kAdd, a, b);
-    case llvm::Instruction::Sub: return nodes.binary(Op::kSub, a, b);
-    case llvm::Instruction::Mul: return nodes.binary(Op::kMul, a, b);
-    case llvm::Instruction::And: return nodes.binary(Op::kAnd, a, b);
-    case llvm::Instruction::Or: return nodes.binary(Op::kOr, a, b);
-    case llvm::Instruction::Xor: return nodes.binary(Op::kXor, a, b);
-    case llvm::Instruction::Shl: return nodes.shift(Op::kShl, a, b);
-    case llvm::Instruction::LShr: return nodes.shift(Op::kLshr, a, b);
-    case llvm::Instruction::AShr: return nodes.shift(Op::kAshr, a, b);
-    default: return division(nodes, at, a);
+    case llvm::Instruction::Add:
+      return nodes.binary(Op::kAdd, a, b);
+    case llvm::Instruction::Sub:
+      return nodes.binary(Op::kSub, a, b);
+    case llvm::Instruction::Mul:
+      return nodes.binary(Op::kMul, a, b);
+    case llvm::Instruction::And:
+      return nodes.binary(Op::kAnd, a, b);
+    case llvm::Instruction::Or:
+      return nodes.binary(Op::kOr, a, b);
+    case llvm::Instruction::Xor:
+      return nodes.binary(Op::kXor, a, b);
+    case llvm::Instruction::Shl:
+      return nodes.shift(Op::kShl, a, b);
+    case llvm::Instruction::LShr:
+      return nodes.shift(Op::kLshr, a, b);
+    case llvm::Instruction::AShr:
+      return nodes.shift(Op::kAshr, a, b);
+    default:
+      return division(nodes, at, a);
   }
 }
 
 }  // namespace
 
-NodeId instruction(NodeBuilder& nodes, const llvm::Instruction& at,
-                   const std::vector<NodeId>& in) {
+NodeId instruction(NodeBuilder& nodes, const llvm::Instruction& at, const std::vector<NodeId>& in) {
   const auto width = [&] { return at.getType()->getIntegerBitWidth(); };
   if (const auto* binary = llvm::dyn_cast<llvm::BinaryOperator>(&at)) {
     return arithmetic(nodes, *binary, in[0], in[1]);
@@ -96,12 +115,18 @@ NodeId instruction(NodeBuilder& nodes, const llvm::Instruction& at,
     return comparison(nodes, *compare, in[0], in[1]);
   }
   switch (at.getOpcode()) {
-    case llvm::Instruction::Trunc: return nodes.slice(in[0], width(), 0);
-    case llvm::Instruction::ZExt: return nodes.zext(in[0], width());
-    case llvm::Instruction::SExt: return nodes.sext(in[0], width());
-    case llvm::Instruction::Freeze: return in[0];
-    case llvm::Instruction::Select: return nodes.mux(in[0], in[1], in[2]);
-    default: break;
+    case llvm::Instruction::Trunc:
+      return nodes.slice(in[0], width(), 0);
+    case llvm::Instruction::ZExt:
+      return nodes.zext(in[0], width());
+    case llvm::Instruction::SExt:
+      return nodes.sext(in[0], width());
+    case llvm::Instruction::Freeze:
+      return in[0];
+    case llvm::Instruction::Select:
+      return nodes.mux(in[0], in[1], in[2]);
+    default:
+      break;
   }
   std::string name = at.getOpcodeName();
   if (const auto* call = llvm::dyn_cast<llvm::IntrinsicInst>(&at)) {

@@ -6,9 +6,9 @@
 
 #pragma once
 
-#include "generator/dataflow/nodes.hpp"
-
 #include <llvm/IR/Instructions.h>
+
+#include "generator/dataflow/nodes.hpp"
 
 namespace hlsgen {
 

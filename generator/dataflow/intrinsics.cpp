@@ -7,8 +7,8 @@
 namespace hlsgen {
 namespace {
 
-// Number of zeros above the highest one, for widths that are powers of two: log2(width) + 1 bits, the
-// topmost of which says that there is no one at all.
+// Number of zeros above the highest one, for widths that are powers of two: log2(width) + 1 bits,
+// the topmost of which says that there is no one at all.
 NodeId leading_zeros(NodeBuilder& nodes, NodeId a) {
   const unsigned width = nodes.width(a);
   if (width == 1) return nodes.unary_not(a);
@@ -17,12 +17,11 @@ NodeId leading_zeros(NodeBuilder& nodes, NodeId a) {
   const unsigned bits = nodes.width(upper);
   const NodeId no_upper = nodes.bit(upper, bits - 1);
   const NodeId no_lower = nodes.bit(lower, bits - 1);
-  std::vector<NodeId> parts = {
-      nodes.binary(Op::kAnd, no_upper, no_lower),
-      nodes.binary(Op::kAnd, no_upper, nodes.unary_not(no_lower))};
+  std::vector<NodeId> parts = {nodes.binary(Op::kAnd, no_upper, no_lower),
+                               nodes.binary(Op::kAnd, no_upper, nodes.unary_not(no_lower))};
   if (bits > 1) {
-    parts.push_back(nodes.mux(no_upper, nodes.slice(lower, bits - 1, 0),
-                              nodes.slice(upper, bits - 1, 0)));
+    parts.push_back(
+        nodes.mux(no_upper, nodes.slice(lower, bits - 1, 0), nodes.slice(upper, bits - 1, 0)));
   }
   return nodes.concat(parts);
 }
@@ -38,9 +37,8 @@ NodeId count_leading(NodeBuilder& nodes, NodeId a) {
   const unsigned padded = 1U << llvm::Log2_32_Ceil(width);
   // Ones below stop the count at the width.
   const NodeId whole =
-      padded == width
-          ? a
-          : nodes.concat({a, nodes.constant(llvm::APInt::getAllOnes(padded - width))});
+      padded == width ? a
+                      : nodes.concat({a, nodes.constant(llvm::APInt::getAllOnes(padded - width))});
   const NodeId count = leading_zeros(nodes, whole);
   return nodes.width(count) > width ? nodes.slice(count, width, 0) : nodes.zext(count, width);
 }
@@ -52,8 +50,8 @@ NodeId population(NodeBuilder& nodes, NodeId a) {
     std::vector<NodeId> sums;
     for (std::size_t i = 0; i + 1 < terms.size(); i += 2) {
       const unsigned width = std::max(nodes.width(terms[i]), nodes.width(terms[i + 1])) + 1;
-      sums.push_back(nodes.binary(Op::kAdd, nodes.zext(terms[i], width),
-                                  nodes.zext(terms[i + 1], width)));
+      sums.push_back(
+          nodes.binary(Op::kAdd, nodes.zext(terms[i], width), nodes.zext(terms[i + 1], width)));
     }
     if (terms.size() % 2 != 0) sums.push_back(terms.back());
     terms = std::move(sums);
@@ -109,27 +107,41 @@ NodeId intrinsic(NodeBuilder& nodes, llvm::Intrinsic::ID id, const std::vector<N
   const auto b = [&] { return in[1]; };
   const auto zero = [&] { return nodes.constant(nodes.width(in[0]), 0); };
   switch (id) {
-    case llvm::Intrinsic::smax: return nodes.mux(nodes.compare(Op::kSlt, a(), b()), b(), a());
-    case llvm::Intrinsic::smin: return nodes.mux(nodes.compare(Op::kSlt, a(), b()), a(), b());
-    case llvm::Intrinsic::umax: return nodes.mux(nodes.compare(Op::kUlt, a(), b()), b(), a());
-    case llvm::Intrinsic::umin: return nodes.mux(nodes.compare(Op::kUlt, a(), b()), a(), b());
+    case llvm::Intrinsic::smax:
+      return nodes.mux(nodes.compare(Op::kSlt, a(), b()), b(), a());
+    case llvm::Intrinsic::smin:
+      return nodes.mux(nodes.compare(Op::kSlt, a(), b()), a(), b());
+    case llvm::Intrinsic::umax:
+      return nodes.mux(nodes.compare(Op::kUlt, a(), b()), b(), a());
+    case llvm::Intrinsic::umin:
+      return nodes.mux(nodes.compare(Op::kUlt, a(), b()), a(), b());
     case llvm::Intrinsic::abs:
       return nodes.mux(nodes.compare(Op::kSlt, a(), zero()), nodes.binary(Op::kSub, zero(), a()),
                        a());
-    case llvm::Intrinsic::uadd_sat: return unsigned_saturation(nodes, a(), b());
+    case llvm::Intrinsic::uadd_sat:
+      return unsigned_saturation(nodes, a(), b());
     case llvm::Intrinsic::usub_sat:
-      return nodes.mux(nodes.compare(Op::kUlt, a(), b()), zero(),
-                       nodes.binary(Op::kSub, a(), b()));
-    case llvm::Intrinsic::sadd_sat: return signed_saturation(nodes, Op::kAdd, a(), b());
-    case llvm::Intrinsic::ssub_sat: return signed_saturation(nodes, Op::kSub, a(), b());
-    case llvm::Intrinsic::fshl: return funnel(nodes, true, in);
-    case llvm::Intrinsic::fshr: return funnel(nodes, false, in);
-    case llvm::Intrinsic::ctpop: return population(nodes, a());
-    case llvm::Intrinsic::ctlz: return count_leading(nodes, a());
-    case llvm::Intrinsic::cttz: return count_leading(nodes, reversed(nodes, a(), 1));
-    case llvm::Intrinsic::bswap: return reversed(nodes, a(), 8);
-    case llvm::Intrinsic::bitreverse: return reversed(nodes, a(), 1);
-    default: return kNone;
+      return nodes.mux(nodes.compare(Op::kUlt, a(), b()), zero(), nodes.binary(Op::kSub, a(), b()));
+    case llvm::Intrinsic::sadd_sat:
+      return signed_saturation(nodes, Op::kAdd, a(), b());
+    case llvm::Intrinsic::ssub_sat:
+      return signed_saturation(nodes, Op::kSub, a(), b());
+    case llvm::Intrinsic::fshl:
+      return funnel(nodes, true, in);
+    case llvm::Intrinsic::fshr:
+      return funnel(nodes, false, in);
+    case llvm::Intrinsic::ctpop:
+      return population(nodes, a());
+    case llvm::Intrinsic::ctlz:
+      return count_leading(nodes, a());
+    case llvm::Intrinsic::cttz:
+      return count_leading(nodes, reversed(nodes, a(), 1));
+    case llvm::Intrinsic::bswap:
+      return reversed(nodes, a(), 8);
+    case llvm::Intrinsic::bitreverse:
+      return reversed(nodes, a(), 1);
+    default:
+      return kNone;
   }
 }
 

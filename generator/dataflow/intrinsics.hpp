@@ -8,9 +8,9 @@
 
 #pragma once
 
-#include "generator/dataflow/nodes.hpp"
-
 #include <llvm/IR/Intrinsics.h>
+
+#include "generator/dataflow/nodes.hpp"
 
 namespace hlsgen {
 

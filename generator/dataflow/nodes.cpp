@@ -8,15 +8,15 @@ namespace hlsgen {
 
 void NodeBuilder::name(NodeId node, const std::string& name) {
   const Op op = nodes_[node].op;
-  const bool has_own = op == Op::kConstant || op == Op::kInput || op == Op::kRegister ||
-                       op == Op::kInstanceOutput;
+  const bool has_own =
+      op == Op::kConstant || op == Op::kInput || op == Op::kRegister || op == Op::kInstanceOutput;
   if (!has_own && nodes_[node].name.empty()) nodes_[node].name = name;
 }
 
 NodeId NodeBuilder::add(Op op, unsigned width, std::vector<NodeId> in, unsigned index,
                         unsigned port, unsigned low) {
-  const auto [entry, is_new] = known_.try_emplace(Key{op, width, in, index, port, low},
-                                                  static_cast<NodeId>(nodes_.size()));
+  const auto [entry, is_new] =
+      known_.try_emplace(Key{op, width, in, index, port, low}, static_cast<NodeId>(nodes_.size()));
   if (is_new) {
     Node node;
     node.op = op;
@@ -103,8 +103,10 @@ NodeId NodeBuilder::slice(NodeId a, unsigned width, unsigned low) {
   const Node& node = nodes_[a];
   if (low == 0 && width == node.width) return a;
   switch (node.op) {
-    case Op::kConstant: return constant(node.value.extractBits(width, low));
-    case Op::kSlice: return slice(node.in[0], width, node.low + low);
+    case Op::kConstant:
+      return constant(node.value.extractBits(width, low));
+    case Op::kSlice:
+      return slice(node.in[0], width, node.low + low);
     case Op::kZext:
     case Op::kSext: {
       const NodeId inner = node.in[0];
@@ -123,7 +125,8 @@ NodeId NodeBuilder::slice(NodeId a, unsigned width, unsigned low) {
       }
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return add(Op::kSlice, width, {a}, 0, 0, low);
 }
@@ -158,7 +161,8 @@ NodeId NodeBuilder::shift_by(Op op, NodeId a, std::uint64_t amount) {
   const unsigned total = width(a);
   const auto by = static_cast<unsigned>(std::min<std::uint64_t>(amount, total));
   if (by == 0) return a;
-  if (op == Op::kAshr) return sext(slice(a, std::max(1U, total - by), std::min(by, total - 1)), total);
+  if (op == Op::kAshr)
+    return sext(slice(a, std::max(1U, total - by), std::min(by, total - 1)), total);
   if (by == total) return constant(total, 0);
   if (op == Op::kLshr) return zext(slice(a, total - by, by), total);
   return concat({slice(a, total - by, 0), constant(by, 0)});

@@ -1,6 +1,7 @@
 // Makes nodes: equal ones once, operands before users, and none that a wire would do for.
 //
-//     mux(c, a, a)  ->  a          mux(c, 1, 0)  ->  c          slice(zext(x), 3, 0)  ->  slice(x, 3, 0)
+//     mux(c, a, a)  ->  a          mux(c, 1, 0)  ->  c          slice(zext(x), 3, 0)  ->  slice(x,
+//     3, 0)
 //
 // Larger rewriting belongs to the passes of the back end.
 //
@@ -8,10 +9,10 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <map>
 #include <tuple>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 

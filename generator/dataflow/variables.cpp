@@ -1,12 +1,12 @@
 #include "generator/dataflow/variables.hpp"
 
-#include "generator/refusal.hpp"
-#include "generator/cpp/layout.hpp"
-
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
+
+#include "generator/cpp/layout.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -17,8 +17,8 @@ std::string member_at(const llvm::DIType* type, std::uint64_t bit) {
   if (composite == nullptr) return {};
   if (composite->getTag() == llvm::dwarf::DW_TAG_array_type) {
     const auto* element = class_of(composite->getBaseType());
-    const std::uint64_t size = element != nullptr ? element->getSizeInBits()
-                                                  : composite->getBaseType()->getSizeInBits();
+    const std::uint64_t size =
+        element != nullptr ? element->getSizeInBits() : composite->getBaseType()->getSizeInBits();
     if (size == 0) return {};
     return "[" + std::to_string(bit / size) + "]" + member_at(composite->getBaseType(), bit % size);
   }

@@ -1,10 +1,10 @@
 #include "generator/ir/address.hpp"
 
-#include "generator/ir/opaque.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/ADT/MapVector.h>
 #include <llvm/IR/Operator.h>
+
+#include "generator/ir/opaque.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 

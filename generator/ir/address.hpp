@@ -19,7 +19,7 @@ struct Address {
   };
   llvm::Value* object = nullptr;  // an alloca or a constant, or whatever the walk ended at
   std::uint64_t offset = 0;
-  std::vector<Part> parts;  // the last one varies slowest
+  std::vector<Part> parts;            // the last one varies slowest
   llvm::Value* by_unknown = nullptr;  // moved by what is no guarded index
 
   std::uint64_t combinations() const;

@@ -1,7 +1,5 @@
 #include "generator/ir/callees.hpp"
 
-#include "generator/refusal.hpp"
-
 #include <llvm/Demangle/Demangle.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/Instructions.h>
@@ -10,6 +8,8 @@
 
 #include <algorithm>
 #include <set>
+
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -54,7 +54,8 @@ class Walk {
                     [](const llvm::Use& use) { return use->getType()->isFPOrFPVectorTy(); })) {
       refuse(at, "floating point", "use fixed point (UInt<W>, Int<W>)");
     }
-    if (at.isVolatile()) refuse(at, "volatile access", "read pins through In, write them through Out");
+    if (at.isVolatile())
+      refuse(at, "volatile access", "read pins through In, write them through Out");
     if (at.isAtomic()) refuse(at, "atomic access", "a block is one thread: drop the atomic");
     if (isa<llvm::InvokeInst, llvm::ResumeInst, llvm::LandingPadInst>(at)) {
       refuse(at, "exceptions", "report errors in Out");

@@ -37,8 +37,8 @@ void store(llvm::StoreInst& at, llvm::SelectInst& choice) {
   for (const bool is_true : {true, false}) {
     auto* place = is_true ? choice.getTrueValue() : choice.getFalseValue();
     auto* old = builder.CreateLoad(value->getType(), place);
-    auto* next = builder.CreateSelect(choice.getCondition(), is_true ? value : old,
-                                      is_true ? old : value);
+    auto* next =
+        builder.CreateSelect(choice.getCondition(), is_true ? value : old, is_true ? old : value);
     builder.CreateStore(next, place);
   }
   at.eraseFromParent();

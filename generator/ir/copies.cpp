@@ -1,14 +1,14 @@
 #include "generator/ir/copies.hpp"
 
-#include "generator/ir/address.hpp"
-#include "generator/ir/numbers.hpp"
-
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 
 #include <optional>
+
+#include "generator/ir/address.hpp"
+#include "generator/ir/numbers.hpp"
 
 namespace hlsgen {
 namespace {

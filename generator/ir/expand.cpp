@@ -1,13 +1,13 @@
 #include "generator/ir/expand.hpp"
 
-#include "generator/ir/address.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/Analysis/ConstantFolding.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/Instructions.h>
 #include <llvm/Support/MathExtras.h>
+
+#include "generator/ir/address.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -20,7 +20,8 @@ bool varies(llvm::Value* pointer, const llvm::Instruction& user) {
   return !address.parts.empty();
 }
 
-llvm::Value* element(llvm::IRBuilder<>& builder, const Address& address, std::uint64_t combination) {
+llvm::Value* element(llvm::IRBuilder<>& builder, const Address& address,
+                     std::uint64_t combination) {
   return builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), address.object,
                                             address.offset_of(combination));
 }
@@ -30,9 +31,10 @@ class Expander {
   Expander(llvm::Instruction& at, llvm::Value* pointer)
       : at_(at), builder_(&at), address_(address_of(pointer)) {
     if (address_.combinations() > kMaxElements) {
-      throw Refusal(source_of(at), "an array of " + std::to_string(address_.combinations()) +
-                                       " elements as registers",
-                    "keep it below " + std::to_string(kMaxElements));
+      throw Refusal(
+          source_of(at),
+          "an array of " + std::to_string(address_.combinations()) + " elements as registers",
+          "keep it below " + std::to_string(kMaxElements));
     }
   }
 
@@ -80,8 +82,7 @@ class Expander {
           const_cast<llvm::Constant*>(global.getInitializer()), type, place, data);
       const auto* number = llvm::dyn_cast_or_null<llvm::ConstantInt>(entry);
       // Beyond the last element nothing is ever read; zero is as good as anything.
-      table.entries.push_back(number == nullptr ? llvm::APInt(table.width, 0)
-                                                : number->getValue());
+      table.entries.push_back(number == nullptr ? llvm::APInt(table.width, 0) : number->getValue());
     }
     return opaque.table(builder_, address, std::move(table));
   }
@@ -114,7 +115,8 @@ class Expander {
     if (values.size() == 1) return values[0];
     const unsigned bit = llvm::Log2_64_Ceil(values.size()) - 1;
     const std::size_t half = std::size_t{1} << bit;
-    auto* is_upper = builder_.CreateTrunc(builder_.CreateLShr(part.index, bit), builder_.getInt1Ty());
+    auto* is_upper =
+        builder_.CreateTrunc(builder_.CreateLShr(part.index, bit), builder_.getInt1Ty());
     return builder_.CreateSelect(is_upper, choose(part, values.drop_front(half)),
                                  choose(part, values.take_front(half)));
   }

@@ -10,9 +10,9 @@
 
 #pragma once
 
-#include "generator/ir/opaque.hpp"
-
 #include <llvm/IR/Function.h>
+
+#include "generator/ir/opaque.hpp"
 
 namespace hlsgen {
 

@@ -1,8 +1,5 @@
 #include "generator/ir/guards.hpp"
 
-#include "generator/ir/ranges.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/Analysis/AssumptionCache.h>
 #include <llvm/Analysis/ValueTracking.h>
 #include <llvm/IR/Constants.h>
@@ -10,6 +7,9 @@
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/Instructions.h>
 #include <llvm/Support/KnownBits.h>
+
+#include "generator/ir/ranges.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {

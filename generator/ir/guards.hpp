@@ -10,9 +10,9 @@
 
 #pragma once
 
-#include "generator/ir/opaque.hpp"
-
 #include <llvm/IR/Function.h>
+
+#include "generator/ir/opaque.hpp"
 
 namespace hlsgen {
 
@@ -21,7 +21,8 @@ void insert_guards(llvm::Function& function, Opaque& opaque);
 // Takes away the guards of indices that have become valid constants.  True if there were any.
 bool fold_guards(llvm::Function& function);
 
-// The sites of the guards that do not prove, in the order of the function; the others are taken away.
+// The sites of the guards that do not prove, in the order of the function; the others are taken
+// away.
 std::vector<unsigned> prove_guards(llvm::Function& function);
 
 }  // namespace hlsgen

@@ -1,7 +1,5 @@
 #include "generator/ir/inline.hpp"
 
-#include "generator/refusal.hpp"
-
 #include <llvm/Analysis/InlineCost.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/InstIterator.h>
@@ -9,6 +7,8 @@
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/Transforms/Utils/Cloning.h>
 #include <llvm/Transforms/Utils/PromoteMemToReg.h>
+
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {

@@ -2,9 +2,9 @@
 //
 //     out = tick(state, in)     ->     the body of tick, with everything it calls in place
 //
-// Ticks of child blocks stay calls.  Pointer variables (`this`, references) are promoted at once, and a
-// local array that is only ever a copy of a constant becomes that constant, so that it can print as a
-// table.
+// Ticks of child blocks stay calls.  Pointer variables (`this`, references) are promoted at once,
+// and a local array that is only ever a copy of a constant becomes that constant, so that it can
+// print as a table.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 

@@ -1,11 +1,11 @@
 #include "generator/ir/instances.hpp"
 
-#include "generator/refusal.hpp"
-
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/InstIterator.h>
 
 #include <algorithm>
+
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -20,8 +20,7 @@ struct Call {
 StepInstance& instance_of(llvm::CallInst& call, Step& step) {
   const auto& data = call.getModule()->getDataLayout();
   llvm::APInt offset(64, 0);
-  const auto* base =
-      call.getArgOperand(1)->stripAndAccumulateConstantOffsets(data, offset, true);
+  const auto* base = call.getArgOperand(1)->stripAndAccumulateConstantOffsets(data, offset, true);
   for (auto& instance : step.instances) {
     if (base == step.state && offset == instance.place->offset &&
         call.getCalledFunction() == instance.block->tick) {
@@ -65,9 +64,8 @@ std::vector<Call> calls_in(Step& step, const Blocks& blocks) {
     throw Refusal(instance.place->source, "'" + instance.place->name + "' is never ticked",
                   "call its tick once in every clock");
   }
-  std::sort(calls.begin(), calls.end(), [&](const Call& a, const Call& b) {
-    return dominators.dominates(a.call, b.call);
-  });
+  std::sort(calls.begin(), calls.end(),
+            [&](const Call& a, const Call& b) { return dominators.dominates(a.call, b.call); });
   return calls;
 }
 
@@ -113,10 +111,10 @@ void check_instances(Step& step, const Block& block) {
       const auto* mark = dyn_cast<llvm::CallInst>(store->getValueOperand());
       if (mark == nullptr || opaque_kind(mark) != OpaqueKind::kUndefined ||
           site_of(mark) != instance.marks[i]) {
-        throw Refusal(instance.place->source,
-                      block.cpp_class + " writes registers of its instance '" +
-                          instance.place->name + "'",
-                      "say in its In what is to happen");
+        throw Refusal(
+            instance.place->source,
+            block.cpp_class + " writes registers of its instance '" + instance.place->name + "'",
+            "say in its In what is to happen");
       }
       store->eraseFromParent();
     }

@@ -1,8 +1,5 @@
 #include "generator/ir/loops.hpp"
 
-#include "generator/ir/memory.hpp"
-#include "generator/refusal.hpp"
-
 #include <llvm/Analysis/AssumptionCache.h>
 #include <llvm/Analysis/CFG.h>
 #include <llvm/Analysis/LoopInfo.h>
@@ -16,6 +13,9 @@
 #include <llvm/Transforms/Utils/UnrollLoop.h>
 
 #include <set>
+
+#include "generator/ir/memory.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {

@@ -2,8 +2,8 @@
 //
 //     for (i = 0; i < 3; ++i) s += a[i];     ->     s += a[0]; s += a[1]; s += a[2];
 //
-// A bound is enough; early exits stay as conditions.  Inner loops whose bound depends on an outer one
-// are unrolled after it.
+// A bound is enough; early exits stay as conditions.  Inner loops whose bound depends on an outer
+// one are unrolled after it.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 

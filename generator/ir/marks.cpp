@@ -1,12 +1,12 @@
 #include "generator/ir/marks.hpp"
 
-#include "generator/refusal.hpp"
-#include "generator/ir/numbers.hpp"
-
 #include <llvm/IR/DebugInfo.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/Instructions.h>
 #include <llvm/IR/IntrinsicInst.h>
+
+#include "generator/ir/numbers.hpp"
+#include "generator/refusal.hpp"
 
 namespace hlsgen {
 namespace {
@@ -15,9 +15,10 @@ using llvm::dyn_cast;
 
 Site site_of_variable(llvm::AllocaInst& variable) {
   for (auto* declaration : llvm::FindDbgDeclareUses(&variable)) {
-    return {source_of(*declaration),
-            "'" + declaration->getVariable()->getName().str() + "' may be read before it has a value",
-            "give it an initial value"};
+    return {
+        source_of(*declaration),
+        "'" + declaration->getVariable()->getName().str() + "' may be read before it has a value",
+        "give it an initial value"};
   }
   return {source_of(variable), "a value may be read before it was written",
           "give every variable and every path an initial value"};

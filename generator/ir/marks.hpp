@@ -9,9 +9,9 @@
 
 #pragma once
 
-#include "generator/ir/opaque.hpp"
-
 #include <llvm/IR/Function.h>
+
+#include "generator/ir/opaque.hpp"
 
 namespace hlsgen {
 

@@ -82,8 +82,6 @@ unsigned site_of(const llvm::CallInst* call) {
   return static_cast<unsigned>(constant(call, is_index ? 2 : 0));
 }
 std::uint64_t count_of(const llvm::CallInst* call) { return constant(call, 1); }
-unsigned table_of(const llvm::CallInst* call) {
-  return static_cast<unsigned>(constant(call, 0));
-}
+unsigned table_of(const llvm::CallInst* call) { return static_cast<unsigned>(constant(call, 0)); }
 
 }  // namespace hlsgen

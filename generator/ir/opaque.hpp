@@ -1,6 +1,7 @@
 // Functions that the optimiser cannot see through.  They carry what LLVM's own rules would lose:
 //
-//     hlsgen.undefined.iW(site)         a value nobody has written.  LLVM's `undef` may become anything;
+//     hlsgen.undefined.iW(site)         a value nobody has written.  LLVM's `undef` may become
+//     anything;
 //                                       this stays, and is refused if an output depends on it
 //     hlsgen.index.iW(value, count)     the value, which must prove to lie below count
 //     hlsgen.table.N.iA.iW(address)     entry of constant table N
@@ -9,13 +10,13 @@
 
 #pragma once
 
-#include "generator/netlist.hpp"
-
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
 
 #include <string>
 #include <vector>
+
+#include "generator/netlist.hpp"
 
 namespace hlsgen {
 
@@ -55,8 +56,8 @@ enum class OpaqueKind { kNone, kUndefined, kIndex, kTable };
 OpaqueKind opaque_kind(const llvm::Value* value);
 
 // Operands, by name.
-unsigned site_of(const llvm::CallInst* call);                // kUndefined, kIndex
-std::uint64_t count_of(const llvm::CallInst* call);          // kIndex; 0: must become a constant
-unsigned table_of(const llvm::CallInst* call);               // kTable
+unsigned site_of(const llvm::CallInst* call);        // kUndefined, kIndex
+std::uint64_t count_of(const llvm::CallInst* call);  // kIndex; 0: must become a constant
+unsigned table_of(const llvm::CallInst* call);       // kTable
 
 }  // namespace hlsgen

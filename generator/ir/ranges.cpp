@@ -47,8 +47,10 @@ void Ranges::learn_edge(const llvm::BasicBlock* from, const llvm::BasicBlock* to
     auto rest = taken.inverse();
     for (const auto& entry : choice->cases()) {
       const ConstantRange value(entry.getCaseValue()->getValue());
-      if (entry.getCaseSuccessor() == to) taken = taken.unionWith(value);
-      else rest = rest.difference(value);
+      if (entry.getCaseSuccessor() == to)
+        taken = taken.unionWith(value);
+      else
+        rest = rest.difference(value);
     }
     learn(choice->getCondition(), choice->getDefaultDest() == to ? taken.unionWith(rest) : taken);
   }
@@ -81,8 +83,8 @@ void Ranges::learn(const llvm::Value* value, const ConstantRange& range) {
     facts_.push_back({x, range.subtract(*added)});
   } else if (const auto* wide = dyn_cast<llvm::ZExtInst>(value)) {
     const unsigned width = wide->getSrcTy()->getIntegerBitWidth();
-    const auto inside = range.intersectWith(ConstantRange::getFull(width).zeroExtend(
-        value->getType()->getIntegerBitWidth()));
+    const auto inside = range.intersectWith(
+        ConstantRange::getFull(width).zeroExtend(value->getType()->getIntegerBitWidth()));
     facts_.push_back({wide->getOperand(0), inside.truncate(width)});
   }
 }
@@ -107,13 +109,11 @@ ConstantRange Ranges::by_operands(const llvm::Value* value) {
     return llvm::getConstantRangeFromMetadata(*bounds);
   }
   if (const auto* binary = dyn_cast<llvm::BinaryOperator>(at)) {
-    return range(binary->getOperand(0))
-        .binaryOp(binary->getOpcode(), range(binary->getOperand(1)));
+    return range(binary->getOperand(0)).binaryOp(binary->getOpcode(), range(binary->getOperand(1)));
   }
   if (llvm::isa<llvm::ZExtInst, llvm::SExtInst, llvm::TruncInst>(at)) {
     return range(at->getOperand(0))
-        .castOp(llvm::cast<llvm::CastInst>(at)->getOpcode(),
-                at->getType()->getIntegerBitWidth());
+        .castOp(llvm::cast<llvm::CastInst>(at)->getOpcode(), at->getType()->getIntegerBitWidth());
   }
   if (const auto* choice = dyn_cast<llvm::SelectInst>(at)) return select(*choice);
   if (const auto* merge = dyn_cast<llvm::PHINode>(at)) return phi(*merge);

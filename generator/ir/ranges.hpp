@@ -3,8 +3,8 @@
 //     if (i < 6) use(table[i]);              at the use, i is in [0, 6)
 //     s == 5 ? 0 : s + 1, s in [0, 6)        is in [0, 6) again
 //
-// LLVM's own analysis asks what holds on entry to a block; this one also follows what a condition says
-// about the operands of a value, into both arms of a select.
+// LLVM's own analysis asks what holds on entry to a block; this one also follows what a condition
+// says about the operands of a value, into both arms of a select.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 

@@ -1,7 +1,5 @@
 #include "generator/ir/split.hpp"
 
-#include "generator/ir/numbers.hpp"
-
 #include <llvm/IR/DIBuilder.h>
 #include <llvm/IR/DebugInfo.h>
 #include <llvm/IR/Dominators.h>
@@ -11,6 +9,8 @@
 #include <llvm/Transforms/Utils/PromoteMemToReg.h>
 
 #include <map>
+
+#include "generator/ir/numbers.hpp"
 
 namespace hlsgen {
 namespace {

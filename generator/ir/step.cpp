@@ -38,8 +38,7 @@ llvm::Value* address(llvm::IRBuilder<>& builder, llvm::Value* base, std::uint64_
 
 llvm::Function* new_function(llvm::Module& module, const std::string& name) {
   auto* type = llvm::FunctionType::get(llvm::Type::getVoidTy(module.getContext()), false);
-  auto* function =
-      llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage, name, module);
+  auto* function = llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage, name, module);
   llvm::BasicBlock::Create(module.getContext(), "entry", function);
   return function;
 }
@@ -108,11 +107,10 @@ llvm::Value* load_leaf(llvm::IRBuilder<>& builder, const LeafPlace& place, llvm:
   const bool narrower = place.leaf.width < place.storage_bits;
   if (place.enumeration != nullptr && (narrower || enumerators != 0)) {
     if (enumerators == 0) enumerators = std::uint64_t{1} << place.leaf.width;
-    value = opaque.index(builder, value, enumerators,
-                         {place.source,
-                          "'" + place.leaf.name + "' may take a value that is no enumerator",
-                          "compute enumerators by switch or if, or limit the value first",
-                          place.leaf.name});
+    value = opaque.index(
+        builder, value, enumerators,
+        {place.source, "'" + place.leaf.name + "' may take a value that is no enumerator",
+         "compute enumerators by switch or if, or limit the value first", place.leaf.name});
   }
   return builder.CreateTrunc(value, builder.getIntNTy(place.leaf.width));
 }
@@ -134,10 +132,10 @@ Step build_step(llvm::Module& module, const Block& block, const Blocks& blocks,
   }
   for (const auto& place : block.out.leaves) {
     store_leaf(builder, place, out,
-               opaque.undefined(builder, builder.getIntNTy(place.leaf.width),
-                                {place.source,
-                                 "output '" + place.leaf.name + "' may be left without a value",
-                                 "write a default value behind the member"}));
+               opaque.undefined(
+                   builder, builder.getIntNTy(place.leaf.width),
+                   {place.source, "output '" + place.leaf.name + "' may be left without a value",
+                    "write a default value behind the member"}));
   }
   for (std::size_t i = 0; i < block.state.leaves.size(); ++i) {
     const auto& place = block.state.leaves[i];
@@ -145,10 +143,10 @@ Step build_step(llvm::Module& module, const Block& block, const Blocks& blocks,
     auto* value = builder.CreateLoad(builder.getIntNTy(place.leaf.width), step.registers.back());
     const auto count = enumerators_of(place);
     if (count != 0 && !wide[i] && count < std::uint64_t{1} << place.leaf.width) {
-      value->setMetadata(llvm::LLVMContext::MD_range,
-                         llvm::MDBuilder(module.getContext())
-                             .createRange(llvm::APInt(place.leaf.width, 0),
-                                          llvm::APInt(place.leaf.width, count)));
+      value->setMetadata(
+          llvm::LLVMContext::MD_range,
+          llvm::MDBuilder(module.getContext())
+              .createRange(llvm::APInt(place.leaf.width, 0), llvm::APInt(place.leaf.width, count)));
     }
     store_leaf(builder, place, step.state, value);
   }
@@ -171,7 +169,8 @@ Step build_step(llvm::Module& module, const Block& block, const Blocks& blocks,
 
   for (std::size_t i = 0; i < block.state.leaves.size(); ++i) {
     const auto& place = block.state.leaves[i];
-    auto* value = load_leaf(builder, place, step.state, wide[i] ? 0 : enumerators_of(place), opaque);
+    auto* value =
+        load_leaf(builder, place, step.state, wide[i] ? 0 : enumerators_of(place), opaque);
     step.nexts.push_back(new_global(module, "next." + place.leaf.name, place.leaf.width));
     builder.CreateStore(value, step.nexts.back());
   }
@@ -197,11 +196,11 @@ Step build_reset(llvm::Module& module, const Blocks& blocks, const Layout& all, 
   llvm::IRBuilder<> builder(&step.function->getEntryBlock());
   step.state = new_memory(builder, all, "hlsgen.state");
   for (const auto& place : all.leaves) {
-    store_leaf(builder, place, step.state,
-               opaque.undefined(builder, builder.getIntNTy(place.leaf.width),
-                                {place.source,
-                                 "register '" + place.leaf.name + "' has no default value",
-                                 "write one behind the member; it is the reset value"}));
+    store_leaf(
+        builder, place, step.state,
+        opaque.undefined(builder, builder.getIntNTy(place.leaf.width),
+                         {place.source, "register '" + place.leaf.name + "' has no default value",
+                          "write one behind the member; it is the reset value"}));
   }
   call(builder, blocks.reset, {step.state});
   for (const auto& place : all.leaves) {

@@ -13,14 +13,14 @@
 
 #pragma once
 
-#include "generator/cpp/blocks.hpp"
-#include "generator/ir/opaque.hpp"
-
 #include <llvm/IR/Instructions.h>
 
 #include <map>
 #include <string>
 #include <vector>
+
+#include "generator/cpp/blocks.hpp"
+#include "generator/ir/opaque.hpp"
 
 namespace hlsgen {
 

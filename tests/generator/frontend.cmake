@@ -10,3 +10,23 @@ endfunction()
 
 frontend_test(design)
 frontend_test(refusal)
+frontend_test(names)
+frontend_test(layout)
+frontend_test(program)
+
+# Headers as the lockstep tests get them, for the test blocks.
+set(ports_list "")
+foreach(top history plain state_machine wide)
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/ports/${top}_ports.hpp)
+  add_custom_command(
+    OUTPUT ${header}
+    COMMAND hlsgen tests/generator/frontend/blocks.cpp --top ${top}
+            --ports ${CMAKE_CURRENT_BINARY_DIR}/ports
+    COMMAND ${CMAKE_COMMAND} -E touch ${header}
+    DEPENDS hlsgen ${CMAKE_CURRENT_SOURCE_DIR}/frontend/blocks.cpp
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    VERBATIM)
+  list(APPEND ports_list ${header})
+endforeach()
+frontend_test(ports)
+target_sources(ports_test PRIVATE ${ports_list})

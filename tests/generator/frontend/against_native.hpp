@@ -2,15 +2,15 @@
 
 #pragma once
 
-#include "generator/backend.hpp"
-#include "generator/front_end.hpp"
-#include "generator/interpret.hpp"
-#include "generator/port_words.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <random>
+
+#include "generator/backend.hpp"
+#include "generator/front_end.hpp"
+#include "generator/interpret.hpp"
+#include "generator/port_words.hpp"
 
 namespace hlsgen::test {
 
@@ -21,12 +21,18 @@ class Stimulus {
 
   llvm::APInt bits(unsigned width) {
     switch (engine_() % 8) {
-      case 0: return llvm::APInt(width, 0);
-      case 1: return llvm::APInt::getAllOnes(width);
-      case 2: return llvm::APInt::getSignedMinValue(width);
-      case 3: return llvm::APInt::getSignedMaxValue(width);
-      case 4: return llvm::APInt(width, engine_() % 8);
-      default: return llvm::APInt(width, {engine_(), engine_()});
+      case 0:
+        return llvm::APInt(width, 0);
+      case 1:
+        return llvm::APInt::getAllOnes(width);
+      case 2:
+        return llvm::APInt::getSignedMinValue(width);
+      case 3:
+        return llvm::APInt::getSignedMaxValue(width);
+      case 4:
+        return llvm::APInt(width, engine_() % 8);
+      default:
+        return llvm::APInt(width, {engine_(), engine_()});
     }
   }
 

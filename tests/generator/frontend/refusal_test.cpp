@@ -1,8 +1,8 @@
-// Every file in tests/generator/refuse is refused: exit code 1, one line `file:line: error: what; how to
-// mend` at the line and with the words that its own comment `// refused: words` gives, nothing written.
+// Every file in tests/generator/refuse is refused: exit code 1, one line `file:line: error: what;
+// how to mend` at the line and with the words that its own comment `// refused: words` gives,
+// nothing written.
 
 #include <gtest/gtest.h>
-
 #include <sys/wait.h>
 
 #include <algorithm>
