@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -84,6 +86,28 @@ TEST_P(Refusal, NamesLineReasonAndMendAndWritesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Refusal, testing::ValuesIn(sources()),
                          [](const auto& info) { return info.param; });
+
+// The manual's list is printed from these sources; HLSGEN_PRINT=1 prints it anew.
+TEST(RefusalControl, TheManualListsEveryRefusal) {
+  fs::current_path(HLSGEN_ROOT);
+  std::string page =
+      "# What hlsgen refuses\n\nPrinted from tests/generator/refuse by refusal_test; do not edit.\n\n"
+      "| test source | what it says |\n|---|---|\n";
+  for (const auto& name : sources()) {
+    const std::string source = "tests/generator/refuse/" + name + ".cpp";
+    auto errors = run_hlsgen(source, fs::path(testing::TempDir()) / "hlsgen_refuse_list").errors;
+    const auto start = errors.find("error: ");
+    ASSERT_NE(start, std::string::npos) << errors;
+    errors = errors.substr(start + 7);
+    errors.pop_back();
+    page += "| [" + name + "](../" + source + ") | " + errors + " |\n";
+  }
+  const std::string manual = "docs/generator_refusals.md";
+  if (std::getenv("HLSGEN_PRINT") != nullptr) std::ofstream(manual) << page;
+  std::ostringstream present;
+  present << std::ifstream(manual).rdbuf();
+  EXPECT_EQ(present.str(), page) << "run HLSGEN_PRINT=1 refusal_test and look at the change";
+}
 
 // The control: the same program takes a source without a fault.
 TEST(RefusalControl, ASoundSourceIsTaken) {
