@@ -4,7 +4,7 @@
 // numbers.  Inputs also have to stand still, or no counter ever runs out: each keeps its last value
 // with a probability of its own, drawn anew every epoch, between "never" and "nearly always".
 //
-// Test: tests/testbench/stimulus_test.cpp
+// Test: tests/rtl/stimulus_test.cpp
 
 #pragma once
 
