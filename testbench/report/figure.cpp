@@ -69,7 +69,8 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     const Panel& p = f.panels[i];
     const bool first = i == 0, last = i + 1 == f.panels.size();
     const double below = at - (top - bottom) * p.weight / weights;
-    add("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", at, below + gap / 2);
+    add("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", at - (first ? 0 : gap / 2),
+        below + (last ? 0 : gap / 2));
     // Under the title stand the labels of the marks, so it is placed by hand.
     if (first) {
       add("set label 100 {} at screen 0.09, screen {:.4f} font ',15' textcolor rgb '#22313f'\n",
@@ -101,7 +102,7 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     }
     add("plot {}\n", curves);
     if (!p.extra.empty()) add("set yrange [*:*]\nset ytics auto\n");
-    at = below - gap / 2;
+    at = below;
   }
   add("unset multiplot\nset output\n");
   return s;

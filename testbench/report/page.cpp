@@ -17,7 +17,7 @@ h1 { font-size: 26px; margin: 0; } h2 { font-size: 18px; margin: 40px 0 12px; }
 .verdict { display: inline-block; border-radius: 999px; padding: 3px 14px; font-weight: 600;
            font-size: 14px; vertical-align: 4px; margin-left: 12px; }
 .well { background: #d5f5e3; color: #14532d; } .failed { background: #fadbd8; color: #7b241c; }
-.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 12px; }
+.cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(200px, 1fr)); gap: 12px; }
 .card, figure, .box { background: #fff; border: 1px solid #e4e7eb; border-radius: 10px; }
 .card { padding: 12px 14px; } .card b { display: block; font-size: 21px; font-weight: 600; }
 .card span { color: #616e7c; font-size: 13px; }

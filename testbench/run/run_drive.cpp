@@ -7,6 +7,7 @@
 #include "model/design/words.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/float.hpp"
+#include "testbench/engine/rtl.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/cosimulation.hpp"
 
@@ -70,18 +71,18 @@ const char* name_of(EngineKind kind) {
 
 Record run_drive(const design::Settings& s, const RunOptions& options) {
   const design::Design designed = design::design_drive(s);
-  switch (options.engine) {
-    case EngineKind::kFloat: {
-      FloatEngine engine(designed.parameters, s.control.clock_hz);
-      return run_with(engine, s, options);
-    }
-    case EngineKind::kFixed: {
-      const Words words = hls_words(design::quantise(designed.parameters, s.control.clock_hz).words);
-      FixedEngine engine(words, s.control.clock_hz);
-      return run_with(engine, s, options);
-    }
-    default: throw std::logic_error("this engine is not built in");
+  const double clock_hz = s.control.clock_hz;
+  if (options.engine == EngineKind::kFloat) {
+    FloatEngine engine(designed.parameters, clock_hz);
+    return run_with(engine, s, options);
   }
+  const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
+  if (options.engine == EngineKind::kFixed) {
+    FixedEngine engine(words, clock_hz);
+    return run_with(engine, s, options);
+  }
+  RtlEngine engine(words, clock_hz);
+  return run_with(engine, s, options);
 }
 
 }  // namespace steplock

@@ -1,0 +1,48 @@
+# cmake -D TOP=rtl/six_step_top.sv -D OUT=six_step_bench.sv -P bench_wrapper.cmake
+#
+# Prints a module around the top for simulation.  Verilator evaluates all logic behind an input at every
+# eval(), and the hundreds of bits of words and command hardly ever change: here they pass flip-flops
+# clocked by `load`, which cuts the time to a third and changes nothing else.  Pins go straight through
+# (they end in flip-flops inside).  `watch_o` gathers what the bench compares at every clock, in the
+# places of testbench/engine/watch.hpp.
+
+cmake_minimum_required(VERSION 3.25)
+
+file(STRINGS ${TOP} ports REGEX "^ +(input|output) +logic")
+set(declarations "")
+set(latches "")
+set(registers "")
+set(connections "")
+foreach(port IN LISTS ports)
+  string(REGEX MATCH "^ +(input|output) +logic +(\\[[0-9:]+\\])? *([A-Za-z0-9_]+)" found "${port}")
+  set(direction ${CMAKE_MATCH_1})
+  set(range "${CMAKE_MATCH_2}")
+  set(name ${CMAKE_MATCH_3})
+  string(APPEND declarations "    ${direction} logic ${range} ${name},\n")
+  if(name MATCHES "^(words|command)_")
+    string(APPEND registers "  logic ${range} ${name}_held;\n")
+    string(APPEND latches "    ${name}_held <= ${name};\n")
+    list(APPEND connections ".${name}(${name}_held)")
+  else()
+    list(APPEND connections ".${name}(${name})")
+  endif()
+endforeach()
+list(JOIN connections ",\n      " connections)
+
+file(WRITE ${OUT}
+"// Printed by testbench/engine/bench_wrapper.cmake; for simulation only.
+module six_step_bench (
+    input logic load,
+${declarations}    output logic [31:0] watch_o
+);
+${registers}
+  always_ff @(posedge load) begin
+${latches}  end
+
+  six_step_top top (
+      ${connections});
+
+  assign watch_o = {12'd0, locked_o, missed_o, crossing_o, reason_o, state_o, step_o,
+                    gates_wl_o, gates_wh_o, gates_vl_o, gates_vh_o, gates_ul_o, gates_uh_o};
+endmodule
+")
