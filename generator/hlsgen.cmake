@@ -1,6 +1,7 @@
 # hls_top(<name> <source.cpp>): prints the blocks of a C++ top into the build, at every change.
 #
 #   ${PROJECT_BINARY_DIR}/rtl/     <module>.sv of each block, <name>.f with their list, children first
+#   ${PROJECT_BINARY_DIR}/plain/   the same modules printed plainly, for proofs (prove.cmake)
 #   ${PROJECT_BINARY_DIR}/ports/   <module>_ports.hpp for lockstep tests
 #
 # The source is called <name>.cpp, after its top module.  Targets: <name>_rtl for one, hls_rtl for all.
@@ -9,7 +10,7 @@
 
 set(HLSGEN_DIRECTORY ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
 
-add_custom_target(hls_rtl)
+add_custom_target(hls_rtl ALL)
 add_custom_target(print_rtl DEPENDS hls_rtl
   COMMAND ${CMAKE_COMMAND} -D MODE=copy -D PRINTED=${PROJECT_BINARY_DIR}/rtl
           -D COMMITTED=${PROJECT_SOURCE_DIR}/rtl "-DTOPS=$<TARGET_PROPERTY:hls_rtl,TOPS>"
@@ -30,8 +31,8 @@ function(hls_top name source)
   set(list ${PROJECT_BINARY_DIR}/rtl/${name}.f)
   add_custom_command(
     OUTPUT ${list}
-    COMMAND hlsgen ${relative} -o ${PROJECT_BINARY_DIR}/rtl --ports ${PROJECT_BINARY_DIR}/ports
-            --depfile ${CMAKE_CURRENT_BINARY_DIR}/${name}.d
+    COMMAND hlsgen ${relative} -o ${PROJECT_BINARY_DIR}/rtl --plain ${PROJECT_BINARY_DIR}/plain
+            --ports ${PROJECT_BINARY_DIR}/ports --depfile ${CMAKE_CURRENT_BINARY_DIR}/${name}.d
     COMMAND ${CMAKE_COMMAND} -E touch ${list}  # printed files keep their time when they are the same
     DEPENDS hlsgen ${source}
     DEPFILE ${CMAKE_CURRENT_BINARY_DIR}/${name}.d

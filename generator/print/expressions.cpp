@@ -110,6 +110,7 @@ Expr Expressions::extend(const Node& n) {
   const Expr inner = use(n.in[0]);
   if (more == 0) return inner;
   if (n.op == Op::kZext) return syntax::concat({syntax::literal(llvm::APInt(more, 0)), inner});
+  if (value.width == 1) return syntax::replicate(n.width, inner);
   const Expr sign = syntax::select(inner, value.width - 1, value.width - 1);
   return syntax::concat({syntax::replicate(more, sign), inner});
 }
@@ -127,8 +128,9 @@ Expr Expressions::multiply(const Node& n) {
       llvm::APInt c = f[i].is_signed ? v.value : v.value.zext(v.width + 1);
       if (whole) c = v.value;
       else c = c.trunc(is_signed ? c.getSignificantBits() : std::max(1u, c.getActiveBits()));
+      // Signed as a literal, since a minus in front would be computed as wide as the product.
       const bool sign = is_signed && !whole;
-      side = syntax::literal(c, sign ? Expr::Base::kSignedDecimal : Expr::Base::kDecimal);
+      side = syntax::literal(c, sign ? Expr::Base::kSignedHex : Expr::Base::kDecimal);
     } else {
       side = use(f[i].value);
       if (is_signed && !whole) {

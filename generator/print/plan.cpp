@@ -78,6 +78,7 @@ class Planner {
     if (n.op == Op::kSlice && !is_select(n.in[0])) make_wire(n.in[0]);
     if (n.op == Op::kSext && !is_atom(n.in[0]) && !is_select(n.in[0])) make_wire(n.in[0]);
     if (n.op == Op::kTable) make_wire(n.in[0]);
+    if (n.op == Op::kMul) separate_factors(n);
     if (inner_[id] || plan_.in_update[id]) return;
     if (plan_.cases.count(id) != 0 || must_be_wire(n)) return make_wire(id);
     shorten(id);
@@ -88,6 +89,16 @@ class Planner {
   // $signed() reaches through a whole expression, so what needs it stands alone.
   static bool must_be_wire(const Node& n) {
     return n.op == Op::kMul || n.op == Op::kAshr || n.op == Op::kTable;
+  }
+
+  // A product is wider than its factors, and would have them computed that wide: a carry would show.
+  void separate_factors(const Node& n) {
+    for (const NodeId operand : n.in) {
+      const NodeId value = factor(m_, operand).value;
+      const Op op = node(value).op;
+      if (op != Op::kSlice && op != Op::kConcat && op != Op::kZext && op != Op::kSext)
+        make_wire(value);
+    }
   }
 
   // So short that a name would say less.

@@ -25,7 +25,7 @@ struct Expr {
     kConditional,  // operands[0] ? operands[1] : operands[2]
     kSigned,       // $signed(operands[0])
   };
-  enum class Base { kDecimal, kHex, kSignedDecimal };
+  enum class Base { kDecimal, kHex, kSignedDecimal, kSignedHex };
 
   Kind kind = Kind::kLiteral;
   unsigned width = 1;

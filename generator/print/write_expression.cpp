@@ -65,6 +65,8 @@ std::string write_literal(const Expr& e) {
     return fmt::format("{}{}'sd{}", negative ? "-" : "", e.width,
                        digits(negative ? -e.value : e.value, 10));
   }
+  if (e.base == Expr::Base::kSignedHex)
+    return fmt::format("{}'sh{}", e.width, digits(e.value, 16));
   if (e.width == 1) return e.value.isZero() ? "1'b0" : "1'b1";
   if (e.base == Expr::Base::kHex || e.value.getActiveBits() > 32)
     return fmt::format("{}'h{}", e.width, digits(e.value, 16));
@@ -158,7 +160,7 @@ std::string write_assignment(unsigned indent, const std::string& head, const Exp
   const std::string note = write_comment(comment);
   std::string flat = write_flat(value);
   // x <= (a <= b): the two arrows should not be mistaken for each other.
-  if (value.is_operator("<=")) flat = "(" + flat + ")";
+  if (value.is_operator("<=") && head.ends_with("<=")) flat = "(" + flat + ")";
   const std::string line = start + head + " " + flat + ";";
   if (!chain && line.size() <= kColumns)
     return line + (line.size() + note.size() <= kColumns ? note : "") + "\n";
