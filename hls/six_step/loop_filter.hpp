@@ -2,21 +2,23 @@
 //
 //     e' = error + delay * frequency               the sampling's constant delay, taken back
 //     p  = e' * s                                  s = frequency (per step) or `scale` (per second)
-//     x += ki p          within [minimum, maximum] integrator; stops while the output is at a limit
-//     v  = x + kp p                                zero
-//     y += pole (v - y)  within [0, maximum]       pole; frequency = y
+//     x += ki p          integrator                stops while the output stands at a limit
+//     v  = x + kp p      zero
+//     y += pole (v - y)  pole                      within [minimum, maximum]; frequency = y
 //
 // This is F(s) = (s R C2 + 1) / (s^2 R C1 C2 + s (C1 + C2)), Eq. (1) of Amano 2003, discretised: on
 // every tick with constant s (coefficients per second, as in the paper), or on every update with s the
 // frequency itself, so that the loop's bandwidth is a constant part of the stepping rate.
 //
 // Following sectors (a rotor to be caught, or Hall sensors) x takes e * frequency whole or a quarter
-// of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 / interval.
+// of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 / interval.  A
+// ramp is the same with a constant error and `ramp` for s.
 //
-//     x, v, y      u0.40: eight bits more than Frequency, so that small gains still integrate
-//     latency      28 clocks per product: about 145 from update to frequency; an update that comes
+//     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
+//     s            its upper 22 bits: a gain needs no more; pole: its upper 15
+//     latency      24 clocks per product: about 150 from update to frequency; an update that comes
 //                  while busy is passed over
-//     registers    about 225 bits     multipliers  none (one serial)
+//     registers    about 195 bits     multipliers  none (one serial)
 //
 // Doc: docs/blocks/loop_filter.md   Test: tests/hls/loop_filter_test.cpp
 
@@ -58,24 +60,24 @@ class LoopFilter {
   };
 
   Out tick(const In& in) {
-    const Out out{.frequency = frequency(),
-                  .fast = frequency() >= in.hand_over,
-                  .busy = stage_ != Stage::kIdle};
-    const bool start = multiplies() && !started_;
-    const auto product = multiplier_.tick(
-        {.start = start, .a = stage_ == Stage::kPole ? subtract_y() : work_, .b = factor(in)});
+    const Out out{.frequency = y_.slice<29, 4>(), .fast = fast_, .busy = stage_ != Stage::kIdle};
+    const bool multiplies = stage_ >= Stage::kDelay && stage_ <= Stage::kKeep;
+    const bool from_y = stage_ == Stage::kDelay || stage_ == Stage::kKeep;
+    const auto product = multiplier_.tick({.start = multiplies && !started_,
+                                           .a = from_y ? Work(y_) : work_,
+                                           .b = factor(in)});
+    const Frequency limit = bound(in);
+    const bool below = wrap<Int<30>>(work_ >> 4) < limit;
     if (in.loop == Loop::kStop) {
       x_ = 0;
       y_ = 0;
-      at_top_ = at_bottom_ = started_ = false;
+      fast_ = at_top_ = at_bottom_ = started_ = false;
       stage_ = Stage::kIdle;
-    } else if (stage_ == Stage::kIdle) {
-      begin(in);
-    } else if (!multiplies()) {
-      bound(in);
-    } else {
+    } else if (multiplies) {
       started_ = !product.done;
-      if (product.done) take(in, product.product);
+      if (product.done) add(in, product.product);
+    } else {
+      finish(in, limit, below);
     }
     return out;
   }
@@ -85,94 +87,91 @@ class LoopFilter {
   bool operator==(const LoopFilter&) const = default;
 
  private:
-  using Work = Int<37>;  // s-3.40: |x|, |v| and |v - y| stay below 2^-4
+  using Work = Int<34>;  // s-2.36: e', p, x and v stay below 2^-3
+  // Six products, each added to something; then the bounds; kOut shows the result.
   enum class Stage : std::uint8_t {
-    kIdle, kDelay, kScale, kIntegral, kBoundX, kProportional, kPole, kBoundY
+    kIdle, kDelay, kScale, kIntegral, kProportional, kPole, kKeep, kLow, kHigh, kOut
   };
 
-  Frequency frequency() const { return y_.slice<33, 8>(); }
-  Work subtract_y() const { return wrap<Work>(work_ - y_); }
-  bool multiplies() const {
-    return stage_ != Stage::kIdle && stage_ != Stage::kBoundX && stage_ != Stage::kBoundY;
-  }
-
-  UInt<26> factor(const In& in) const {
+  UInt<22> factor(const In& in) const {
     const bool track = in.loop == Loop::kTrack;
+    const UInt<15> pole = in.pole.slice<15, 1>();
     switch (stage_) {
       case Stage::kDelay: return track ? in.delay : UInt<10>(0);
-      case Stage::kScale: return track && in.bandwidth == Bandwidth::kPerSecond ? in.scale : frequency();
-      case Stage::kIntegral: return track ? in.ki : in.loop == Loop::kHall ? UInt<16>(0x1000) : UInt<16>(0x4000);
+      case Stage::kScale:
+        return in.loop == Loop::kRamp ? UInt<22>(in.ramp)
+               : track && in.bandwidth == Bandwidth::kPerSecond ? in.scale.slice<25, 4>()
+                                                                : y_.slice<29, 8>();
+      case Stage::kIntegral:
+        return track ? in.ki : in.loop == Loop::kHall ? UInt<16>(0x1000) : UInt<16>(0x4000);
       case Stage::kProportional: return in.kp;
-      default: return in.pole;
+      case Stage::kPole: return pole;
+      default: return wrap<UInt<15>>(UInt<15>(0x4000) - pole);
     }
   }
 
-  void begin(const In& in) {
+  // A product's turn to be added, all with 14 bits to drop: e' has 22 fraction bits, the rest 36.
+  void add(const In& in, Int<56> product) {
     const bool ramp = in.loop == Loop::kRamp;
-    const bool per_second = in.loop == Loop::kTrack && in.bandwidth == Bandwidth::kPerSecond;
-    if (!(ramp || per_second ? in.tick : in.update)) return;
-    work_ = ramp ? wrap<Work>(UInt<36>(in.ramp) << 8) : Work(frequency());
-    stage_ = ramp ? Stage::kIntegral : Stage::kDelay;
+    const PhaseError error = ramp ? PhaseError(0x1000) : in.error;
+    const Work base = stage_ == Stage::kDelay ? wrap<Work>(Work(error) << 6)
+                      : stage_ == Stage::kIntegral || stage_ == Stage::kProportional ? x_
+                      : stage_ == Stage::kKeep ? work_
+                                               : Work(0);
+    const Work sum = wrap<Work>(base + wrap<Work>(product >> 14));
+    const bool integral = stage_ == Stage::kIntegral;
+    const bool track = in.loop == Loop::kTrack;
+    const bool winds_up = work_.negative() ? at_bottom_ : at_top_;
+    if (integral && track) {
+      if (!winds_up) x_ = sum;
+    } else {
+      work_ = sum;
+    }
+    stage_ = integral && !track ? Stage::kLow : next(stage_);
   }
 
-  void take(const In& in, Int<63> product) {
+  static Stage next(Stage stage) { return static_cast<Stage>(static_cast<int>(stage) + 1); }
+
+  // A ramp begins at standstill.
+  Frequency bound(const In& in) const {
+    return stage_ == Stage::kLow    ? in.loop == Loop::kRamp ? Frequency(0) : in.minimum
+           : stage_ == Stage::kHigh ? in.maximum
+                                    : in.hand_over;
+  }
+
+  void finish(const In& in, Frequency limit, bool below) {
+    const bool ticks = in.loop == Loop::kRamp ||
+                       (in.loop == Loop::kTrack && in.bandwidth == Bandwidth::kPerSecond);
+    const bool outside = (stage_ == Stage::kLow && below) || (stage_ == Stage::kHigh && !below);
+    if (outside) work_ = wrap<Work>(UInt<30>(limit) << 4);
     switch (stage_) {
-      case Stage::kDelay:  // u0.32 of turns
-        work_ = saturate<PhaseError>(in.error + wrap<Int<21>>(product >> 16));
-        stage_ = Stage::kScale;
+      case Stage::kIdle:
+        if (ticks ? in.tick : in.update) stage_ = Stage::kDelay;
         break;
-      case Stage::kScale:  // s0.48
-        work_ = wrap<Work>(product >> 8);
-        stage_ = Stage::kIntegral;
+      case Stage::kLow:
+        at_bottom_ = outside;
+        stage_ = Stage::kHigh;
         break;
-      case Stage::kIntegral: {
-        const bool winds_up = work_.negative() ? at_bottom_ : at_top_;
-        if (!winds_up) x_ = wrap<Work>(x_ + wrap<Work>(product >> 14));
-        stage_ = Stage::kBoundX;
-        break;
-      }
-      case Stage::kProportional:
-        work_ = wrap<Work>(x_ + wrap<Work>(product >> 14));
-        stage_ = Stage::kPole;
+      case Stage::kHigh:
+        at_top_ = outside;
+        stage_ = Stage::kOut;
         break;
       default:
-        work_ = wrap<Work>(y_ + wrap<Work>(product >> 15));
-        stage_ = Stage::kBoundY;
+        y_ = wrap<UInt<30>>(work_);
+        if (in.loop != Loop::kTrack) x_ = work_;
+        fast_ = !below;
+        stage_ = Stage::kIdle;
         break;
     }
   }
 
-  // A ramp begins at standstill.  What turns slower than half the hand-over speed is not caught: the
-  // errors against this frequency are never small.
-  static Frequency lowest(const In& in) {
-    return in.loop == Loop::kRamp    ? Frequency(0)
-           : in.loop == Loop::kCatch ? in.hand_over >> 1
-                                     : in.minimum;
-  }
-
-  void bound(const In& in) {
-    if (stage_ == Stage::kBoundX) {
-      const Work low = wrap<Work>(UInt<36>(lowest(in)) << 8);
-      const Work high = wrap<Work>(UInt<36>(in.maximum) << 8);
-      const Work x = x_ < low ? low : x_ > high ? high : x_;
-      x_ = x;
-      if (in.loop != Loop::kTrack) work_ = x;
-      stage_ = in.loop == Loop::kTrack ? Stage::kProportional : Stage::kBoundY;
-    } else {
-      const Work high = wrap<Work>(UInt<36>(in.maximum) << 8);
-      at_bottom_ = work_.negative();
-      at_top_ = work_ > high;
-      y_ = wrap<UInt<34>>(at_bottom_ ? Work(0) : at_top_ ? high : work_);
-      stage_ = Stage::kIdle;
-    }
-  }
-
-  SerialMultiplier<37, 26> multiplier_;
+  SerialMultiplier<34, 22> multiplier_;
   Stage stage_ = Stage::kIdle;
   bool started_ = false;    // the stage's product is under way
-  Work work_ = 0;           // frequency, then e', p, v and the next y
-  Work x_ = 0;              // u0.40, the integrator
-  UInt<34> y_ = 0;          // u0.40, behind the pole
+  Work work_ = 0;           // e', p, v, and the next y
+  Work x_ = 0;              // s-2.36, the integrator
+  UInt<30> y_ = 0;          // u0.36, behind the pole
+  bool fast_ = false;
   bool at_top_ = false;     // the output stands at a limit
   bool at_bottom_ = false;
 };
