@@ -8,6 +8,7 @@
 #include "generator/passes/remove_dead.hpp"
 #include "generator/passes/share_common.hpp"
 #include "generator/passes/simplify_compares.hpp"
+#include "generator/passes/simplify_counters.hpp"
 #include "generator/passes/simplify_muxes.hpp"
 #include "generator/passes/simplify_wiring.hpp"
 
@@ -18,8 +19,9 @@ constexpr int kMostRounds = 100;
 
 using Pass = bool (*)(Module&);
 constexpr Pass kPasses[] = {fold_constants,    simplify_wiring,    share_common,
-                            simplify_compares, simplify_muxes,     narrow_widths,
-                            share_common,      constant_registers, remove_dead};
+                            simplify_compares, simplify_counters,  simplify_muxes,
+                            narrow_widths,     share_common,       constant_registers,
+                            remove_dead};
 
 void optimise(Module& module) {
   remove_dead(module);

@@ -92,6 +92,7 @@ bool rewrite(Module& module, const Rule& rule) {
     Node n = module.nodes[id];
     for (NodeId& operand : n.in) operand = new_id[operand];
     b.current_ = id;
+    b.current_uses_ = uses[id];
     const NodeId made = b.nodes_.size();
     NodeId replacement = rule(b, n);
     if (replacement == kNone) {

@@ -26,6 +26,7 @@ class Rebuild {
   bool is(NodeId id, Op op) const { return nodes_[id].op == op; }
   // Read in one place of the old module, so that replacing the reader frees it.
   bool used_once(NodeId id) const { return uses_[id] == 1; }
+  bool current_used_once() const { return current_uses_ == 1; }  // the node being looked at
   const Module& module() const { return old_; }
   NodeId old_id() const { return current_; }  // of the node being looked at
 
@@ -47,6 +48,7 @@ class Rebuild {
   std::vector<Node> nodes_;
   std::vector<unsigned> uses_;
   NodeId current_ = kNone;
+  unsigned current_uses_ = 0;
 };
 
 using Rule = std::function<NodeId(Rebuild&, const Node&)>;

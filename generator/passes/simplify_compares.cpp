@@ -80,6 +80,13 @@ NodeId equal_to_constant(Rebuild& b, NodeId value, const APInt& c, bool equal) {
   }
 }
 
+// Whether x reaches a power of two: no carry chain is needed for that.
+NodeId upper_bits(Rebuild& b, Op op, NodeId x, const APInt& power) {
+  const unsigned low = power.logBase2();
+  const NodeId upper = b.slice(x, low, b.width(x) - low);
+  return b.binary(op, upper, b.zero(b.width(upper)));
+}
+
 // x < c or x <= c
 NodeId below_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   const bool is_signed = n.op == Op::kSlt || n.op == Op::kSle;
@@ -96,6 +103,7 @@ NodeId below_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   if (c == least + 1) return b.binary(Op::kEq, x, b.value(least));
   if (c == most) return b.binary(Op::kNe, x, b.value(most));
   if (is_signed && c.isZero()) return b.slice(x, c.getBitWidth() - 1, 1);
+  if (!is_signed && c.isPowerOf2()) return upper_bits(b, Op::kEq, x, c);
   return kNone;
 }
 
@@ -115,6 +123,7 @@ NodeId above_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   if (c == most - 1) return b.binary(Op::kEq, x, b.value(most));
   if (c == least) return b.binary(Op::kNe, x, b.value(least));
   if (is_signed && c.isAllOnes()) return b.inverse(b.slice(x, c.getBitWidth() - 1, 1));
+  if (!is_signed && (c + 1).isPowerOf2()) return upper_bits(b, Op::kNe, x, c + 1);
   return kNone;
 }
 

@@ -8,6 +8,7 @@
 #include "generator/passes/remove_dead.hpp"
 #include "generator/passes/share_common.hpp"
 #include "generator/passes/simplify_compares.hpp"
+#include "generator/passes/simplify_counters.hpp"
 #include "generator/passes/simplify_muxes.hpp"
 #include "generator/passes/simplify_wiring.hpp"
 #include "tests/generator/random_netlist.hpp"
@@ -47,7 +48,8 @@ constexpr NamedPass kPasses[] = {
     {"fold_constants", fold_constants},         {"simplify_wiring", simplify_wiring},
     {"share_common", share_common},             {"remove_dead", remove_dead},
     {"narrow_widths", narrow_widths},           {"simplify_muxes", simplify_muxes},
-    {"simplify_compares", simplify_compares},   {"constant_registers", constant_registers}};
+    {"simplify_compares", simplify_compares},   {"constant_registers", constant_registers},
+    {"simplify_counters", simplify_counters}};
 
 TEST(Passes, EachAloneKeepsRandomNetlistsEqual) {
   for (const NamedPass& pass : kPasses) {
@@ -180,6 +182,26 @@ TEST(Compare, SignIsABit) {
   Build b("m");
   b.output("y", b.op(Op::kSlt, b.input("x", 8), b.constant(8, 0)));
   EXPECT_EQ(optimised(std::move(b)), " x_i[7]");
+}
+
+TEST(Compare, ReachingAPowerOfTwoNeedsNoCarry) {
+  Build b("m");
+  b.output("y", b.op(Op::kUlt, b.input("x", 8), b.constant(8, 4)));
+  EXPECT_EQ(optimised(std::move(b)), " x_i[7:2] == 6'd0");
+  Build c("m");
+  c.output("y", c.op(Op::kUlt, c.constant(8, 3), c.input("x", 8)));
+  EXPECT_EQ(optimised(std::move(c)), " x_i[7:2] != 6'd0");
+}
+
+TEST(Counters, ConditionBecomesTheClockEnable) {
+  Build b("m");
+  const NodeId c = b.input("c", 1), r = b.reg("r", 8, 0);
+  b.next(r, b.op(Op::kAdd, r, b.extend(Op::kSext, c, 8)));
+  b.output("y", r);
+  Design d = alone(std::move(b.m));
+  optimise(d);
+  const std::string text = print_module(d, d.modules[0]);
+  EXPECT_NE(text.find("if (c_i)"), std::string::npos) << text;
 }
 
 TEST(Registers, OnesThatNeverLeaveResetAreConstant) {
