@@ -18,9 +18,8 @@ BudgetRow spread_over(const char* name, double width) {  // uniform over `width`
 // back-EMF against the mean of the terminals.
 double slope_at_crossing(const Settings& s, double f) {
   const double omega = f * 2 * kPi / 6;
-  const double flank = s.motor.shape == Shape::kTrapezoidal
-                           ? 1 / ((180 - s.motor.flat_top_deg) / 2 * kPi / 180)
-                           : 1;
+  const double flank =
+      s.motor.shape == Shape::kTrapezoidal ? 1 / ((180 - s.motor.flat_top_deg) / 2 * kPi / 180) : 1;
   return 2.0 / 3 * s.motor.flux_vs * omega * omega * flank;
 }
 
@@ -28,7 +27,7 @@ std::vector<BudgetRow> blurs(const Settings& s, const Parameters& p) {
   const double f = p.speed.target, clock = 1 / s.control.clock_hz;
   std::vector<BudgetRow> rows;
   rows.push_back(spread_over("sample interval", p.bemf.sample_every * f));
-  // Blind for `blanking` after each of two edges; sampling in one chop state only is blind in the other.
+  // Blind for `blanking` after each of two edges; if only one chop state is sampled, in the other.
   const double duty = std::min(1.0, p.speed.bemf * f);
   double gap = p.bemf.blanking + p.bemf.sample_every, share = 2 * p.bemf.blanking / p.pwm.period;
   if (p.bemf.sampling != Sampling::kBoth) {
@@ -63,12 +62,16 @@ NoiseGains noise_gains(const Response& open_loop, double interval) {
 Budget error_budget(const Settings& s, const Design& d, const Words& w) {
   const Parameters& p = d.parameters;
   const double f = p.speed.target;
-  const double interval = (p.loop.detector == Detector::kEveryStep ? 1 : 6) / f;
-  const bool per_step = p.loop.form == LoopForm::kPerStep;
+  const int steps = p.loop.detector == Detector::kEveryStep ? 1 : 6;
+  const double interval = steps / f;
+  const bool by_step = p.loop.form == LoopForm::kPerStep;
   const NoiseGains g =
-      per_step ? noise_gains(open_loop(PerStep{p.loop.integral, p.loop.proportional, p.loop.pole}), 1)
-               : noise_gains(open_loop_sampled(per_second(d.components, d.k_l), p.pwm.tick(), interval),
-                             interval);
+      by_step
+          ? noise_gains(open_loop(per_step(s.loop.bandwidth, s.loop.damping,
+                                           s.loop.pole_ratio.value_or(0), steps)),
+                        1)
+          : noise_gains(open_loop_sampled(per_second(d.components, d.k_l), p.pwm.tick(), interval),
+                        interval);
   Budget b;
   b.in = blurs(s, p);
   double variance = 0;

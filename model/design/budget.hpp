@@ -1,8 +1,8 @@
-// Error budget: what sampling and rounding put in, and how far apart two drives of the same design may
+// Error budget: what sampling and rounding put in, and how far apart two drives of one design may
 // then be: quantisation variance in, bound out.  `steplock compare` and the tests take their limits
 // from it.  All at the set speed, in lock.
 //
-//     var(place)  = sum of width^2 / 12 over what blurs a crossing's place: the sample interval, the
+//     var(place)  = sum of width^2 / 12 over what blurs a crossing's place: sample interval,
 //                   blind gap at each PWM edge, comparator noise, synchroniser, the 16-bit phase
 //     var(phase)  = var(place) * mean |H / (1 + H)|^2     the VCO's phase, hence each commutation
 //     var(error)  = var(place) * mean |1 / (1 + H)|^2     what the phase detector shows

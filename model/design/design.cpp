@@ -17,13 +17,15 @@ constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceler
 double shape_at(const MotorSection& m, double degrees) {
   const double a = degrees - 360 * std::floor(degrees / 360);
   switch (m.shape) {
-    case Shape::kSinusoidal: return std::sin(a * kPi / 180);
+    case Shape::kSinusoidal:
+      return std::sin(a * kPi / 180);
     case Shape::kTable: {
       if (m.table.empty()) return 0;
       const double place = a / 360 * double(m.table.size());
       const auto k = std::size_t(place);
       const double next = m.table[(k + 1) % m.table.size()];
-      return m.table[k % m.table.size()] + (place - double(k)) * (next - m.table[k % m.table.size()]);
+      return m.table[k % m.table.size()] +
+             (place - double(k)) * (next - m.table[k % m.table.size()]);
     }
     default: {
       const double flank = (180 - m.flat_top_deg) / 2;  // from zero to the top
@@ -65,6 +67,8 @@ void set_bridge(const Settings& s, Parameters& p) {
             .samples = c.samples};
 }
 
+int steps_per_update(const LoopParameters& l) { return l.detector == Detector::kEveryStep ? 1 : 6; }
+
 void set_loop(const Settings& s, Design& d) {
   const auto& l = s.loop;
   auto& p = d.parameters.loop;
@@ -76,12 +80,16 @@ void set_loop(const Settings& s, Design& d) {
        .delay = l.delay_s.value_or(s.sensors.comparator_delay_s)};
   p.maximum = steps_per_second(s, l.maximum_rpm.value_or(1.3 * d.motor.no_load * 30 / kPi));
   if (l.form == LoopForm::kPerStep) {
-    const PerStep f = per_step(l.bandwidth, l.damping, l.pole_ratio.value_or(0));
+    const PerStep f =
+        per_step(l.bandwidth, l.damping, l.pole_ratio.value_or(0), steps_per_update(p));
     p.integral = f.integral, p.proportional = f.proportional, p.pole = f.pole;
     d.continuous = d.sampled = margins(open_loop(f), 1e-3, kPi * 0.999);
     return;
   }
-  d.specification = {.rho = l.rho, .zeta = l.zeta, .lambda = l.lambda, .n_c = l.n_c,
+  d.specification = {.rho = l.rho,
+                     .zeta = l.zeta,
+                     .lambda = l.lambda,
+                     .n_c = l.n_c,
                      .f_m = l.f_m_hz.value_or(s.scenario.speed_rpm / 60 * s.motor.pole_pairs),
                      .k_l = l.k_l.value_or(0.0189)};
   d.components = components(d.specification);
@@ -97,12 +105,12 @@ void set_loop(const Settings& s, Design& d) {
 // The acceleration, in steps/s^2, that the loop follows with kFollow of a step at this frequency.
 double followed(const LoopParameters& l, double frequency) {
   const bool per_step = l.form == LoopForm::kPerStep;
-  return kFollow * l.integral * (per_step ? frequency * frequency : 1);
+  return kFollow * l.integral * (per_step ? frequency * frequency / steps_per_update(l) : 1);
 }
 
 // The lowest frequency at which this acceleration is followed.
 double frequency_to_follow(const LoopParameters& l, double acceleration) {
-  if (l.form == LoopForm::kPerStep) return std::sqrt(acceleration / (kFollow * l.integral));
+  if (l.form == LoopForm::kPerStep) return std::sqrt(acceleration / followed(l, 1));
   return 0;  // independent of the frequency: the ramp is what it is
 }
 
@@ -133,8 +141,8 @@ void set_start(const Settings& s, Design& d) {
   const double doubt = offset + e.comparator_hysteresis_v / 2 + 3 * e.comparator_noise_v;
   const double seen = 10 * doubt / s.motor.flux_vs * 6 / (2 * kPi);  // steps/s
   const double set = steps_per_second(s, s.scenario.speed_rpm);
-  const double derived =
-      std::clamp(std::max(seen, frequency_to_follow(d.parameters.loop, full / 2)), 0.04 * set, 0.4 * set);
+  const double derived = std::clamp(
+      std::max(seen, frequency_to_follow(d.parameters.loop, full / 2)), 0.04 * set, 0.4 * set);
   p.hand_over = t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : derived;
 
   p.ramp = 0.4 * full;
@@ -149,14 +157,14 @@ void set_start(const Settings& s, Design& d) {
   p.window = t.window_deg / 60;
   p.good_crossings = t.good_crossings;
   p.pull_in = t.pull_in_s.value_or(1.0);
-  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over / 2, 0.005, 0.1));
+  p.observe =
+      t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over / 2, 0.005, 0.1));
   p.slow_down = t.slow_down_s.value_or(2.0);
   p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
   // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus.
   const double brake_current = t.brake_current_a.value_or(2 * s.motor.rated_current_a);
   const double e_brake = m.k_e * 1.25 * p.hand_over / steps;
-  p.brake_duty =
-      std::clamp(1 - (e_brake - brake_current * m.r_loop) / s.inverter.bus_v, 0.0, 1.0);
+  p.brake_duty = std::clamp(1 - (e_brake - brake_current * m.r_loop) / s.inverter.bus_v, 0.0, 1.0);
   p.rest = t.rest_s;
   p.retries = t.retries;
 }
@@ -168,15 +176,14 @@ void set_speed(const Settings& s, Design& d) {
   const auto& loop = d.parameters.loop;
   const double steps = 6 * s.motor.pole_pairs / (2 * kPi), bus = s.inverter.bus_v;
   const double f_a = d.parameters.start.hand_over;
-  const double loop_bandwidth = loop.form == LoopForm::kPerStep
-                                    ? s.loop.bandwidth * f_a
-                                    : d.components.omega_g();
+  const double loop_bandwidth =
+      loop.form == LoopForm::kPerStep ? s.loop.bandwidth * f_a : d.components.omega_g();
   const double bandwidth =
       v.bandwidth_rad_s.value_or(std::min(loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick()));
   const double per_rpm = 1 / steps_per_second(s, 1.0);
   p.target = steps_per_second(s, s.scenario.speed_rpm);
   p.kp = bandwidth * m.tau_m * m.k_e / bus / steps;
-  // The motor is a pole at 1 / tau_m.  A fast one is cancelled; else both poles of the loop coincide.
+  // The motor is a pole at 1 / tau_m.  A fast one is cancelled; else the loop's poles coincide.
   const double pole = 1 / m.tau_m, sum = pole + bandwidth;
   p.ki = p.kp * (pole > bandwidth ? pole : sum * sum / (4 * bandwidth));
   if (v.kp_duty_per_rpm) p.kp = *v.kp_duty_per_rpm * per_rpm;
@@ -186,10 +193,9 @@ void set_speed(const Settings& s, Design& d) {
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;
   const double able = 0.4 * std::max(0.1 * torque, torque - friction) / m.inertia * steps;
-  p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s)
-                        : std::min(able, followed(loop, f_a));
-  p.duty_slew = v.duty_slew_per_s.value_or(std::max(
-      3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.02));
+  p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s) : std::min(able, followed(loop, f_a));
+  p.duty_slew = v.duty_slew_per_s.value_or(
+      std::max(3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.02));
   p.minimum = v.minimum_duty;
   p.maximum = v.maximum_duty;
 }
@@ -199,8 +205,8 @@ void set_protection(const Settings& s, Design& d) {
   auto& p = d.parameters.protection;
   p.misses = q.misses;
   p.stall = q.stall_rpm ? steps_per_second(s, *q.stall_rpm) : 0.4 * d.parameters.start.hand_over;
-  p.slip = q.slip_duty.value_or(
-      std::min(2.0, 1.5 * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
+  p.slip =
+      q.slip_duty.value_or(std::min(2.0, 1.5 * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
   p.freewheel = q.freewheel_deg / 60;
   p.wrong_lock = q.wrong_lock_s;
   p.over_current = q.over_current;
@@ -235,14 +241,13 @@ Design design_drive(const Settings& s) {
   set_start(s, d);
   const auto& start = d.parameters.start;
   auto& loop = d.parameters.loop;
-  loop.minimum = s.loop.minimum_rpm ? steps_per_second(s, *s.loop.minimum_rpm)
-                                    : start.hand_over / 4;
+  loop.minimum =
+      s.loop.minimum_rpm ? steps_per_second(s, *s.loop.minimum_rpm) : start.hand_over / 4;
   if (loop.form == LoopForm::kPerSecond) {
-    const double interval =
-        (loop.detector == Detector::kEveryStep ? 1 : 6) / start.hand_over;
-    d.sampled = margins(open_loop_sampled(per_second(d.components, d.k_l),
-                                          d.parameters.pwm.tick(), interval),
-                        loop.pole * 1e-3, kPi / d.parameters.pwm.tick() * 0.999);
+    const double interval = steps_per_update(loop) / start.hand_over;
+    d.sampled = margins(
+        open_loop_sampled(per_second(d.components, d.k_l), d.parameters.pwm.tick(), interval),
+        loop.pole * 1e-3, kPi / d.parameters.pwm.tick() * 0.999);
   }
   set_speed(s, d);
   set_protection(s, d);

@@ -23,12 +23,12 @@ namespace steplock::design {
 
 // What the rules need to know of motor, load and bridge.
 struct MotorConstants {
-  double k_e = 0;       // V s/rad, mechanical; equals K_t in N m/A
-  double r_loop = 0;    // ohm, two phases and two switches
-  double inertia = 0;   // kg m^2, in total
-  double tau_m = 0;     // s, J R / K_e^2
-  double tau_e = 0;     // s, L / R
-  double no_load = 0;   // rad/s, mechanical, bus voltage / K_e
+  double k_e = 0;      // V s/rad, mechanical; equals K_t in N m/A
+  double r_loop = 0;   // ohm, two phases and two switches
+  double inertia = 0;  // kg m^2, in total
+  double tau_m = 0;    // s, J R / K_e^2
+  double tau_e = 0;    // s, L / R
+  double no_load = 0;  // rad/s, mechanical, bus voltage / K_e
 };
 MotorConstants motor_constants(const Settings&);
 
@@ -43,7 +43,7 @@ struct Design {
   double kappa = 0;                 // N m/rad, Eq. (19)
   double acceleration_time = 0;     // s, from stand-still to hand-over
   double hand_over_rpm = 0, ramp_rpm_s = 0, start_current = 0, reset_current = 0;
-  double rated_torque = 0;          // N m
+  double rated_torque = 0;  // N m
 };
 
 Design design_drive(const Settings&);

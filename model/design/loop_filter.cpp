@@ -44,12 +44,13 @@ PerSecond per_second(const Components& c, double k_l) {
   return {.integral = integral, .proportional = integral / c.omega_z(), .omega_p = c.omega_p()};
 }
 
-PerStep per_step(double bandwidth, double damping, double pole_ratio) {
-  const double integral = bandwidth * bandwidth, proportional = 2 * damping * bandwidth;
-  const double omega_z = integral / proportional;
+PerStep per_step(double bandwidth, double damping, double pole_ratio, int steps) {
+  const double integral = bandwidth * bandwidth * steps, proportional = 2 * damping * bandwidth;
+  const double omega_z = integral / proportional;  // rad per update
   return {.integral = integral,
           .proportional = proportional,
-          .pole = pole_ratio > 0 ? 1 - std::exp(-pole_ratio * omega_z) : 1};
+          .pole = pole_ratio > 0 ? 1 - std::exp(-pole_ratio * omega_z) : 1,
+          .steps = steps};
 }
 
 Response open_loop(const PerSecond& f) {
@@ -65,7 +66,7 @@ Response open_loop_sampled(const PerSecond& f, double tick, double crossing_inte
     const double pole = 1 - std::exp(-f.omega_p * tick);
     const Complex filter =
         (f.integral * tick * z / (z - 1.0) + f.proportional) * pole / (1.0 - (1 - pole) / z);
-    // The held error is half an interval old on the average, and a tick's frequency acts for a tick.
+    // The held error is half an interval old on the average; a frequency acts for a tick.
     const Complex hold = std::polar(1.0, -omega * crossing_interval / 2);
     return filter * hold * tick / (z - 1.0);
   };
@@ -76,7 +77,7 @@ Response open_loop(const PerStep& f) {
     const Complex z = std::polar(1.0, omega);
     const Complex filter =
         (f.integral * z / (z - 1.0) + f.proportional) * f.pole / (1.0 - (1 - f.pole) / z);
-    return filter / (z - 1.0);
+    return filter * double(f.steps) / (z - 1.0);
   };
 }
 

@@ -21,8 +21,8 @@ namespace steplock::design {
 
 struct LoopSpecification {
   double rho = 3, zeta = 0.7, lambda = 10, n_c = 20;
-  double f_m = 195;    // Hz
-  double k_l = 0.0189; // K_p K_v / N
+  double f_m = 195;     // Hz
+  double k_l = 0.0189;  // K_p K_v / N
 };
 
 double settling_time(const LoopSpecification&);  // s, Eq. (10)
@@ -33,10 +33,10 @@ double omega_z(const LoopSpecification&);        // rad/s, Eq. (13)
 struct Components {
   double c1 = 0, c2 = 0, r = 0;  // F, F, ohm
 
-  double omega_p() const { return (c1 + c2) / (r * c1 * c2); }  // Eq. (5)
-  double omega_z() const { return 1 / (r * c2); }               // Eq. (6)
-  double omega_g() const;                                       // Eq. (8)
-  std::complex<double> impedance(std::complex<double> s) const; // Eq. (1)
+  double omega_p() const { return (c1 + c2) / (r * c1 * c2); }   // Eq. (5)
+  double omega_z() const { return 1 / (r * c2); }                // Eq. (6)
+  double omega_g() const;                                        // Eq. (8)
+  std::complex<double> impedance(std::complex<double> s) const;  // Eq. (1)
 };
 
 Components components(const LoopSpecification&);  // Eqs. (15)-(17)
@@ -48,11 +48,13 @@ struct PerSecond {
 };
 PerSecond per_second(const Components&, double k_l);
 
-// The filter of the drive, per step, from a natural frequency in rad per step.
+// The filter of the drive, per step, from a natural frequency in rad per step.  `steps` lie between
+// two updates: 1, or 6 if the detector looks once per turn.
 struct PerStep {
-  double integral = 0, proportional = 0, pole = 1;
+  double integral = 0, proportional = 0, pole = 1;  // per update
+  int steps = 1;
 };
-PerStep per_step(double bandwidth, double damping, double pole_ratio);  // ratio 0: no pole
+PerStep per_step(double bandwidth, double damping, double pole_ratio, int steps = 1);  // 0: no pole
 
 using Response = std::function<std::complex<double>(double omega)>;
 
@@ -60,13 +62,13 @@ Response open_loop(const PerSecond&);
 // As the drive computes it: the error of the last crossing (one per `crossing_interval`) is held,
 // the filter runs once per tick, and its frequency holds until the next tick.
 Response open_loop_sampled(const PerSecond&, double tick, double crossing_interval);
-// omega in rad per step, below pi.
+// omega in rad per update, below pi.
 Response open_loop(const PerStep&);
 
 struct Margins {
-  double crossover = 0;   // rad/s, or rad per step; 0 if the gain never falls through 1
+  double crossover = 0;  // rad/s, or rad per step; 0 if the gain never falls through 1
   double phase_deg = 0;
-  double gain_db = 0;     // infinity if the phase never reaches -180 degrees above the crossover
+  double gain_db = 0;  // infinity if the phase never reaches -180 degrees above the crossover
 };
 Margins margins(const Response&, double lowest, double highest);
 

@@ -47,34 +47,34 @@ struct LoopParameters {
 };
 
 struct StartParameters {
-  double settle = 0, reset = 0;              // s
+  double settle = 0, reset = 0;  // s
   double reset_duty = 0, start_duty = 0;
-  double ramp = 0;                           // steps/s^2
-  double hand_over = 0;                      // steps/s
-  double window = 0;                         // turns of a step
+  double ramp = 0;       // steps/s^2
+  double hand_over = 0;  // steps/s
+  double window = 0;     // turns of a step
   int good_crossings = 1;
   double pull_in = 0, observe = 0, slow_down = 0, brake = 0;  // s
   double brake_duty = 0;
-  double rest = 0;                           // s
+  double rest = 0;  // s
   int retries = 0;
 };
 
 struct SpeedParameters {
-  double target = 0;                         // steps/s
-  double slew = 0;                           // steps/s^2
-  double kp = 0;                             // duty per (step/s)
-  double ki = 0;                             // duty per (step/s) per s
-  double bemf = 0;                           // duty per (step/s)
+  double target = 0;  // steps/s
+  double slew = 0;    // steps/s^2
+  double kp = 0;      // duty per (step/s)
+  double ki = 0;      // duty per (step/s) per s
+  double bemf = 0;    // duty per (step/s)
   double minimum = 0, maximum = 1;
-  double duty_slew = 0;                      // 1/s
+  double duty_slew = 0;  // 1/s
 };
 
 struct ProtectionParameters {
   int misses = 0;
-  double stall = 0;                          // steps/s
-  double slip = 0;                           // duty
-  double freewheel = 0;                      // turns of a step
-  double wrong_lock = 0;                     // s; 0 disables
+  double stall = 0;       // steps/s
+  double slip = 0;        // duty
+  double freewheel = 0;   // turns of a step
+  double wrong_lock = 0;  // s; 0 disables
   int over_current = 0;
 };
 

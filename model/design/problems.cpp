@@ -69,7 +69,8 @@ void check_control(Findings& found, const Settings& s) {
               " s: dead time, comparator delay and three clocks");
   }
   if (c.pwm_hz > 0 && 4 * c.blanking_s > 1 / c.pwm_hz) {
-    found.add("control.blanking_s is ", c.blanking_s, " s; must be below a quarter of the PWM period");
+    found.add("control.blanking_s is ", c.blanking_s,
+              " s; must be below a quarter of the PWM period");
   }
   if (c.clock_hz < 200 * c.pwm_hz) {
     found.add("control.pwm_hz is ", c.pwm_hz, " Hz; must leave 200 clocks per period, at most ",
@@ -95,7 +96,8 @@ void check_speeds(Findings& found, const Settings& s, const Design& d) {
               " rpm, 95 % of what the bus voltage allows");
   }
   if (d.hand_over_rpm > 0.9 * set) {
-    found.add("start.hand_over_rpm is ", d.hand_over_rpm, " rpm; must be below 90 % of the set speed");
+    found.add("start.hand_over_rpm is ", d.hand_over_rpm,
+              " rpm; must be below 90 % of the set speed");
   }
   if (p.loop.minimum >= p.start.hand_over) {
     found.add("loop.minimum_rpm is ", rpm_of(s, p.loop.minimum), " rpm; must be below hand-over");
@@ -104,7 +106,8 @@ void check_speeds(Findings& found, const Settings& s, const Design& d) {
     found.add("loop.maximum_rpm is ", rpm_of(s, p.loop.maximum),
               " rpm; must be 5 % above the set speed");
   }
-  if (p.loop.form == LoopForm::kPerSecond && p.source == Source::kBemf && d.sampled.phase_deg < 15) {
+  if (p.loop.form == LoopForm::kPerSecond && p.source == Source::kBemf &&
+      d.sampled.phase_deg < 15) {
     found.add("start.hand_over_rpm is ", d.hand_over_rpm, " rpm; at that speed the loop has ",
               d.sampled.phase_deg, " degrees of phase margin, must be 15 or more: raise it");
   }
@@ -130,10 +133,9 @@ void check_start(Findings& found, const Settings& s, const Design& d) {
 
 void check_scenario(Findings& found, const Settings& s) {
   const auto& n = s.scenario;
-  for (const auto& [name, time] : {std::pair{"load_step_s", n.load_step_s},
-                                   std::pair{"load_off_s", n.load_off_s},
-                                   std::pair{"reverse_s", n.reverse_s},
-                                   std::pair{"stop_s", n.stop_s}}) {
+  for (const auto& [name, time] :
+       {std::pair{"load_step_s", n.load_step_s}, std::pair{"load_off_s", n.load_off_s},
+        std::pair{"reverse_s", n.reverse_s}, std::pair{"stop_s", n.stop_s}}) {
     if (time && (*time < n.run_s || *time > n.duration_s)) {
       found.add("scenario.", name, " is ", *time, " s; must lie between run_s and duration_s");
     }

@@ -96,8 +96,8 @@ void for_each_key(S& s, Visitor&& visit) {
   k("comparator_hysteresis_v", e.comparator_hysteresis_v, "V", "full width", 0, 10);
   k("comparator_delay_s", e.comparator_delay_s, "s", "to the pin", 0, 1e-3);
   k("comparator_noise_v", e.comparator_noise_v, "V", "standard deviation", 0, 10);
-  k("comparator_noise_interval_s", e.comparator_noise_interval_s, "s", "noise holds this long", 1e-9,
-    1);
+  k("comparator_noise_interval_s", e.comparator_noise_interval_s, "s", "noise holds this long",
+    1e-9, 1);
   k("limit_a", e.limit_a, "A", "threshold of the current comparator", 1e-3, 1e4, required);
   k("limit_hysteresis_a", e.limit_hysteresis_a, "A", "full width", 0, 1e3);
   k("limit_delay_s", e.limit_delay_s, "s", "to the pin", 0, 1e-3);
@@ -135,9 +135,10 @@ void for_each_key(S& s, Visitor&& visit) {
   k("detector", o.detector, "", "phase U once per turn (the paper), or all phases");
   k("divide", o.divide, "", "N = 6 * 2^divide VCO turns per electrical turn", 0, 3);
   k("advance_deg", o.advance_deg, "deg", "commutate this early", 0, 29);
-  k("lead_error_deg", o.lead_error_deg, "deg", "error taken when the crossing was over too soon",
-    0, 29);
-  k("delay_s", o.delay_s, "s", "crossing to sample, taken back; default: from the sensors", 0, 1e-3);
+  k("lead_error_deg", o.lead_error_deg, "deg", "error taken when the crossing was over too soon", 0,
+    29);
+  k("delay_s", o.delay_s, "s", "crossing to sample, taken back; default: from the sensors", 0,
+    1e-3);
   k("bandwidth", o.bandwidth, "rad/step", "per step: natural frequency", 0.005, 0.8);
   k("damping", o.damping, "", "per step: of the two integrators and the zero", 0.3, 3);
   k("pole_ratio", o.pole_ratio, "", "omega_p / omega_z, per step; default: no pole", 2, 1e3);
@@ -150,7 +151,8 @@ void for_each_key(S& s, Visitor&& visit) {
   k("r_ohm", o.r_ohm, "ohm", "wins over Eq. (17)", 1e-3, 1e9);
   k("c1_f", o.c1_f, "F", "wins over Eq. (15)", 1e-15, 1e3);
   k("c2_f", o.c2_f, "F", "wins over Eq. (16)", 1e-15, 1e3);
-  k("minimum_rpm", o.minimum_rpm, "rpm", "lowest PLL speed; default: a quarter of hand-over", 0, 1e6);
+  k("minimum_rpm", o.minimum_rpm, "rpm", "lowest PLL speed; default: a quarter of hand-over", 0,
+    1e6);
   k("maximum_rpm", o.maximum_rpm, "rpm", "highest PLL speed; default: 1.3 x no-load speed", 1, 1e6);
 
   section = "start";
@@ -170,11 +172,12 @@ void for_each_key(S& s, Visitor&& visit) {
   k("window_deg", t.window_deg, "deg", "a crossing closer to its place is good", 1, 29);
   k("good_crossings", t.good_crossings, "", "in a row, for lock", 1, 63);
   k("pull_in_s", t.pull_in_s, "s", "time limit from hand-over to lock; default 1 s", 1e-3, 4);
-  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it; default: enough", 0, 4);
+  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it; default: enough", 0,
+    4);
   k("slow_down_s", t.slow_down_s, "s", "time limit before a reversal; default 2 s", 1e-3, 4);
   k("brake_s", t.brake_s, "s", "one braking interval", 1e-3, 4);
-  k("brake_current_a", t.brake_current_a, "A", "at most, from hand-over speed; default: rated", 1e-3,
-    1e4);
+  k("brake_current_a", t.brake_current_a, "A", "at most, from hand-over speed; default: rated",
+    1e-3, 1e4);
   k("rest_s", t.rest_s, "s", "gates off before the next try", 0, 4);
   k("retries", t.retries, "", "failed tries before the fault latches", 0, 15);
 
@@ -195,7 +198,8 @@ void for_each_key(S& s, Visitor&& visit) {
   k("slip_duty", q.slip_duty, "", "duty above the back-EMF's that no right lock shows", 0, 2);
   k("freewheel_deg", q.freewheel_deg, "deg", "longer freewheeling is wrong", 1, 60);
   k("wrong_lock_s", q.wrong_lock_s, "s", "for how long; 0 disables the test", 0, 4);
-  k("over_current", q.over_current, "", "limit hits in a row that never release; 0 disables", 0, 15);
+  k("over_current", q.over_current, "", "limit hits in a row that never release; 0 disables", 0,
+    15);
 
   section = "scenario";
   auto& n = s.scenario;

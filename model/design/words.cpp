@@ -79,7 +79,8 @@ SpeedWords speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, 
                        double hertz) {
   SpeedWords w;
   while ((fastest >> w.shift) > 32767) ++w.shift;
-  const double normalised = std::ldexp(hertz, int(w.shift));  // steps/s per LSB of frequency >> shift
+  const double normalised =
+      std::ldexp(hertz, int(w.shift));  // steps/s per LSB of frequency >> shift
   w.target = word("speed.target", "steps/s", p.target, hertz, 26);
   w.slew = word("speed.slew", "steps/s^2", p.slew, hertz / tick, 20);
   w.kp = word("speed.kp", "1/(step/s)", p.kp, kDuty / normalised / 4096, 16);

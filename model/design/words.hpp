@@ -65,16 +65,17 @@ struct Words {
 
 struct WordRow {
   std::string name, unit;
-  double wanted = 0;   // in the unit
+  double wanted = 0;  // in the unit
   Word word = 0;
-  double meant = 0;    // what the word stands for, in the unit
+  double meant = 0;  // what the word stands for, in the unit
   double error() const { return meant - wanted; }
 };
 
 struct Quantised {
   Words words;
   std::vector<WordRow> rows;
-  std::vector<std::string> problems;  // words that do not fit: "speed.kp needs 81234; at most 65535"
+  std::vector<std::string>
+      problems;  // words that do not fit: "speed.kp needs 81234; at most 65535"
 };
 
 Quantised quantise(const Parameters&, double clock_hz);

@@ -37,12 +37,14 @@ class Bemf {
                chop == (p_.sampling == design::Sampling::kOnTime));
     if (t >= next()) take(t, pins, vco, reverse);
   }
-  double next() const { return active_ ? std::max(valid_from_, sampled_ + p_.sample_every) : kNever; }
+  double next() const {
+    return active_ ? std::max(valid_from_, sampled_ + p_.sample_every) : kNever;
+  }
 
-  bool crossing() const { return crossing_; }              // found in this update
-  double crossing_phase() const { return place_; }         // turns of the step
+  bool crossing() const { return crossing_; }       // found in this update
+  double crossing_phase() const { return place_; }  // turns of the step
   bool before_seen() const { return before_seen_; }
-  double freewheel() const { return freewheel_; }          // turns of the step, once before_seen
+  double freewheel() const { return freewheel_; }  // turns of the step, once before_seen
 
  private:
   void take(double t, const Pins& pins, const Oscillator& vco, bool reverse) {

@@ -1,4 +1,4 @@
-// Which gate should conduct, and the guard that lets it: dead time, no shoot-through, minimum pulse.
+// Which gate should conduct, and the guard that lets it: dead time, shoot-through, minimum pulse.
 //
 //     step      0    1    2    3    4    5      reset   settle   brake
 //     high      U    U    V    V    W    W      U V     U        -
@@ -26,11 +26,20 @@ constexpr Gates gates_wanted(Mode mode, int step, bool chop, bool complementary)
   };
   const auto sink = [&](int phase) { g[2 * phase + 1] = true; };
   switch (mode) {
-    case Mode::kOff: break;
-    case Mode::kDrive: source(kHigh[step]), sink(kLow[step]); break;
-    case Mode::kSettle: source(kHigh[1]), sink(kLow[1]); break;
-    case Mode::kReset: source(0), source(1), sink(2); break;
-    case Mode::kBrake: g = {false, chop, false, chop, false, chop}; break;
+    case Mode::kOff:
+      break;
+    case Mode::kDrive:
+      source(kHigh[step]), sink(kLow[step]);
+      break;
+    case Mode::kSettle:
+      source(kHigh[1]), sink(kLow[1]);
+      break;
+    case Mode::kReset:
+      source(0), source(1), sink(2);
+      break;
+    case Mode::kBrake:
+      g = {false, chop, false, chop, false, chop};
+      break;
   }
   return g;
 }
@@ -45,8 +54,10 @@ class GateGuard {
       const int other = gate ^ 1;
       const bool want = enable && wanted[gate] && !wanted[other];
       if (on_[gate] && !want) {
-        if (enable && t < since_[gate] + minimum_) next_ = std::min(next_, since_[gate] + minimum_);
-        else on_[gate] = false, since_[gate] = t;
+        if (enable && t < since_[gate] + minimum_)
+          next_ = std::min(next_, since_[gate] + minimum_);
+        else
+          on_[gate] = false, since_[gate] = t;
       }
     }
     for (int gate = 0; gate < 6; ++gate) {
@@ -54,8 +65,10 @@ class GateGuard {
       if (on_[gate] || on_[other] || !enable || !wanted[gate] || wanted[other]) continue;
       // since_ of a gate that is off is when it went off.
       const double free = since_[other] + dead_;
-      if (t < free) next_ = std::min(next_, free);
-      else on_[gate] = true, since_[gate] = t;
+      if (t < free)
+        next_ = std::min(next_, free);
+      else
+        on_[gate] = true, since_[gate] = t;
     }
   }
   double next() const { return next_; }

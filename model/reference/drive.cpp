@@ -31,10 +31,14 @@ bool Drive::commutating() const {
 
 Mode Drive::mode() const {
   switch (sequence_.state()) {
-    case State::kSettle: return Mode::kSettle;
-    case State::kReset: return Mode::kReset;
-    case State::kBrake: return Mode::kBrake;
-    default: return commutating() ? Mode::kDrive : Mode::kOff;
+    case State::kSettle:
+      return Mode::kSettle;
+    case State::kReset:
+      return Mode::kReset;
+    case State::kBrake:
+      return Mode::kBrake;
+    default:
+      return commutating() ? Mode::kDrive : Mode::kOff;
   }
 }
 
@@ -106,8 +110,8 @@ Output Drive::update(double t, const Pins& pins, const Command& command) {
   const Gates wanted = gates_wanted(mode(), vco_.step(), limit_.on(), p_.pwm.complementary);
   guard_.update(t, wanted, mode() != Mode::kOff);
 
-  next_ = std::min({pwm_.next(t), limit_.next(t), vco_.next(), bemf_.next(), decoder_.next(),
-                    guard_.next()});
+  next_ = std::min(
+      {pwm_.next(t), limit_.next(t), vco_.next(), bemf_.next(), decoder_.next(), guard_.next()});
   if (next_ <= t) next_ = std::nextafter(t, kNever);
   return {.gates = guard_.gates(),
           .state = sequence_.state(),
@@ -126,7 +130,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command) {
           .freewheel = bemf_.freewheel()};
 }
 
-// A rotor that coasts shows all three back-EMFs: their signs are the sector, their changes the speed.
+// A rotor that coasts shows all three back-EMFs: signs are the sector, changes the speed.
 void Drive::observe(double t) {
   if (!decoder_.settled()) return;
   const double turns = filter_.frequency() * (t - changed_);
@@ -191,8 +195,12 @@ void Drive::on_tick(double t) {
   double duty = 0;
   switch (sequence_.state()) {
     case State::kSettle:
-    case State::kReset: duty = s.reset_duty; break;
-    case State::kBrake: duty = s.brake_duty; break;
+    case State::kReset:
+      duty = s.reset_duty;
+      break;
+    case State::kBrake:
+      duty = s.brake_duty;
+      break;
     case State::kAccelerate:
       filter_.load(std::min(f + s.ramp * p_.pwm.tick(), s.hand_over));
       vco_.set_frequency(t, filter_.frequency());
@@ -203,7 +211,8 @@ void Drive::on_tick(double t) {
     case State::kPullIn:
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
-    default: break;
+    default:
+      break;
   }
   if (sequence_.locked()) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_);

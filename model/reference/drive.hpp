@@ -1,7 +1,7 @@
-// The six-step drive in doubles and continuous time: the reference that the fixed-point drive is held
-// against.  Written from the equations; event-driven: nothing changes between two updates.
+// The six-step drive in doubles and continuous time: the reference that the fixed-point drive is
+// held against.  Written from the equations; event-driven: nothing changes between two updates.
 //
-//     pins -> comparator logic -> phase detector -> loop filter -> VCO, divider -> commutation -> guard
+//     pins -> comparator logic -> phase detector -> loop filter -> VCO -> commutation -> guard
 //     PWM, current limit -> chop;  frequency -> speed control -> duty;  start sequence above all
 //
 // Use:    double t = 0;
@@ -60,9 +60,9 @@ class Drive {
   GateGuard guard_;
 
   double target_, next_ = 0;
-  double boost_ = 0;            // duty above the back-EMF's while starting
-  double changed_ = 0;          // when the decoder's sector last changed
-  int steady_ = 0, way_ = 0;    // changes in a row with a steady period, and their direction
+  double boost_ = 0;          // duty above the back-EMF's while starting
+  double changed_ = 0;        // when the decoder's sector last changed
+  int steady_ = 0, way_ = 0;  // changes in a row with a steady period, and their direction
   int caught_ = 0;
   bool limited_ = false, ramp_done_ = false;
 };

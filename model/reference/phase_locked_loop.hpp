@@ -28,9 +28,9 @@ class PhaseDetector {
   struct In {
     bool crossing = false;
     double crossing_phase = 0;
-    bool before_seen = false;       // of the step that ends, if step_ended
+    bool before_seen = false;  // of the step that ends, if step_ended
     bool step_ended = false;
-    bool counts = true;             // the step's crossing is one that the detector looks at
+    bool counts = true;  // the step's crossing is one that the detector looks at
     double window = 0;
   };
   void update(const In& in) {

@@ -2,8 +2,8 @@
 //
 //     step-out     score + 2 per missed crossing, - 1 per good one, at `misses`
 //     stall        six steps in a row slower than `stall`
-//     wrong lock   duty - back-EMF's duty > slip, or freewheeling longer than `freewheel` of a step,
-//                  for `wrong_lock` in a row
+//     wrong lock   duty - back-EMF's duty > slip, or freewheeling beyond `freewheel` of a step, for
+//                  `wrong_lock` in a row
 //     over-current the limit did not release in `over_current` hits in a row; fault pin: at once
 //
 // Doc: docs/theory.md   Test: tests/model/reference/protection_test.cpp

@@ -1,7 +1,7 @@
 // Pulse-width modulation and the fixed-off-time current limit, with edges at exact instants.
 //
 //     on while lead <= t - start < lead + duty * period,   lead = 0, or centred (1 - duty) / 2
-//     the limit cuts the output for off_time when the comparator answers, `blanking` after switch-on
+//     the limit cuts for off_time when the comparator answers, from `blanking` after switch-on on
 //
 // Doc: docs/theory.md   Test: tests/model/reference/pwm_test.cpp
 #pragma once

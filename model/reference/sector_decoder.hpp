@@ -1,4 +1,4 @@
-// Sector of the rotor from a three-bit code: Hall sensors, or the comparators while the motor coasts.
+// Sector of the rotor from a three-bit code: Halls, or the comparators while the motor coasts.
 //
 //     code u v w   101 -> 0   100 -> 1   110 -> 2   010 -> 3   011 -> 4   001 -> 5
 //
@@ -43,9 +43,9 @@ class SectorDecoder {
   }
   double next() const { return pending_ ? due_ : kNever; }
 
-  int sector() const { return sector_; }         // -1 before the first legal code
-  bool settled() const { return settled_; }      // a new sector in this update
-  int direction() const { return direction_; }   // of a change to a neighbour in this update, else 0
+  int sector() const { return sector_; }        // -1 before the first legal code
+  bool settled() const { return settled_; }     // a new sector in this update
+  int direction() const { return direction_; }  // of a change to a neighbour in this update, else 0
   bool illegal() const { return sector_of(code_) < 0; }
 
  private:

@@ -19,11 +19,29 @@ struct Command {
 };
 
 enum class State {
-  kIdle, kObserve, kBrake, kSettle, kReset, kAccelerate, kPullIn, kRun, kSlowDown, kRest, kFault
+  kIdle,
+  kObserve,
+  kBrake,
+  kSettle,
+  kReset,
+  kAccelerate,
+  kPullIn,
+  kRun,
+  kSlowDown,
+  kRest,
+  kFault
 };
 
 enum class Reason {
-  kNone, kFaultPin, kOverCurrent, kStepOut, kStall, kWrongLock, kNoLock, kCannotStop, kHallCode
+  kNone,
+  kFaultPin,
+  kOverCurrent,
+  kStepOut,
+  kStall,
+  kWrongLock,
+  kNoLock,
+  kCannotStop,
+  kHallCode
 };
 
 // Index 2 k is phase k's high side, 2 k + 1 its low side.
@@ -35,14 +53,14 @@ struct Output {
   Reason reason = Reason::kNone;
   bool locked = false;
   int step = 0;
-  double frequency = 0;       // steps/s
-  double step_phase = 0;      // turns of a step, at the time of the update
-  double phase_error = 0;     // turns of a step, the last one
+  double frequency = 0;    // steps/s
+  double step_phase = 0;   // turns of a step, at the time of the update
+  double phase_error = 0;  // turns of a step, the last one
   double duty = 0;
   bool chop = false;
   bool commutate = false, crossing = false, missed = false;  // true in the update they happen in
-  double crossing_phase = 0;  // turns of a step
-  double freewheel = 0;       // turns of a step
+  double crossing_phase = 0;                                 // turns of a step
+  double freewheel = 0;                                      // turns of a step
 };
 
 }  // namespace steplock::reference

@@ -28,10 +28,13 @@ class SpeedControl {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, move);
     const double error = reference_ - f;
-    const double low = std::max(p_.minimum, duty_ - slew), high = std::min(p_.maximum, duty_ + slew);
+    const double low = std::max(p_.minimum, duty_ - slew),
+                 high = std::min(p_.maximum, duty_ + slew);
     const double wanted = integral_ + p_.kp * error;
-    const bool winds_up = (error > 0 && (wanted >= high || limited)) || (error < 0 && wanted <= low);
-    if (!winds_up) integral_ = std::clamp(integral_ + p_.ki * tick_ * error, p_.minimum, p_.maximum);
+    const bool winds_up =
+        (error > 0 && (wanted >= high || limited)) || (error < 0 && wanted <= low);
+    if (!winds_up)
+      integral_ = std::clamp(integral_ + p_.ki * tick_ * error, p_.minimum, p_.maximum);
     duty_ = std::clamp(wanted, low, high);
   }
 

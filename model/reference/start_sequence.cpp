@@ -63,8 +63,10 @@ void StartSequence::update(const In& in) {
       }
       return;
     case State::kRun:
-    case State::kSlowDown: return run(in);
-    default: break;
+    case State::kSlowDown:
+      return run(in);
+    default:
+      break;
   }
 
   if (!in.command.configured || (!in.command.run && !stopping_)) return enter(State::kIdle);
@@ -100,7 +102,8 @@ void StartSequence::update(const In& in) {
       if (!time_is_up(p_.rest)) return;
       if (++retries_ > p_.retries) return enter(State::kFault);
       return begin_try();
-    default: return;
+    default:
+      return;
   }
 }
 

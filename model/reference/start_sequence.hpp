@@ -1,9 +1,9 @@
-// Start sequence of Fig. 5, made safe: look for a spinning rotor, settle, reset, accelerate, pull in,
-// run; slow down and brake before a reversal or a stop; bounded retries, then a latched fault.
+// Start sequence of Fig. 5, made safe: look for a spinning rotor, settle, reset, accelerate, pull
+// in, run; slow down and brake before a reversal or a stop; bounded retries, then a latched fault.
 //
 //     kIdle -> kObserve -> kSettle -> kReset -> kAccelerate -> kPullIn -> kRun
 //                 |  caught, right way ---------------------------------^  |
-//                 |  caught, wrong way                                     | reverse, or stop by brake
+//                 |  caught, wrong way                               reverse, or stop by brake |
 //              kBrake <--------------------------------------------- kSlowDown
 //     a failed try: kRest -> kObserve, `retries` times, then kFault
 //
@@ -21,13 +21,13 @@ class StartSequence {
 
   struct In {
     bool tick = false;
-    Command command;
+    Command command = {};
     Reason fatal = Reason::kNone, lost = Reason::kNone;  // from Protection
     bool fault_pin = false;
     bool updated = false, good = false;  // the phase detector took an error; it was a good one
     bool ramp_done = false;
-    double frequency = 0;                // steps/s
-    int caught = 0;                      // observing: the rotor turns, +1 as wanted, -1 the other way
+    double frequency = 0;  // steps/s
+    int caught = 0;        // observing: the rotor turns, +1 as wanted, -1 the other way
   };
   void update(const In&);
 

@@ -1,11 +1,10 @@
 // Design rules, against the motor's own physics.
-#include "model/design/design.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "model/design/design.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock::design {

@@ -1,11 +1,10 @@
 // The error budget against the loop it speaks of, run with white noise.
-#include "model/design/budget.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "model/design/budget.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock::design {
@@ -15,7 +14,8 @@ struct Measured {
   double phase = 0, error = 0, frequency = 0;  // variances per variance of the place
 };
 
-// The per-step loop in its plainest form: a rotor that turns one step per step, noise on each place.
+// The per-step loop in its plainest form: a rotor that turns one step per step, noise on each
+// place.
 Measured run_per_step(const PerStep& f) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0, 1e-3);  // small: the loop is linear

@@ -1,10 +1,10 @@
 // Amano's Eqs. (1)-(17): the printed components come out, and the equations hold as identities.
-#include "model/design/loop_filter.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "model/design/loop_filter.hpp"
 
 namespace steplock::design {
 namespace {
@@ -12,8 +12,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // The paper's values, with K_L and f_m as its printed components imply them (NOTES.md).
-constexpr LoopSpecification kPaper{.rho = 3, .zeta = 0.7, .lambda = 10, .n_c = 20, .f_m = 194.2,
-                                   .k_l = 0.0189};
+constexpr LoopSpecification kPaper{
+    .rho = 3, .zeta = 0.7, .lambda = 10, .n_c = 20, .f_m = 194.2, .k_l = 0.0189};
 constexpr Components kPrinted{.c1 = 1.291e-6, .c2 = 11.621e-6, .r = 3.997e3};
 
 TEST(LoopDesign, YieldsThePrintedComponentsWithKL00189) {
@@ -48,7 +48,7 @@ TEST(LoopDesign, LeadsBy54Point9DegreesAtTheCrossover) {
 
 TEST(LoopDesign, SettlesInNcCyclesToRhoPercent) {
   const double rest = std::exp(-kPaper.zeta * omega_n(kPaper) * settling_time(kPaper));
-  EXPECT_NEAR(100 * rest, kPaper.rho, 1e-9);  // Eq. (9), backwards
+  EXPECT_NEAR(100 * rest, kPaper.rho, 1e-9);                              // Eq. (9), backwards
   EXPECT_NEAR(omega_g(kPaper), 2 * kPaper.zeta * omega_n(kPaper), 1e-9);  // Eq. (11)
 }
 
@@ -56,8 +56,8 @@ TEST(LoopDesign, SettlesInNcCyclesToRhoPercent) {
 TEST(LoopDesign, MeetsItsSpecificationWhateverItIs) {
   for (const double lambda : {2.0, 5.0, 10.0, 40.0}) {
     for (const double f_m : {10.0, 200.0, 5000.0}) {
-      const LoopSpecification s{.rho = 5, .zeta = 0.7, .lambda = lambda, .n_c = 15, .f_m = f_m,
-                                .k_l = 0.3};
+      const LoopSpecification s{
+          .rho = 5, .zeta = 0.7, .lambda = lambda, .n_c = 15, .f_m = f_m, .k_l = 0.3};
       const auto c = components(s);
       EXPECT_NEAR(c.omega_p() / c.omega_z(), lambda, 1e-9 * lambda);
       EXPECT_NEAR(c.omega_g(), omega_g(s), 1e-9 * omega_g(s));

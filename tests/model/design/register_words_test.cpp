@@ -1,18 +1,17 @@
 // Register words: nearest, within their width, and readable back.
-#include "model/design/words.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "model/design/design.hpp"
+#include "model/design/words.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock::design {
 namespace {
 
-const char* const kDrives[] = {"amano2003",      "bly172s",       "br2804_drone",
-                               "ceiling_fan",    "hoverboard_hub", "m2310p_servo",
+const char* const kDrives[] = {"amano2003",       "bly172s",        "br2804_drone",
+                               "ceiling_fan",     "hoverboard_hub", "m2310p_servo",
                                "maxon_ec45_flat", "tekin_spindle"};
 
 Settings settings_of(const std::string& name) {
@@ -68,8 +67,8 @@ TEST(RegisterWords, PerSecondProductsMeanTheFilterOfTheComponents) {
   const auto w = quantise(d.parameters, 12e6).words;
   const double tick = d.parameters.pwm.tick(), hertz = 12e6 / 4294967296.0;
   const double scale = w.loop.scale * hertz;  // steps/s
-  EXPECT_NEAR(w.loop.kp / 16384.0 * scale, d.k_l / (d.components.c1 + d.components.c2) /
-                                               d.components.omega_z(), 0.01);
+  EXPECT_NEAR(w.loop.kp / 16384.0 * scale,
+              d.k_l / (d.components.c1 + d.components.c2) / d.components.omega_z(), 0.01);
   EXPECT_NEAR(w.loop.ki / 16384.0 * scale / tick, d.k_l / (d.components.c1 + d.components.c2), 1.5);
 }
 
@@ -78,8 +77,10 @@ TEST(RegisterWords, SpeedControlsBackEmfDutyIsExactAtTheSetSpeed) {
     const auto s = settings_of(name);
     const auto d = design_drive(s);
     const auto w = quantise(d.parameters, s.control.clock_hz).words;
-    const double duty = ((std::uint64_t(w.speed.bemf) * (w.speed.target >> w.speed.shift)) >> 12) / 32768.0;
-    EXPECT_NEAR(duty, d.motor.k_e * s.scenario.speed_rpm * M_PI / 30 / s.inverter.bus_v, 1e-3) << name;
+    const double duty =
+        ((std::uint64_t(w.speed.bemf) * (w.speed.target >> w.speed.shift)) >> 12) / 32768.0;
+    EXPECT_NEAR(duty, d.motor.k_e * s.scenario.speed_rpm * M_PI / 30 / s.inverter.bus_v, 1e-3)
+        << name;
     EXPECT_LT(w.loop.maximum >> w.speed.shift, 32768u) << name;  // fits the 15 bits it is given
   }
 }

@@ -1,12 +1,11 @@
 // The table of keys and the checks behind it.
-#include "model/design/settings_keys.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
 
 #include "model/design/design.hpp"
+#include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock::design {
@@ -60,10 +59,12 @@ TEST(Settings, OfEveryDriveFileMakeSense) {
 }
 
 TEST(Settings, EveryAssumptionNamesAKeyAndAReason) {
-  EXPECT_NE(only_problem([](Settings& s) { s.drive.assumed = {"motor.mass_kg: heavy"}; })
-                .find("motor.mass_kg"), std::string::npos);
-  EXPECT_NE(only_problem([](Settings& s) { s.drive.assumed = {"motor.flux_vs"}; })
-                .find("reason"), std::string::npos);
+  EXPECT_NE(only_problem([](Settings& s) {
+              s.drive.assumed = {"motor.mass_kg: heavy"};
+            }).find("motor.mass_kg"),
+            std::string::npos);
+  EXPECT_NE(only_problem([](Settings& s) { s.drive.assumed = {"motor.flux_vs"}; }).find("reason"),
+            std::string::npos);
 }
 
 TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
@@ -72,15 +73,21 @@ TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
     return line.rfind(key, 0) == 0 && line.find("must") != std::string::npos;
   };
   EXPECT_TRUE(names(only_problem([](S s) { s.motor.flux_vs = 0; }), "motor.flux_vs"));
-  EXPECT_TRUE(names(only_problem([](S s) { s.control.blanking_s = 0.5e-6; }), "control.blanking_s"));
+  EXPECT_TRUE(
+      names(only_problem([](S s) { s.control.blanking_s = 0.5e-6; }), "control.blanking_s"));
   EXPECT_TRUE(names(only_problem([](S s) { s.control.blanking_s = 10e-6; }), "control.blanking_s"));
-  EXPECT_TRUE(names(only_problem([](S s) { s.control.pwm_hz = 200e3; s.control.blanking_s = 1.24e-6; }),
+  EXPECT_TRUE(names(only_problem([](S s) {
+                      s.control.pwm_hz = 200e3;
+                      s.control.blanking_s = 1.24e-6;
+                    }),
                     "control.pwm_hz"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.speed_rpm = 9000; }), "scenario.speed_rpm"));
-  EXPECT_TRUE(names(only_problem([](S s) { s.start.hand_over_rpm = 2900; }), "start.hand_over_rpm"));
-  EXPECT_TRUE(names(only_problem([](S s) { s.start.start_current_a = 0.05; }),
-                    "start.start_current_a"));
-  EXPECT_TRUE(names(only_problem([](S s) { s.start.start_current_a = 20; }), "start.start_current_a"));
+  EXPECT_TRUE(
+      names(only_problem([](S s) { s.start.hand_over_rpm = 2900; }), "start.hand_over_rpm"));
+  EXPECT_TRUE(
+      names(only_problem([](S s) { s.start.start_current_a = 0.05; }), "start.start_current_a"));
+  EXPECT_TRUE(
+      names(only_problem([](S s) { s.start.start_current_a = 20; }), "start.start_current_a"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.stop_s = 7; }), "scenario.stop_s"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.load_off_s = 0.1; }), "scenario.load_off_s"));
   EXPECT_TRUE(names(only_problem([](S s) { s.motor.static_nm = 1e-3; }), "motor.static_nm"));

@@ -1,7 +1,7 @@
 // Amano's Eqs. (18)-(23).
-#include "model/design/start.hpp"
-
 #include <gtest/gtest.h>
+
+#include "model/design/start.hpp"
 
 namespace steplock::design {
 namespace {
@@ -29,9 +29,9 @@ TEST(StartTimes, StiffnessIsTheSlopeOfTheResetTorque) {
   const auto torque = [&](double mechanical) {
     const double theta = 240 * std::numbers::pi / 180 + pole_pairs * mechanical;
     const double third = 2 * std::numbers::pi / 3;
-    return flux * pole_pairs * (current / 2 * std::sin(theta) +
-                                current / 2 * std::sin(theta - third) -
-                                current * std::sin(theta - 2 * third));
+    return flux * pole_pairs *
+           (current / 2 * std::sin(theta) + current / 2 * std::sin(theta - third) -
+            current * std::sin(theta - 2 * third));
   };
   const double step = 1e-5;
   EXPECT_NEAR(torque(0), 0, 1e-12);

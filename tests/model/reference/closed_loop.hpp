@@ -1,5 +1,6 @@
-// The reference drive and the plant, closed: runs a drive file's scenario in doubles and judges it
-// from outside, by the rotor's true angle.
+// The reference drive and a plant, closed, for tests that no drive file describes: a plant that
+// differs from what the drive was designed for.  Judged from outside, by the rotor's true angle.
+// (The bench's own run is testbench/run/run_drive.hpp.)
 //
 // Test: tests/model/reference/closed_loop_test.cpp
 #pragma once
@@ -8,7 +9,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <string>
+#include <utility>
+#include <vector>
 
 #include "model/design/design.hpp"
 #include "model/plant/plant.hpp"
@@ -18,132 +20,152 @@
 namespace steplock::test {
 
 struct Verdict {
-  bool locked = false;          // at least once
-  double lock_time = 0;         // s after `run`, the first time
-  int locks_lost = 0;           // left kRun or kSlowDown for kRest or kFault
-  int step_outs = 0;            // the true angle slipped by more than a step while locked
-  int tries = 0;
-  double mean_rpm = 0;          // over the last half between reaching the set speed and the load step
-  double reached = 0;           // s, first within 2 % of the set speed
-  double loaded_rpm = 0;        // mean over the last quarter of the load step
-  double reversed_rpm = 0;      // mean over the last 0.1 s before the stop, if it reverses
-  double peak_current = 0;      // A
-  double worst_error_deg = 0;   // commutation, |late| while locked
-  double mean_error_deg = 0, rms_error_deg = 0;
+  bool locked = false;      // at least once
+  double lock_time = 0;     // s after `run`, the first time
+  int tries = 0;            // entries of kAccelerate
+  int locks_lost = 0;       // kRun or kSlowDown left for kRest or kFault
+  int step_outs = 0;        // the true angle slipped by more than a step while locked
+  double reached = 0;       // s, first within 2 % of the set speed
+  double mean_rpm = 0;      // over the last half between `reached` and the first disturbance
+  double loaded_rpm = 0;    // over the last quarter of the load step
+  double reversed_rpm = 0;  // over the last 0.1 s before the stop
+  double peak_current = 0;  // A
+  double worst_error_deg = 0, mean_error_deg = 0, rms_error_deg = 0;  // commutations in lock
   reference::State last_state = reference::State::kIdle;
   reference::Reason reason = reference::Reason::kNone;
 };
 
 using Watch = std::function<void(double t, const reference::Output&, const plant::State&)>;
 
-inline Verdict run_closed_loop(const design::Settings& s, const design::Parameters& p,
-                               const plant::Parameters& plant_parameters, double angle_deg,
-                               const Watch& watch = {}, double watch_every = 1e-3) {
-  const auto& scene = s.scenario;
-  plant::Plant plant(plant_parameters, initial_state(s, angle_deg));
-  reference::Drive drive(p);
-  Verdict v;
-  reference::Command command{.brake_to_stop = scene.brake_to_stop};
-  reference::Output out;
-  const double never = 1e9;
-  const double load_on = scene.load_step_s.value_or(never), load_off = scene.load_off_s.value_or(never),
-               reverse = scene.reverse_s.value_or(never), stop = scene.stop_s.value_or(never);
-  const double base = plant_parameters.load.opposing_torque, step = design::load_step_torque(s);
-  double load = base, next_watch = 0, slip = 0, sum = 0, squares = 0, last_late = 0;
-  long judged = 0;
-  bool following = false;
-  struct Span {
-    double from, to;
-  };
-  const Span loaded{load_on + 0.75 * (load_off - load_on), load_off},
-      reversed{stop - 0.1, stop};
-  std::vector<std::pair<double, double>> path;  // time, angle
+class ClosedLoop {
+ public:
+  ClosedLoop(const design::Settings& s, const design::Parameters& p, const plant::Parameters& plant,
+             double angle_deg)
+      : s_(s),
+        plant_(plant, initial_state(s, angle_deg)),
+        drive_(p),
+        base_load_(plant.load.opposing_torque) {}
 
-  for (double t = 0; t < scene.duration_s;) {
-    command.run = t >= scene.run_s && t < stop;
-    command.reverse = scene.reverse != (t >= reverse);
-    const double wanted = base + (t >= load_on && t < load_off ? step : 0);
-    if (wanted != load) plant.set_load_torque(load = wanted);
-
-    reference::Pins pins;
-    const auto read = [&] {
-      pins = {.comparator = plant.pins().comparator, .limit = plant.pins().limit,
-              .hall = plant.pins().hall};
-    };
-    read();
-    const auto was = out.state;
-    const bool was_locked = out.locked;
-    out = drive.update(t, pins, command);
-    const auto& g = out.gates;
-    const plant::Gates gates{g[0], g[1], g[2], g[3], g[4], g[5]};
-    if (gates != plant.gates()) plant.set_gates(gates);
-
-    if (out.state != was) {
-      if (out.state == reference::State::kAccelerate) ++v.tries;
-      if (out.locked && !v.locked) v.locked = true, v.lock_time = t - scene.run_s;
-      if (was_locked && (out.state == reference::State::kRest ||
-                         out.state == reference::State::kFault)) {
-        ++v.locks_lost;
-        v.reason = out.reason;
-      }
-    }
-    if (!out.locked) following = false;
-    if (out.commutate || t >= next_watch) {
-      const auto state = plant.state();
-      for (const double i : state.current) v.peak_current = std::max(v.peak_current, std::abs(i));
-      if (out.commutate && out.locked) {
-        const bool back = drive.sequence().reverse();
-        const int k = (out.step + (back ? 3 : 0)) % 6;
-        const double theta = state.electrical_angle * 180 / std::numbers::pi;
-        double late = back ? 90 + 60 * k - theta : theta - 30 - 60 * k;
-        late += s.loop.advance_deg;
-        late -= 360 * std::round((late - (following ? last_late : 0)) / 360);
-        if (!following) slip = 0;
-        following = true;
-        last_late = late;
-        if (std::abs(late - slip) > 60) ++v.step_outs, slip = 60 * std::round(late / 60);
-        ++judged;
-        sum += late;
-        squares += late * late;
-        v.worst_error_deg = std::max(v.worst_error_deg, std::abs(late));
-      }
+  Verdict run(const Watch& watch = {}, double watch_every = 1e-3) {
+    const auto& scene = s_.scenario;
+    for (double t = 0, next_watch = 0; t < scene.duration_s;) {
+      const auto before = out_;
+      update(t);
+      changes(t, before);
+      if (out_.commutate && out_.locked) judge();
       if (t >= next_watch) {
-        path.push_back({t, state.angle});
-        const double rpm = state.speed * 30 / std::numbers::pi;
-        if (v.reached == 0 && out.locked && std::abs(std::abs(rpm) / scene.speed_rpm - 1) < 0.02) {
-          v.reached = t;
-        }
-        if (watch) watch(t, out, state);
+        const auto state = plant_.state();
+        record(t, state);
+        if (watch) watch(t, out_, state);
         next_watch += watch_every;
       }
+      t = std::min({drive_.next_event(), plant_.next_event(), next_watch, next_command(t)});
+      plant_.advance_to(t);
     }
-    double next = std::min({drive.next_event(), plant.next_event(), scene.duration_s, next_watch});
-    for (const double event : {scene.run_s, load_on, load_off, reverse, stop}) {
+    finish();
+    return v_;
+  }
+
+ private:
+  static constexpr double kNever = 1e9, kDegrees = 180 / std::numbers::pi;
+
+  double at(const std::optional<double>& time) const { return time.value_or(kNever); }
+
+  double next_command(double t) const {
+    const auto& n = s_.scenario;
+    double next = n.duration_s;
+    for (const double event :
+         {n.run_s, at(n.load_step_s), at(n.load_off_s), at(n.reverse_s), at(n.stop_s)}) {
       if (event > t) next = std::min(next, event);
     }
-    plant.advance_to(next);
-    t = next;
+    return next;
   }
-  const auto mean = [&](double from, double to) {
-    double t0 = -1, a0 = 0, t1 = 0, a1 = 0;
-    for (const auto& [t, a] : path) {
-      if (t < from || t > to) continue;
-      if (t0 < 0) t0 = t, a0 = a;
-      t1 = t, a1 = a;
+
+  void update(double t) {
+    const auto& n = s_.scenario;
+    const bool loaded = t >= at(n.load_step_s) && t < at(n.load_off_s);
+    const double load = base_load_ + (loaded ? design::load_step_torque(s_) : 0);
+    if (load != load_) plant_.set_load_torque(load_ = load);
+    const reference::Pins pins{.comparator = plant_.pins().comparator,
+                               .limit = plant_.pins().limit,
+                               .hall = plant_.pins().hall};
+    out_ = drive_.update(t, pins,
+                         {.run = t >= n.run_s && t < at(n.stop_s),
+                          .reverse = n.reverse != (t >= at(n.reverse_s)),
+                          .brake_to_stop = n.brake_to_stop});
+    const auto& g = out_.gates;
+    const plant::Gates gates{g[0], g[1], g[2], g[3], g[4], g[5]};
+    if (gates != plant_.gates()) plant_.set_gates(gates);
+  }
+
+  void changes(double t, const reference::Output& before) {
+    using reference::State;
+    if (!out_.locked) following_ = false;
+    if (out_.state == before.state) return;
+    if (out_.state == State::kAccelerate) ++v_.tries;
+    if (out_.locked && !v_.locked) v_.locked = true, v_.lock_time = t - s_.scenario.run_s;
+    if (before.locked && (out_.state == State::kRest || out_.state == State::kFault)) {
+      ++v_.locks_lost;
     }
-    return t1 > t0 ? (a1 - a0) / (t1 - t0) * 30 / std::numbers::pi : 0;
-  };
-  const double steady_end = std::min({load_on, reverse, stop, scene.duration_s});
-  if (v.reached > 0 && v.reached < steady_end) {
-    v.mean_rpm = mean((v.reached + steady_end) / 2, steady_end);
+    if (out_.reason != reference::Reason::kNone) v_.reason = out_.reason;
   }
-  v.loaded_rpm = mean(loaded.from, loaded.to);
-  v.reversed_rpm = mean(reversed.from, reversed.to);
-  v.mean_error_deg = judged ? sum / double(judged) : 0;
-  v.rms_error_deg = judged ? std::sqrt(squares / double(judged)) : 0;
-  v.last_state = out.state;
-  if (out.reason != reference::Reason::kNone) v.reason = out.reason;
-  return v;
-}
+
+  // How late this step began, by the true angle; followed without wrapping while locked.
+  void judge() {
+    const bool back = drive_.sequence().reverse();
+    const int k = (out_.step + (back ? 3 : 0)) % 6;
+    const double theta = plant_.state().electrical_angle * kDegrees;
+    double late = (back ? 90 + 60 * k - theta : theta - 30 - 60 * k) + s_.loop.advance_deg;
+    late -= 360 * std::round((late - (following_ ? late_ : 0)) / 360);
+    if (!following_) slip_ = 0;
+    following_ = true;
+    late_ = late;
+    if (std::abs(late - slip_) > 60) ++v_.step_outs, slip_ = 60 * std::round(late / 60);
+    ++judged_;
+    v_.mean_error_deg += late;
+    v_.rms_error_deg += late * late;
+    v_.worst_error_deg = std::max(v_.worst_error_deg, std::abs(late));
+  }
+
+  void record(double t, const plant::State& state) {
+    for (const double i : state.current) v_.peak_current = std::max(v_.peak_current, std::abs(i));
+    path_.push_back({t, state.angle});
+    const double rpm = std::abs(state.speed) * 30 / std::numbers::pi;
+    if (v_.reached == 0 && out_.locked && std::abs(rpm / s_.scenario.speed_rpm - 1) < 0.02) {
+      v_.reached = t;
+    }
+  }
+
+  double mean_rpm(double from, double to) const {
+    const auto after = [&](double t) {
+      return std::lower_bound(path_.begin(), path_.end(), std::pair{t, -kNever});
+    };
+    const auto first = after(from), end = after(to);
+    if (end - first < 2) return 0;
+    const auto last = end - 1;
+    return (last->second - first->second) / (last->first - first->first) * 30 / std::numbers::pi;
+  }
+
+  void finish() {
+    const auto& n = s_.scenario;
+    const double end = std::min({at(n.load_step_s), at(n.reverse_s), at(n.stop_s), n.duration_s});
+    if (v_.reached > 0 && v_.reached < end) v_.mean_rpm = mean_rpm((v_.reached + end) / 2, end);
+    v_.loaded_rpm =
+        mean_rpm(at(n.load_off_s) - (at(n.load_off_s) - at(n.load_step_s)) / 4, at(n.load_off_s));
+    v_.reversed_rpm = mean_rpm(at(n.stop_s) - 0.1, at(n.stop_s));
+    if (judged_ > 0)
+      v_.mean_error_deg /= judged_, v_.rms_error_deg = std::sqrt(v_.rms_error_deg / judged_);
+    v_.last_state = out_.state;
+  }
+
+  const design::Settings& s_;
+  plant::Plant plant_;
+  reference::Drive drive_;
+  reference::Output out_;
+  Verdict v_;
+  double base_load_, load_ = 0, late_ = 0, slip_ = 0, judged_ = 0;
+  bool following_ = false;
+  std::vector<std::pair<double, double>> path_;  // s, rad
+};
 
 }  // namespace steplock::test

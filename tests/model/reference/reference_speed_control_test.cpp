@@ -1,0 +1,79 @@
+// Speed control of the reference, on a first-order motor.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/reference/speed_control.hpp"
+
+namespace steplock::reference {
+namespace {
+
+constexpr double kTick = 1e-3, kTau = 0.05, kTop = 1000;  // s, s, steps/s at full duty
+
+design::SpeedParameters gains(double bandwidth) {
+  const double kp = bandwidth * kTau / kTop;
+  return {.slew = 1e4,
+          .kp = kp,
+          .ki = kp / kTau,
+          .bemf = 1 / kTop,
+          .minimum = 0.02,
+          .maximum = 1,
+          .duty_slew = 50};
+}
+
+TEST(ReferenceSpeedControl, ReachesItsTargetWithTheWantedBandwidth) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.3, 0.3, 300);
+  double f = 300, t = 0;
+  for (; t < 0.06; t += kTick) {
+    control.tick(400, f, false);
+    f += (kTop * control.duty() - f) / kTau * kTick;
+  }
+  // 20 rad/s behind a reference that takes 10 ms: 1 - e^-1 after 50 ms plus half the ramp.
+  EXPECT_NEAR(f, 400 - 100 * std::exp(-20 * (t - 0.005)), 5);
+  for (int k = 0; k < 500; ++k) {
+    control.tick(400, f, false);
+    f += (kTop * control.duty() - f) / kTau * kTick;
+  }
+  EXPECT_NEAR(f, 400, 0.01);
+}
+
+TEST(ReferenceSpeedControl, BeginsWithoutAJump) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.37, 0.37, 250);
+  control.tick(250, 250, false);
+  EXPECT_DOUBLE_EQ(control.duty(), 0.37);
+}
+
+TEST(ReferenceSpeedControl, ReferenceMovesByItsSlewOnly) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.3, 0.3, 300);
+  control.tick(800, 300, false);
+  EXPECT_DOUBLE_EQ(control.reference(), 310);
+}
+
+TEST(ReferenceSpeedControl, DoesNotWindUpAtFullDuty) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.9, 0.9, 900);
+  for (int k = 0; k < 2000; ++k) control.tick(1500, 950, false);  // out of reach
+  EXPECT_DOUBLE_EQ(control.duty(), 1);
+  for (int k = 0; k < 60; ++k) control.tick(900, 950, false);  // 60 ms: reference and duty's slew
+  EXPECT_LT(control.duty(), 0.95);
+}
+
+TEST(ReferenceSpeedControl, DoesNotWindUpAgainstTheCurrentLimit) {
+  SpeedControl free(gains(20), kTick), limited(gains(20), kTick);
+  free.follow(0.3, 0.3, 300), limited.follow(0.3, 0.3, 300);
+  for (int k = 0; k < 100; ++k) free.tick(310, 300, false), limited.tick(310, 300, true);
+  EXPECT_GT(free.duty(), limited.duty() + 0.01);
+}
+
+TEST(ReferenceSpeedControl, StaysWithinItsDuties) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.1, 0.1, 100);
+  for (int k = 0; k < 500; ++k) control.tick(0, 100, false);
+  EXPECT_DOUBLE_EQ(control.duty(), 0.02);
+}
+
+}  // namespace
+}  // namespace steplock::reference

@@ -1,0 +1,190 @@
+// The start sequence of the reference, state by state.
+#include <gtest/gtest.h>
+
+#include "model/reference/start_sequence.hpp"
+
+namespace steplock::reference {
+namespace {
+
+constexpr design::StartParameters kTimes{.settle = 0.02,
+                                         .reset = 0.03,
+                                         .hand_over = 100,
+                                         .good_crossings = 5,
+                                         .pull_in = 0.1,
+                                         .observe = 0.01,
+                                         .slow_down = 0.2,
+                                         .brake = 0.04,
+                                         .rest = 0.05,
+                                         .retries = 2};
+
+struct Case {
+  explicit Case(design::Source source = design::Source::kBemf) : sequence(kTimes, source, 1e-3) {}
+
+  State tick(int times = 1, StartSequence::In in = {}) {
+    in.command = command;
+    in.tick = true;
+    if (in.frequency == 0) in.frequency = 500;
+    for (int k = 0; k < times; ++k) sequence.update(in);
+    return sequence.state();
+  }
+  // An event between two ticks.
+  State event(StartSequence::In in) {
+    in.command = command;
+    if (in.frequency == 0) in.frequency = 500;
+    sequence.update(in);
+    return sequence.state();
+  }
+  State run_up() {
+    command.run = true;
+    tick(1 + 10 + 20 + 30);
+    event({.ramp_done = true});
+    for (int k = 0; k < 5; ++k) event({.updated = true, .good = true});
+    return sequence.state();
+  }
+
+  Command command;
+  StartSequence sequence;
+};
+
+TEST(ReferenceStartSequence, GoesThroughThePapersModesInTime) {
+  Case c;
+  EXPECT_EQ(c.tick(5), State::kIdle);
+  c.command.run = true;
+  EXPECT_EQ(c.tick(), State::kObserve);
+  EXPECT_EQ(c.tick(9), State::kObserve);
+  EXPECT_EQ(c.tick(), State::kSettle);
+  EXPECT_EQ(c.tick(20), State::kReset);
+  EXPECT_EQ(c.tick(29), State::kReset);
+  EXPECT_EQ(c.tick(), State::kAccelerate);
+  EXPECT_EQ(c.tick(500), State::kAccelerate);  // until the ramp says so
+  EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
+}
+
+TEST(ReferenceStartSequence, LocksOnlyAfterGoodCrossingsInARow) {
+  Case c;
+  c.command.run = true;
+  c.tick(61);
+  c.event({.ramp_done = true});
+  for (int k = 0; k < 4; ++k) c.event({.updated = true, .good = true});
+  EXPECT_EQ(c.event({.updated = true, .good = false}), State::kPullIn);
+  for (int k = 0; k < 4; ++k) c.event({.updated = true, .good = true});
+  EXPECT_FALSE(c.sequence.locked());
+  EXPECT_EQ(c.event({.updated = true, .good = true}), State::kRun);
+}
+
+TEST(ReferenceStartSequence, RetriesAsOftenAsAllowedThenLatches) {
+  Case c;
+  c.command.run = true;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    c.tick(attempt == 0 ? 61 : 60);
+    EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
+    EXPECT_EQ(c.tick(100), State::kRest);
+    EXPECT_EQ(c.sequence.reason(), Reason::kNoLock);
+    c.tick(50);
+  }
+  EXPECT_EQ(c.sequence.state(), State::kFault);
+}
+
+TEST(ReferenceStartSequence, AFaultNeedsRunLowTheCauseGoneAndARisingClear) {
+  Case c;
+  ASSERT_EQ(c.run_up(), State::kRun);
+  EXPECT_EQ(c.event({.fatal = Reason::kFaultPin, .fault_pin = true}), State::kFault);
+  EXPECT_EQ(c.sequence.reason(), Reason::kFaultPin);
+  c.command.clear_fault = true;
+  EXPECT_EQ(c.tick(), State::kFault);  // run is high
+  c.command = {};
+  EXPECT_EQ(c.tick(), State::kFault);
+  c.command.clear_fault = true;
+  EXPECT_EQ(c.event({.fault_pin = true}), State::kFault);  // the cause is still there
+  EXPECT_EQ(c.tick(), State::kFault);                      // no new edge
+  c.command.clear_fault = false;
+  c.tick();
+  c.command.clear_fault = true;
+  EXPECT_EQ(c.tick(), State::kIdle);
+}
+
+TEST(ReferenceStartSequence, CatchesARotorThatTurnsTheRightWay) {
+  Case c;
+  c.command.run = true;
+  c.tick();
+  EXPECT_EQ(c.event({.caught = 1}), State::kRun);
+}
+
+TEST(ReferenceStartSequence, BrakesARotorThatTurnsTheOtherWayAndGivesUpInTheEnd) {
+  Case c;
+  c.command.run = true;
+  c.tick();
+  for (int k = 0; k < 255; ++k) {
+    ASSERT_EQ(c.event({.caught = -1}), State::kBrake);
+    ASSERT_EQ(c.tick(40), State::kObserve);
+  }
+  EXPECT_EQ(c.event({.caught = -1}), State::kFault);
+  EXPECT_EQ(c.sequence.reason(), Reason::kCannotStop);
+}
+
+TEST(ReferenceStartSequence, ReversesBySlowingDownBrakingAndStartingAgain) {
+  Case c;
+  ASSERT_EQ(c.run_up(), State::kRun);
+  c.command.reverse = true;
+  EXPECT_EQ(c.tick(), State::kSlowDown);
+  EXPECT_FALSE(c.sequence.reverse());
+  EXPECT_EQ(c.tick(50), State::kSlowDown);
+  EXPECT_EQ(c.event({.frequency = 120}), State::kBrake);
+  EXPECT_EQ(c.tick(40), State::kObserve);
+  EXPECT_TRUE(c.sequence.reverse());
+  EXPECT_EQ(c.tick(10), State::kSettle);
+}
+
+TEST(ReferenceStartSequence, AChangedMindDuringSlowDownGoesOn) {
+  Case c;
+  c.run_up();
+  c.command.reverse = true;
+  c.tick();
+  c.command.reverse = false;
+  EXPECT_EQ(c.tick(), State::kRun);
+}
+
+TEST(ReferenceStartSequence, StopsByBrakingUntilNothingTurns) {
+  Case c;
+  c.command.brake_to_stop = true;
+  c.run_up();
+  c.command.run = false;
+  EXPECT_EQ(c.tick(), State::kSlowDown);
+  EXPECT_EQ(c.tick(200), State::kBrake);  // the time limit
+  EXPECT_EQ(c.tick(40), State::kObserve);
+  EXPECT_EQ(c.event({.caught = 1}), State::kBrake);  // still turns
+  EXPECT_EQ(c.tick(40), State::kObserve);
+  EXPECT_EQ(c.tick(10), State::kIdle);
+}
+
+TEST(ReferenceStartSequence, CoastsAtOnceWithoutBrakeToStop) {
+  Case c;
+  c.run_up();
+  c.command.run = false;
+  EXPECT_EQ(c.event({}), State::kIdle);
+}
+
+TEST(ReferenceStartSequence, ALostLockRestsAndKeepsItsReason) {
+  Case c;
+  c.run_up();
+  EXPECT_EQ(c.event({.lost = Reason::kStepOut}), State::kRest);
+  EXPECT_EQ(c.sequence.reason(), Reason::kStepOut);
+  EXPECT_EQ(c.tick(50), State::kObserve);
+  EXPECT_EQ(c.sequence.retries(), 1);
+}
+
+TEST(ReferenceStartSequence, UnconfiguredNeverLeavesIdle) {
+  Case c;
+  c.command.configured = false;
+  c.command.run = true;
+  EXPECT_EQ(c.tick(50), State::kIdle);
+}
+
+TEST(ReferenceStartSequence, HallsNeedNoStart) {
+  Case c(design::Source::kHall);
+  c.command.run = true;
+  EXPECT_EQ(c.tick(), State::kRun);
+}
+
+}  // namespace
+}  // namespace steplock::reference
