@@ -67,7 +67,7 @@ Budget error_budget(const Settings& s, const Design& d, const Words& w) {
   const bool by_step = p.loop.form == LoopForm::kPerStep;
   const NoiseGains g =
       by_step
-          ? noise_gains(open_loop(per_step(s.loop.bandwidth, s.loop.damping,
+          ? noise_gains(open_loop(per_step(d.bandwidth, s.loop.damping,
                                            s.loop.pole_ratio.value_or(0), steps)),
                         1)
           : noise_gains(open_loop_sampled(per_second(d.components, d.k_l), p.pwm.tick(), interval),

@@ -76,12 +76,14 @@ void set_loop(const Settings& s, Design& d) {
        .form = l.form,
        .divide = l.divide,
        .expected = 0.5 + l.advance_deg / 60,
-       .lead_error = l.lead_error_deg / 60,
+       .lead_error = l.lead_error_deg.value_or(l.detector == Detector::kEveryStep ? 15 : 29) / 60,
        .delay = l.delay_s.value_or(s.sensors.comparator_delay_s)};
   p.maximum = steps_per_second(s, l.maximum_rpm.value_or(1.3 * d.motor.no_load * 30 / kPi));
+  // Once per turn the loop must be slower, and push harder where the rotor only seems to follow.
+  d.bandwidth = l.bandwidth.value_or(l.detector == Detector::kEveryStep ? 0.4 : 0.1);
   if (l.form == LoopForm::kPerStep) {
     const PerStep f =
-        per_step(l.bandwidth, l.damping, l.pole_ratio.value_or(0), steps_per_update(p));
+        per_step(d.bandwidth, l.damping, l.pole_ratio.value_or(0), steps_per_update(p));
     p.integral = f.integral, p.proportional = f.proportional, p.pole = f.pole;
     d.continuous = d.sampled = margins(open_loop(f), 1e-3, kPi * 0.999);
     return;
@@ -177,7 +179,7 @@ void set_speed(const Settings& s, Design& d) {
   const double steps = 6 * s.motor.pole_pairs / (2 * kPi), bus = s.inverter.bus_v;
   const double f_a = d.parameters.start.hand_over;
   const double loop_bandwidth =
-      loop.form == LoopForm::kPerStep ? s.loop.bandwidth * f_a : d.components.omega_g();
+      loop.form == LoopForm::kPerStep ? d.bandwidth * f_a : d.components.omega_g();
   const double bandwidth =
       v.bandwidth_rad_s.value_or(std::min(loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick()));
   const double per_rpm = 1 / steps_per_second(s, 1.0);

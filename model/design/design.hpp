@@ -38,6 +38,7 @@ struct Design {
   LoopSpecification specification;  // per second; as used
   Components components;            // per second; as used
   double k_l = 0;                   // per second
+  double bandwidth = 0;             // rad/step; per step
   Margins continuous, sampled;      // of the open loop; sampled at hand-over speed
   double reset_time_formula = 0;    // s, Eq. (22)
   double kappa = 0;                 // N m/rad, Eq. (19)

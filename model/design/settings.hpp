@@ -87,9 +87,11 @@ struct LoopSection {
   LoopForm form = LoopForm::kPerStep;
   Detector detector = Detector::kEveryStep;
   int divide = 0;
-  double advance_deg = 0, lead_error_deg = 15;
+  double advance_deg = 0;
+  std::optional<double> lead_error_deg;
   std::optional<double> delay_s;
-  double bandwidth = 0.4, damping = 1.0;              // per step
+  std::optional<double> bandwidth;  // per step
+  double damping = 1.0;
   std::optional<double> pole_ratio;                   // both forms
   double rho = 3, zeta = 0.7, lambda = 10, n_c = 20;  // per second, Eqs. (9)-(17)
   std::optional<double> f_m_hz, k_l;

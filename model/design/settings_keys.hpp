@@ -135,11 +135,12 @@ void for_each_key(S& s, Visitor&& visit) {
   k("detector", o.detector, "", "phase U once per turn (the paper), or all phases");
   k("divide", o.divide, "", "N = 6 * 2^divide VCO turns per electrical turn", 0, 3);
   k("advance_deg", o.advance_deg, "deg", "commutate this early", 0, 29);
-  k("lead_error_deg", o.lead_error_deg, "deg", "error taken when the crossing was over too soon", 0,
-    29);
+  k("lead_error_deg", o.lead_error_deg, "deg",
+    "error taken when the crossing was over too soon; default: 15, 29 once per turn", 0, 29);
   k("delay_s", o.delay_s, "s", "crossing to sample, taken back; default: from the sensors", 0,
     1e-3);
-  k("bandwidth", o.bandwidth, "rad/step", "per step: natural frequency", 0.005, 0.8);
+  k("bandwidth", o.bandwidth, "rad/step",
+    "per step: natural frequency; default: 0.4, 0.1 once per turn", 0.005, 0.8);
   k("damping", o.damping, "", "per step: of the two integrators and the zero", 0.3, 3);
   k("pole_ratio", o.pole_ratio, "", "omega_p / omega_z, per step; default: no pole", 2, 1e3);
   k("rho", o.rho, "%", "Eq. (9), residue at t_s", 0.01, 50);

@@ -119,8 +119,6 @@ TEST(ReferenceDrive, RunsFromHallSensors) {
 TEST(ReferenceDrive, LocksWithThePapersPhaseDetectorToo) {
   auto s = servo(1.5);
   s.loop.detector = design::Detector::kOncePerTurn;
-  s.loop.bandwidth = 0.06;  // one look per turn
-  s.start.start_current_a = 0.6;
   const auto v = run(s, 30);
   EXPECT_TRUE(v.locked);
   EXPECT_EQ(v.step_outs, 0);
