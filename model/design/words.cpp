@@ -42,13 +42,15 @@ LoopWords loop_words(Quantiser& word, const LoopParameters& p, double tick, doub
   if (p.form == LoopForm::kPerStep) {
     w.ki = word("loop.ki", "per step", p.integral, std::ldexp(1, -14), 16);
     w.kp = word("loop.kp", "per step", p.proportional, std::ldexp(1, -14), 16);
-    w.pole = word("loop.pole", "per step", p.pole, kDuty, 16);
+    w.pole = 2 * word("loop.pole", "per step", p.pole, 2 * kDuty, 15);
   } else {
-    w.scale = word("loop.scale", "steps/s", p.proportional / 3.9, hertz, 26);
+    // Ours to choose, so that kp fills its word; the filter reads its upper 22 bits.
+    const double chosen = 16 * hertz * std::round(p.proportional / 3.9 / (16 * hertz));
+    w.scale = word("loop.scale", "steps/s", chosen, hertz, 26);
     const double scale = w.scale * hertz;
     w.ki = word("loop.ki", "1/s^2", p.integral, scale / tick * std::ldexp(1, -14), 16);
     w.kp = word("loop.kp", "1/s", p.proportional, scale * std::ldexp(1, -14), 16);
-    w.pole = word("loop.pole", "per tick", 1 - std::exp(-p.pole * tick), kDuty, 16);
+    w.pole = 2 * word("loop.pole", "per tick", 1 - std::exp(-p.pole * tick), 2 * kDuty, 15);
   }
   w.minimum = word("loop.minimum", "steps/s", p.minimum, hertz, 26);
   w.maximum = word("loop.maximum", "steps/s", p.maximum, hertz, 26);

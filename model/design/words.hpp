@@ -6,7 +6,9 @@
 //
 //     frequency, ramp, slew   u0.32 VCO turns per clock (per tick): f 2^divide 2^32 / clock
 //     phase                   u0.16 turns of a step          duty   u1.15
-//     loop ki, kp             u2.14; per second times `scale`, chosen so that kp fills its word
+//     loop ki, kp             u2.14; per second times `scale`, chosen so that kp fills its word;
+//                             the filter reads scale without its lowest four bits, pole (u1.15)
+//                             without its lowest one
 //     speed kp, bemf          u4.12 and ki u0.16 per tick, per frequency >> shift
 //
 // Doc: docs/design.md   Test: tests/model/design/register_words_test.cpp
