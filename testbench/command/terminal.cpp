@@ -27,11 +27,11 @@ ProgressBar::~ProgressBar() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 
-void ProgressBar::show(double done) {
+void ProgressBar::show(double done, const std::string& what) {
   if (!terminal_) return;
   constexpr int kWidth = 40;
   const int full = static_cast<int>(kWidth * std::clamp(done, 0.0, 1.0));
-  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3.0f} %", what_, "", full, "", kWidth - full,
+  fmt::print(stderr, "\r{}{} [{:=<{}}{: <{}}] {:3.0f} %\033[K", what_, what, "", full, "", kWidth - full,
              100 * done);
   std::fflush(stderr);
 }

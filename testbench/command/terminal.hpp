@@ -10,7 +10,7 @@ class ProgressBar {
  public:
   explicit ProgressBar(std::string what);
   ~ProgressBar();
-  void show(double done);
+  void show(double done, const std::string& what = {});
 
  private:
   std::string what_;

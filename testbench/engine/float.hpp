@@ -53,17 +53,24 @@ class FloatEngine {
   void skip(std::uint64_t clocks) { clock_ += clocks; }
 
   Watch watch() const { return watch_; }
-  const reference::Output& output() const { return out_; }
+  double commutated_at() const { return commutated_at_; }  // s, to the last digit
   DriveView view() const {
     return {.steps_per_second = out_.frequency,
             .duty = out_.duty,
             .phase_error_deg = 60 * out_.phase_error,
-            .step_phase_deg = 60 * out_.step_phase};
+            .step_phase_deg = 60 * out_.step_phase,
+            .crossings = crossings_,
+            .missed = missed_};
   }
 
  private:
   void update(double t) {
     out_ = drive_.update(t, pins_, command_);
+    if (out_.commutate) commutated_at_ = t;
+    if (command_.run && !ran_) crossings_ = missed_ = 0;
+    ran_ = command_.run;
+    crossings_ += out_.crossing;
+    missed_ += out_.missed;
     std::uint32_t bits = watch_.bits & Watch::kStrobeMask;
     for (int i = 0; i < 6; ++i) bits |= std::uint32_t{out_.gates[static_cast<std::size_t>(i)]} << i;
     watch_.bits = bits | static_cast<std::uint32_t>(out_.step) << Watch::kStep |
@@ -81,7 +88,9 @@ class FloatEngine {
   Watch watch_;
   double clock_hz_;
   std::uint64_t clock_ = 0;
-  bool touched_ = true;
+  bool touched_ = true, ran_ = false;
+  double commutated_at_ = 0;
+  int crossings_ = 0, missed_ = 0;
 };
 
 }  // namespace steplock

@@ -60,6 +60,7 @@ std::optional<double> reached(const std::vector<Sample>& samples, double from, d
 }
 
 double last_half(double from, double to) { return from + (to - from) / 2; }
+double last_fifth(double from, double to) { return to - (to - from) / 5; }
 
 void judge_steady(Summary& sum, const Record& record, double from, double to, double set_rpm) {
   const Span p = span(record.overview, from, to);
@@ -83,7 +84,7 @@ void judge_load_step(Summary& sum, const design::Settings& s, const Record& reco
                               n.stop_s.value_or(n.duration_s), record.simulated_s});
   const double set = signed_set_speed(s, n.reverse);
   sum.load_step_nm = load_step_nm;
-  sum.loaded = speed_in(span(record.overview, last_half(from, to), to), set);
+  sum.loaded = speed_in(span(record.overview, last_fifth(from, to), to), set);
   double least = std::abs(set);
   for (const Sample& x : record.overview) {
     if (x.time >= from && x.time <= to) least = std::min(least, std::abs(rpm(x.plant.speed)));
@@ -105,8 +106,7 @@ void judge_reversal(Summary& sum, const design::Settings& s, const Record& recor
     }
   }
   const double begun = *n.reverse_s + sum.reverse_time_s.value_or(0);
-  const double from = reached(record.overview, begun, to, set).value_or(last_half(begun, to));
-  sum.reversed = speed_in(span(record.overview, last_half(from, to), to), set);
+  sum.reversed = speed_in(span(record.overview, last_fifth(begun, to), to), set);
 }
 
 // Locks that ended although nobody asked: run, direction and fault pin as the scenario has them.
@@ -174,8 +174,8 @@ std::vector<std::string> Summary::failures() const {
   const auto need = [&](bool holds, std::string text) {
     if (!holds) why.push_back(std::move(text));
   };
-  const auto speed = [&](const char* what, const SpeedResult& r) {
-    need(std::abs(r.error_percent) <= kSpeedTolerancePercent && r.to_s > r.from_s,
+  const auto speed = [&](const char* what, const SpeedResult& r, double tolerance) {
+    need(std::abs(r.error_percent) <= tolerance && r.to_s > r.from_s,
          fmt::format("{}: mean speed {:.1f} rpm, {:+.3f} % off", what, r.mean_rpm, r.error_percent));
   };
   need(!interrupted, "interrupted");
@@ -184,9 +184,9 @@ std::vector<std::string> Summary::failures() const {
   need(lost_locks == 0, fmt::format("{} locks lost", lost_locks));
   need(fault == "none", fmt::format("fault latched: {}", fault));
   need(shoot_throughs == 0, fmt::format("{} shoot-throughs", shoot_throughs));
-  speed("steady", steady);
-  if (loaded) speed("under load", *loaded);
-  if (reversed) speed("in reverse", *reversed);
+  speed("steady", steady, kSpeedTolerancePercent);
+  if (loaded) speed("under load", *loaded, kRecoveredPercent);
+  if (reversed) speed("in reverse", *reversed, kRecoveredPercent);
   if (reversed) need(reverse_time_s.has_value(), "no lock in reverse");
   return why;
 }

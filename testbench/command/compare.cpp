@@ -1,0 +1,56 @@
+#include "testbench/compare/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "testbench/command/command.hpp"
+#include "testbench/command/terminal.hpp"
+#include "testbench/run/check.hpp"
+
+namespace steplock {
+namespace {
+
+struct Arguments {
+  std::string file;
+  bool json = false;
+  std::optional<double> angle_deg;
+};
+
+int compare(const Arguments& arguments) {
+  const DriveFile file = open_drive_file(arguments.file);
+  Comparison result;
+  bool interrupted = false;
+  {
+    Interrupt interrupt;
+    ProgressBar bar("");
+    result = compare_engines(
+        file.settings,
+        {.angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg),
+         .progress = [&](const char* what, double done) {
+           bar.show(done, what);
+           return !interrupt.asked();
+         }});
+    interrupted = interrupt.asked();
+  }
+  fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n"
+                                  : file.settings.drive.name + "\n" + to_text(result));
+  if (interrupted) return kInterrupted;
+  return result.passed() ? kWell : kFailed;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Hold rtl against fixed, clock by clock, and fixed against float, in units.");
+  command->add_option("FILE", arguments->file, "drive file")->required();
+  command->add_flag("--json", arguments->json, "print the result as JSON");
+  command->add_option("--angle", arguments->angle_deg,
+                      "electrical degrees of the rotor at the start (default: the file's)");
+  command->footer("Example: steplock compare drives/amano2003.toml");
+  command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+}
+
+}  // namespace steplock

@@ -1,0 +1,88 @@
+// A comparison as JSON for programs and as tables for people.
+#include <fmt/format.h>
+
+#include "testbench/compare/compare.hpp"
+
+namespace steplock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::stod(fmt::format("{:.7g}", x)); }
+Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
+
+struct Pair {
+  const char* name;
+  const char* unit;
+  double fixed, floating;
+};
+
+std::vector<Pair> own_runs(const Comparison& c) {
+  const Summary &a = c.fixed, &b = c.floating;
+  return {{"lock time", "s", a.lock_time_s.value_or(-1), b.lock_time_s.value_or(-1)},
+          {"start time", "s", a.start_time_s.value_or(-1), b.start_time_s.value_or(-1)},
+          {"mean speed", "rpm", a.steady.mean_rpm, b.steady.mean_rpm},
+          {"phase error, rms", "deg", a.phase_error_rms_deg, b.phase_error_rms_deg},
+          {"commutation error, rms", "deg", a.commutation_error_rms_deg,
+           b.commutation_error_rms_deg},
+          {"peak current", "A", a.peak_current_a, b.peak_current_a},
+          {"rms current", "A", a.rms_current_a, b.rms_current_a}};
+}
+
+}  // namespace
+
+Json to_json(const Comparison& c) {
+  Json j;
+  j["passed"] = c.passed();
+  j["rtl_equals_fixed"] = {{"equal", c.lockstep.equal()},
+                           {"clocks", c.lockstep.clocks},
+                           {"differing_clocks", c.lockstep.differing_clocks},
+                           {"first_clock", c.lockstep.first_clock},
+                           {"first_port", c.lockstep.first_port}};
+  Json signals = Json::array();
+  for (const SignalError& e : c.shadow) {
+    signals.push_back({{"signal", e.name}, {"unit", e.unit}, {"mean", number(e.mean)},
+                       {"rms", number(e.rms)}, {"greatest", number(e.greatest)},
+                       {"budget_rms", number(e.budget_rms)},
+                       {"budget_bound", number(e.budget_bound)}, {"within", e.within()}});
+  }
+  j["fixed_against_float"] = {{"commutations", c.paired}, {"signals", signals}};
+  Json own;
+  for (const Pair& p : own_runs(c)) {
+    own.push_back({{"figure", p.name}, {"unit", p.unit}, {"fixed", number(p.fixed)},
+                   {"float", number(p.floating)}});
+  }
+  j["own_motors"] = own;
+  return j;
+}
+
+std::string to_text(const Comparison& c) {
+  std::string t;
+  if (c.lockstep.clocks > 0) {
+    t += fmt::format("rtl = fixed: {} clocks, every output: {}\n", c.lockstep.clocks,
+                     c.lockstep.equal() ? "equal"
+                                        : fmt::format("DIFFERENT on {}, first {} at clock {}",
+                                                      c.lockstep.differing_clocks,
+                                                      c.lockstep.first_port, c.lockstep.first_clock));
+  }
+  t += fmt::format("fixed against float on the same pins, {} commutations of the steady span:\n"
+                   "  {:<22}{:<16}{:>12}{:>12}{:>12}{:>12}\n",
+                   c.paired, "signal", "unit", "rms", "greatest", "budget rms", "bound");
+  const auto cell = [](const std::optional<double>& x) {
+    return x ? fmt::format("{:.3g}", *x) : std::string("-");
+  };
+  for (const SignalError& e : c.shadow) {
+    t += fmt::format("  {:<22}{:<16}{:>12.3g}{:>12.3g}{:>12}{:>12}{}\n", e.name, e.unit, e.rms,
+                     e.greatest, cell(e.budget_rms), cell(e.budget_bound),
+                     e.within() ? "" : "  BEYOND");
+  }
+  if (c.shadow.empty()) t += "  none: the two never ran in step\n";
+  t += fmt::format("each with a motor of its own:\n  {:<28}{:<6}{:>12}{:>12}\n", "figure", "unit",
+                   "fixed", "float");
+  for (const Pair& p : own_runs(c)) {
+    t += fmt::format("  {:<28}{:<6}{:>12.5g}{:>12.5g}\n", p.name, p.unit, p.fixed, p.floating);
+  }
+  return t;
+}
+
+}  // namespace steplock

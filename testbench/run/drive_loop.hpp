@@ -1,0 +1,51 @@
+// One engine, one plant, one scenario: the loop that every command shares.
+//
+// Test: tests/testbench/run_drive_test.cpp
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+#include "testbench/run/cosimulation.hpp"
+#include "testbench/run/run_drive.hpp"
+
+namespace steplock {
+
+RecorderSettings recorder_settings(const design::Settings&, const Timeline&);
+
+template <class Engine>
+Record run_with(Engine& engine, const design::Settings& s, const RunOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto cpu_seconds = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  const Timeline events = timeline(s);
+  plant::Plant plant(plant_parameters(s), initial_state(s, options.angle_deg));
+  Recorder recorder(recorder_settings(s, events), options.trace);
+  Cosimulation simulation(engine, plant, events, recorder, s.control.clock_hz);
+
+  const auto wall = Clock::now();
+  const double cpu = cpu_seconds();
+  auto reported = wall;
+  bool interrupted = false;
+  constexpr std::uint64_t kChunk = 1 << 18;  // clocks between two looks at the wall clock
+  while (simulation.clock() < events.clocks && !interrupted) {
+    simulation.run_until(std::min(events.clocks, simulation.clock() + kChunk));
+    const auto now = Clock::now();
+    if (options.progress && now - reported > std::chrono::milliseconds(100)) {
+      reported = now;
+      interrupted = !options.progress(static_cast<double>(simulation.clock()) /
+                                      static_cast<double>(events.clocks));
+    }
+  }
+  const plant::Energy energy = plant.state().energy;
+  Record record = recorder.take();
+  record.interrupted = interrupted;
+  record.clocks = simulation.clock();
+  record.simulated_s = static_cast<double>(record.clocks) / s.control.clock_hz;
+  record.wall_s = std::chrono::duration<double>(Clock::now() - wall).count();
+  record.cpu_s = cpu_seconds() - cpu;
+  record.shoot_throughs = plant.shoot_throughs();
+  record.energy_residual = energy.supplied > 0 ? energy.residual() / energy.supplied : 0;
+  return record;
+}
+
+}  // namespace steplock
