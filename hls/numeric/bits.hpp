@@ -187,8 +187,16 @@ constexpr To wrap(Bits<W, S> x) { return To::of(x.raw()); }
 
 template <class To, int W, bool S>
 constexpr To saturate(Bits<W, S> x) {
-  if (x < To::min()) return To::min();
-  if (x > To::max()) return To::max();
+  // x fits when all bits above To's are copies of the sign; comparing with the ends would take adders.
+  constexpr int kept = To::is_signed ? To::width - 1 : To::width;
+  if (x.negative()) {
+    if (!To::is_signed) return To::min();
+    if constexpr (W > kept) {
+      if ((x >> kept) != Bits<W, S>::of(-1)) return To::min();
+    }
+  } else if constexpr (W > kept) {
+    if ((x >> kept) != Bits<W, S>::of(0)) return To::max();
+  }
   return To::of(x.raw());
 }
 

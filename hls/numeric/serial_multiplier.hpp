@@ -1,13 +1,14 @@
 // Serial multiplier: a signed number times an unsigned one, one bit of `b` per clock, one adder.
 //
-//     product = a * b       for each bit of b from below:  P <- (P + (bit ? a : 0)) / 2
+//     product = a * b >> shift     for each bit of b from below:  P <- (P + (bit ? a : 0)) / 2
 //
 // The half that each step drops is a bit of the product; it moves into the place that the used bit of
 // `b` leaves free.  `a` is not copied, which saves its register: hold it until `done`.  `b` is taken
-// with `start`.  A start while busy drops the work in flight.
+// with `start`.  A start while busy drops the work in flight.  `shift` goes on with bits of 0, which is
+// a barrel shifter for the price of its clocks.
 //
-//     latency      WB + 1 clocks from `start` to `done`
-//     throughput   one product per WB + 1 clocks: the next start may come with `done`
+//     latency      WB + shift + 1 clocks from `start` to `done`
+//     throughput   one product in that time: the next start may come with `done`
 //     registers    2 WA + WB bits and a counter
 //     longest path one adder of WA + 1 bits
 //
@@ -28,6 +29,7 @@ class SerialMultiplier {
     bool start = false;  // takes b, begins with a
     Int<WA> a = 0;       // hold from start to done
     UInt<WB> b = 0;      // needed in the clock of start alone
+    UInt<4> shift = 0;   // bits to drop from the product's end; hold from start to done
   };
 
   struct Out {
@@ -41,17 +43,21 @@ class SerialMultiplier {
                   .done = done_,
                   .busy = left_ != 0};
     // The addend of the next clock, so that an adder and nothing else lies between registers.
-    const bool next_bit = in.start ? in.b.bit(0) : low_.bit(1);
+    const bool last = left_ == 1;
+    const bool next_bit = in.start ? in.b.bit(0) : low_.bit(1) && !last && !dropping_;
     const auto sum = high_ + addend_;
-    done_ = !in.start && left_ == 1;
+    const bool drops = last && !dropping_ && in.shift != 0;
+    done_ = !in.start && last && !drops;
     if (in.start) {
       high_ = 0;
       low_ = in.b;
       left_ = WB;
+      dropping_ = false;
     } else if (left_ != 0) {
       high_ = wrap<Int<WA>>(sum >> 1);
       low_ = (low_ >> 1) | (UInt<WB>(sum.bit(0)) << (WB - 1));
-      left_ = wrap<Left>(left_ - 1);
+      left_ = drops ? Left(in.shift) : wrap<Left>(left_ - 1);
+      dropping_ = dropping_ || drops;
     }
     addend_ = next_bit ? in.a : Int<WA>(0);
     return out;
@@ -60,12 +66,13 @@ class SerialMultiplier {
   bool operator==(const SerialMultiplier&) const = default;
 
  private:
-  using Left = UInt<(WB >= 32 ? 6 : WB >= 16 ? 5 : WB >= 8 ? 4 : WB >= 4 ? 3 : 2)>;
+  using Left = UInt<(WB >= 32 ? 6 : WB >= 16 ? 5 : 4)>;  // room for shift as well
 
   Int<WA> high_ = 0;    // the product so far, its upper bits
   UInt<WB> low_ = 0;    // above: its lower bits; below: the bits of b still to come
   Int<WA> addend_ = 0;  // a, or 0 where the bit of b is 0
   Left left_ = 0;       // clocks
+  bool dropping_ = false;  // b is used up; the clocks that are left shift the product
   bool done_ = false;   // the product is complete
 };
 

@@ -51,16 +51,21 @@ class LoopFilter {
     Frequency minimum = 0;         // u0.32, VCO turns per clock
     Frequency maximum = 0;         // u0.32, VCO turns per clock
     Frequency hand_over = 0;       // u0.32, VCO turns per clock
+    Frequency stall = 0;           // u0.32, VCO turns per clock
   };
 
   struct Out {
     Frequency frequency = 0;  // u0.32, VCO turns per clock
     bool fast = false;        // frequency >= hand_over
+    bool slow = false;        // frequency < stall
     bool busy = false;        // an update is being worked on
   };
 
   Out tick(const In& in) {
-    const Out out{.frequency = y_.slice<29, 4>(), .fast = fast_, .busy = stage_ != Stage::kIdle};
+    const Out out{.frequency = y_.slice<29, 4>(),
+                  .fast = fast_,
+                  .slow = slow_,
+                  .busy = stage_ != Stage::kIdle};
     const bool multiplies = stage_ >= Stage::kDelay && stage_ <= Stage::kKeep;
     const bool from_y = stage_ == Stage::kDelay || stage_ == Stage::kKeep;
     const auto product = multiplier_.tick({.start = multiplies && !started_,
@@ -71,7 +76,7 @@ class LoopFilter {
     if (in.loop == Loop::kStop) {
       x_ = 0;
       y_ = 0;
-      fast_ = at_top_ = at_bottom_ = started_ = false;
+      fast_ = slow_ = at_top_ = at_bottom_ = started_ = false;
       stage_ = Stage::kIdle;
     } else if (multiplies) {
       started_ = !product.done;
@@ -90,7 +95,7 @@ class LoopFilter {
   using Work = Int<34>;  // s-2.36: e', p, x and v stay below 2^-3
   // Six products, each added to something; then the bounds; kOut shows the result.
   enum class Stage : std::uint8_t {
-    kIdle, kDelay, kScale, kIntegral, kProportional, kPole, kKeep, kLow, kHigh, kOut
+    kIdle, kDelay, kScale, kIntegral, kProportional, kPole, kKeep, kLow, kHigh, kSlow, kOut
   };
 
   UInt<22> factor(const In& in) const {
@@ -134,9 +139,12 @@ class LoopFilter {
 
   // A ramp begins at standstill.
   Frequency bound(const In& in) const {
-    return stage_ == Stage::kLow    ? in.loop == Loop::kRamp ? Frequency(0) : in.minimum
-           : stage_ == Stage::kHigh ? in.maximum
-                                    : in.hand_over;
+    switch (stage_) {
+      case Stage::kLow: return in.loop == Loop::kRamp ? Frequency(0) : in.minimum;
+      case Stage::kHigh: return in.maximum;
+      case Stage::kSlow: return in.stall;
+      default: return in.hand_over;
+    }
   }
 
   void finish(const In& in, Frequency limit, bool below) {
@@ -154,6 +162,10 @@ class LoopFilter {
         break;
       case Stage::kHigh:
         at_top_ = outside;
+        stage_ = Stage::kSlow;
+        break;
+      case Stage::kSlow:
+        slow_ = below;
         stage_ = Stage::kOut;
         break;
       default:
@@ -172,6 +184,7 @@ class LoopFilter {
   Work x_ = 0;              // s-2.36, the integrator
   UInt<30> y_ = 0;          // u0.36, behind the pole
   bool fast_ = false;
+  bool slow_ = false;
   bool at_top_ = false;     // the output stands at a limit
   bool at_bottom_ = false;
 };

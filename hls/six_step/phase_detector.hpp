@@ -58,50 +58,42 @@ class PhaseDetector {
                   .update = update_,
                   .good = update_ && !missed_ && magnitude < window,
                   .missed = missed_};
-    update_ = missed_ = false;
-    if (in.watch == Evidence::kCrossings) {
-      watch_crossings(in);
-    } else {
-      answered_ = true;  // no miss for a step that began unwatched
-      if (in.watch == Evidence::kSectors) watch_sectors(in);
+
+    const bool crossings = in.watch == Evidence::kCrossings;
+    const bool sectors = in.watch == Evidence::kSectors;
+    missed_ = (crossings && in.commutate && !answered_) ||
+              (sectors && in.elapsed && turned_ && !in.changed);
+    update_ = missed_ || (crossings && in.crossing && !answered_) || (sectors && in.changed);
+    if (update_) error_ = saturate<PhaseError>(place(in) - found(in));
+
+    if (in.commutate || !sectors) {
+      turned_ = false;
+    } else if (in.elapsed) {
+      turned_ = !turned_;
     }
-    if (in.commutate) turned_ = false;
+    if (!crossings) {
+      answered_ = true;  // no miss for a step that began unwatched
+    } else if (in.commutate) {
+      // U floats and rises in step 5, or 2 when the rotor turns backwards.
+      answered_ = in.detector == Detector::kOncePerTurn && in.step != (in.reverse ? 2 : 5);
+    } else if (in.crossing) {
+      answered_ = true;
+    }
+    before_ = in.before_seen;
     return out;
   }
 
   bool operator==(const PhaseDetector&) const = default;
 
  private:
-  void watch_crossings(const In& in) {
-    if (in.commutate) {
-      if (!answered_) {
-        set(before_ ? in.expected : in.lead_error, before_ ? Phase::max() : Phase(0));
-        missed_ = true;
-      }
-      // U floats and rises in step 5, or 2 when the rotor turns backwards.
-      answered_ = in.detector == Detector::kOncePerTurn && in.step != (in.reverse ? 2 : 5);
-    } else if (in.crossing && !answered_) {
-      set(in.expected, in.crossing_phase);
-      answered_ = true;
-    }
-    before_ = in.before_seen;
+  // Error = place - found; both are turns of one step.  A miss has missed_ set by now.
+  UInt<17> place(const In& in) const {
+    if (in.watch == Evidence::kSectors) return turned_ ? UInt<17>(0) : UInt<17>(0x10000);
+    return missed_ && !before_ ? in.lead_error : in.expected;
   }
-
-  void watch_sectors(const In& in) {
-    if (in.changed) {
-      set(turned_ ? UInt<17>(0) : UInt<17>(0x10000), in.phase);
-    } else if (in.elapsed) {
-      if (turned_) {
-        error_ = PhaseError::min();
-        update_ = missed_ = true;
-      }
-      turned_ = !turned_;
-    }
-  }
-
-  void set(UInt<17> place, Phase found) {
-    error_ = saturate<PhaseError>(place - found);
-    update_ = true;
+  Phase found(const In& in) const {
+    if (in.watch == Evidence::kSectors) return missed_ ? Phase(0x8000) : in.phase;
+    return !missed_ ? in.crossing_phase : before_ ? Phase::max() : Phase(0);
   }
 
   PhaseError error_ = 0;  // s0.16

@@ -32,9 +32,8 @@ class Protection {
     bool commutate = false;     // a new step began
     bool good = false;          // strobe: a crossing near its place
     bool missed = false;        // strobe: a step without a crossing
-    Frequency frequency = 0;    // u0.32, VCO turns per clock
-    Duty duty = 0;              // u1.15
-    Duty bemf_duty = 0;         // u1.15
+    bool slow = false;          // the VCO's frequency is below `stall`
+    bool slips = false;         // the duty is more than the back-EMF explains
     Phase freewheel = 0;        // u0.16, of the present or last step
     UInt<4> stuck = 0;          // hits of the current limit in a row with its comparator never released
     bool fault_pin = false;     // synchronised
@@ -52,24 +51,23 @@ class Protection {
 
   Out tick(const In& in) {
     const bool freewheels_long = in.freewheel > in.words.freewheel;
-    const bool slips = in.duty - in.bemf_duty > in.words.slip;
 
     Out out;
     out.freewheel_long = in.commutate && freewheels_long;
     if (in.running) {
       watch_steps(in);
-      if (in.tick) watch_time(in, slips || freewheels_long);
+      if (in.tick) watch_time(in, in.slips || freewheels_long);
     } else {
       score_ = 0;
       slow_ = 0;
-      wrong_ = 0;
+      wrong_ = in.words.wrong_lock;
       hall_ = 0;
     }
 
     const bool over_current = in.words.over_current != 0 && in.stuck >= in.words.over_current;
     const bool step_out = in.words.misses != 0 && score_ >= in.words.misses;
     const bool stall = slow_ == 6;
-    const bool wrong = in.words.wrong_lock != 0 && wrong_ >= in.words.wrong_lock;
+    const bool wrong = in.words.wrong_lock != 0 && wrong_ == 0;
     const bool hall = hall_ == 2;
     out.fatal = in.fault_pin || over_current;
     out.lost = step_out || stall || wrong || hall;
@@ -88,12 +86,12 @@ class Protection {
  private:
   void watch_steps(const In& in) {
     if (in.missed) {
-      score_ = saturate<UInt<6>>(score_ + 2);
+      score_ = wrap<UInt<7>>(score_ + 2);
     } else if (in.good && score_ != 0) {
-      score_ = wrap<UInt<6>>(score_ - 1);
+      score_ = wrap<UInt<7>>(score_ - 1);
     }
     if (in.commutate) {
-      if (in.frequency >= in.words.stall) {
+      if (!in.slow) {
         slow_ = 0;
       } else if (slow_ != 6) {
         slow_ = wrap<UInt<3>>(slow_ + 1);
@@ -102,7 +100,11 @@ class Protection {
   }
 
   void watch_time(const In& in, bool wrong) {
-    wrong_ = wrong ? saturate<Ticks>(wrong_ + 1) : Ticks(0);
+    if (!wrong) {
+      wrong_ = in.words.wrong_lock;
+    } else if (wrong_ != 0) {
+      wrong_ = wrap<Ticks>(wrong_ - 1);
+    }
     if (!in.hall || !in.hall_illegal) {
       hall_ = 0;
     } else if (hall_ != 2) {
@@ -110,9 +112,9 @@ class Protection {
     }
   }
 
-  UInt<6> score_ = 0;  // of missed crossings
+  UInt<7> score_ = 0;  // of missed crossings
   UInt<3> slow_ = 0;   // slow steps in a row
-  Ticks wrong_ = 0;    // ticks in a row that look like a wrong lock
+  Ticks wrong_ = Ticks::max();  // ticks more that may look like a wrong lock
   UInt<2> hall_ = 0;   // ticks in a row with an illegal code
 };
 

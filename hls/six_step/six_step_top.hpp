@@ -134,7 +134,8 @@ class SixStepTop {
                                       .scale = words.loop.scale,
                                       .minimum = words.loop.minimum,
                                       .maximum = words.loop.maximum,
-                                      .hand_over = words.start.hand_over});
+                                      .hand_over = words.start.hand_over,
+                                      .stall = words.protection.stall});
     const bool load = start.load_step || new_sector;
     const bool half_turn = start.load_step && words.loop.divide == 0;
     const auto vco = vco_.tick({.enable = start.turn_vco,
@@ -157,6 +158,7 @@ class SixStepTop {
                                     .target = start.stop ? Frequency(0) : words.speed.target,
                                     .limited = limited_,
                                     .period = words.pwm.period,
+                                    .slip = words.protection.slip,
                                     .words = words.speed});
     const auto pwm = pwm_.tick({.on_clocks = speed.on_clocks,
                                 .period = words.pwm.period,
@@ -177,12 +179,11 @@ class SixStepTop {
 
     const auto protection = protection_.tick({.running = start.running,
                                               .tick = tick_,
-                                              .commutate = divider.commutate,
+                                              .commutate = divider.commutate || divider.elapsed,
                                               .good = detector.good,
                                               .missed = detector.missed,
-                                              .frequency = filter.frequency,
-                                              .duty = speed.duty,
-                                              .bemf_duty = speed.bemf_duty,
+                                              .slow = filter.slow,
+                                              .slips = speed.slips,
                                               .freewheel = hall ? Phase(0) : bemf.freewheel,
                                               .stuck = limit.stuck,
                                               .fault_pin = pins.fault,

@@ -1,19 +1,22 @@
 // Speed control: from the VCO's frequency to the on-time of the PWM, once per tick.
 //
 //     reference  moves towards target by at most slew
-//     e          = (reference - frequency) >> shift          normalised error, s0.15 of full scale
-//     integral  += ki e                                      frozen in the direction that winds up
-//     duty       = integral + kp e                           within [minimum, maximum] and duty_slew
+//     e          = reference - frequency
+//     integral  += ki e >> shift        within [minimum, maximum]; frozen in the direction that winds up
+//     duty       = integral + (kp e >> shift)       within [minimum, maximum] and duty_slew
 //     on_clocks  = duty * period
+//     slips      = duty > slip + (bemf frequency >> shift)      more than the back-EMF explains
 //
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
 // mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds up).
 // Integral and reference follow, so that control begins without a jump, after a start as after
 // catching a rotor.
 //
-//     latency      4 products of 16 clocks, 2 shifts of up to 15: at most 110 clocks after the tick;
-//                  a tick that comes earlier is passed over
-//     registers    about 220 bits     multipliers  none (one serial)
+// One product at a time, one addition to it, then one bound after the other by one comparator.
+//
+//     latency      at most 140 clocks after the tick, with shift 15; a tick that comes earlier is
+//                  passed over
+//     registers    about 240 bits     multipliers  none (one serial)
 //
 // Doc: docs/blocks/speed_control.md   Test: tests/hls/speed_control_test.cpp
 
@@ -37,36 +40,42 @@ class SpeedControl {
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
     Clocks period = 0;                   // clocks per PWM period
+    Duty slip = 0;                       // u1.15, above the back-EMF's duty
     SpeedWords words;
   };
 
   struct Out {
-    Duty duty = 0;        // u1.15
-    Duty bemf_duty = 0;   // u1.15, mean voltage equal to the back-EMF
-    Clocks on_clocks = 0; // clocks of on-time per period
+    Duty duty = 0;         // u1.15
+    Clocks on_clocks = 0;  // clocks of on-time per period
+    bool slips = false;    // in speed control: duty above the back-EMF's by more than slip
   };
 
   Out tick(const In& in) {
-    const Out out{.duty = duty_, .bemf_duty = bemf_duty_, .on_clocks = on_clocks_};
-
-    const bool shifted = shifts_ == 0;
-    const auto product = multiplier_.tick({.start = stage_ != Stage::kIdle && shifted && !started_,
-                                           .a = saturate<Int<17>>(operand_),
-                                           .b = factor(in)});
-    limited_ = in.limited || limited_;
-    if (stage_ == Stage::kIdle) {
-      if (in.tick) {
-        begin(in);
-      }
-    } else if (!shifted) {
-      operand_ = operand_ >> 1;
-      shifts_ = wrap<UInt<4>>(shifts_ - 1);
-    } else if (!started_) {
-      started_ = true;
-    } else if (product.done) {
-      started_ = false;
-      finish(in, product.product);
+    const Out out{.duty = duty_, .on_clocks = on_clocks_, .slips = slips_};
+    const bool of_error = stage_ == Stage::kIntegral || stage_ == Stage::kProportional;
+    const bool of_duty = stage_ == Stage::kOnClocks;
+    const bool multiplies = of_error || of_duty || stage_ == Stage::kBemf;
+    // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
+    const Int<27> frequency = in.frequency;
+    const Int<27> a = wrap<Int<27>>((of_error  ? wrap<Int<27>>(reference_)
+                                     : of_duty ? Int<27>(duty_)
+                                               : Int<27>(0)) +
+                                    (of_error  ? ~frequency
+                                     : of_duty ? Int<27>(0)
+                                               : frequency));
+    const auto product = multiplier_.tick({.start = multiplies && !started_,
+                                           .a = a,
+                                           .b = factor(in),
+                                           .shift = of_duty ? UInt<4>(0) : in.words.shift});
+    const bool integrated = stage_ == Stage::kIntegral && product.done;
+    if (multiplies) {
+      started_ = !product.done;
+      if (product.done) add(in, wrap<Int<32>>(product.product));
+    } else {
+      advance(in);
     }
+    // A cut counts until an integral has seen it.
+    limited_ = in.limited || (limited_ && !integrated && in.mode == SpeedMode::kControl);
     return out;
   }
 
@@ -75,7 +84,16 @@ class SpeedControl {
   bool operator==(const SpeedControl&) const = default;
 
  private:
-  enum class Stage : std::uint8_t { kIdle, kBemf, kIntegral, kProportional, kOnClocks };
+  // Reference, then product by product; bounds stand behind what they bound.
+  enum class Stage : std::uint8_t {
+    kIdle, kSlew, kReach, kBemf, kSlip, kIntegral, kWhole, kWholeLow, kWholeHigh, kKeep,
+    kProportional, kLow, kHigh, kUp, kDown, kDuty, kOnClocks
+  };
+  using Work = Int<21>;  // s5.15: kp e alone may be 16 times the full duty
+
+  static Stage next(Stage stage) {
+    return stage < Stage::kOnClocks ? static_cast<Stage>(static_cast<int>(stage) + 1) : Stage::kIdle;
+  }
 
   UInt<16> factor(const In& in) const {
     switch (stage_) {
@@ -86,107 +104,107 @@ class SpeedControl {
     }
   }
 
-  void begin(const In& in) {
-    if (in.mode != SpeedMode::kControl) {
-      reference_ = in.frequency;
-    } else {
-      const auto distance = in.target - reference_;
-      if (distance > in.words.slew) {
-        reference_ = wrap<Frequency>(reference_ + in.words.slew);
-      } else if (distance + in.words.slew < 0) {
-        reference_ = wrap<Frequency>(reference_ - in.words.slew);
-      } else {
-        reference_ = in.target;
-      }
-    }
-    operand_ = in.frequency;
-    shifts_ = in.words.shift;
-    stage_ = Stage::kBemf;
+  Work sum(const In& in, Int<32> product) const {
+    const bool whole = stage_ == Stage::kWhole || stage_ == Stage::kProportional;
+    const bool control = in.mode == SpeedMode::kControl;
+    const Work base = whole     ? wrap<Work>(integral_ >> 16)
+                      : control ? Work(in.slip)
+                                : Work(in.fixed_duty);
+    const bool alone = in.mode == SpeedMode::kFixed || stage_ == Stage::kWhole;
+    return wrap<Work>(base + (alone ? Int<20>(0) : wrap<Int<20>>(product >> 12)));
   }
 
-  void finish(const In& in, Int<33> product) {
+  void add(const In& in, Int<32> product) {
+    if (stage_ == Stage::kIntegral) {
+      const bool winds_up = product.negative() ? at_low_ : at_high_ || limited_;
+      if (!winds_up) integral_ = wrap<Int<34>>(integral_ + product);
+    } else if (stage_ == Stage::kOnClocks) {
+      on_clocks_ = product.slice<28, 15>();
+    } else {
+      work_ = sum(in, product);
+    }
+    const bool control = in.mode == SpeedMode::kControl;
+    stage_ = stage_ == Stage::kBemf && !control ? Stage::kHigh : next(stage_);
+  }
+
+  void advance(const In& in) {
+    const bool control = in.mode == SpeedMode::kControl;
+    const Int<18> limit = bound(in);
+    const bool below = work_ < limit;
+    const bool too_low =
+        (stage_ == Stage::kWholeLow || stage_ == Stage::kLow || stage_ == Stage::kDown) && below;
+    const bool too_high =
+        (stage_ == Stage::kWholeHigh || stage_ == Stage::kHigh || stage_ == Stage::kUp) && !below;
+    const Work work = work_;
+    if (stage_ == Stage::kWhole) {
+      work_ = sum(in, 0);
+    } else if (too_low || too_high) {
+      work_ = limit;
+    }
+
+    const Frequency goal = control ? in.target : in.frequency;
+    const bool lower = reference_ < goal;
+    // Downwards one last bit more, the one's complement: kReach catches whatever passes the goal.
+    const Int<28> slew = lower ? Int<28>(in.words.slew) : ~Int<28>(in.words.slew);
     switch (stage_) {
-      case Stage::kBemf:
-        bemf_duty_ = saturate<Duty>(product >> 12);
-        if (in.mode == SpeedMode::kControl) {
-          operand_ = reference_ - in.frequency;
-          shifts_ = in.words.shift;
-          stage_ = Stage::kIntegral;
-        } else {
-          take(in.mode == SpeedMode::kAboveBemf ? above(in, product) : in.fixed_duty);
+      case Stage::kIdle:
+        if (in.tick) stage_ = Stage::kSlew;
+        return;
+      case Stage::kSlew:
+        rises_ = lower;
+        reference_ = wrap<Int<28>>(reference_ + slew);
+        break;
+      case Stage::kReach:
+        if (!control || lower != rises_) reference_ = goal;
+        break;
+      case Stage::kSlip: slips_ = below; break;
+      case Stage::kWhole: at_low_ = at_high_ = false; break;
+      case Stage::kKeep:
+        if (at_low_ || at_high_) integral_ = Int<34>(work) << 16;
+        break;
+      case Stage::kDuty:
+        duty_ = wrap<Duty>(work);
+        if (!control) {
+          integral_ = Int<34>(work) << 16;
+          slips_ = false;
         }
         break;
-      case Stage::kIntegral:
-        integrate(in, product);
-        stage_ = Stage::kProportional;
-        break;
-      case Stage::kProportional:
-        move_duty(in, product);
-        break;
-      default:
-        on_clocks_ = saturate<Clocks>(product >> 15);
-        stage_ = Stage::kIdle;
-        break;
+      default: break;
+    }
+    at_low_ = at_low_ || too_low;
+    at_high_ = at_high_ || too_high;
+    stage_ = stage_ == Stage::kHigh && !control ? Stage::kDuty : next(stage_);
+  }
+
+  Int<18> bound(const In& in) const {
+    switch (stage_) {
+      case Stage::kWholeLow:
+      case Stage::kLow: return in.words.minimum;
+      case Stage::kWholeHigh:
+      case Stage::kHigh: return in.words.maximum;
+      default: {
+        // Downwards one last bit more: the one's complement.
+        const Int<18> slew = stage_ == Stage::kUp     ? Int<18>(in.words.duty_slew)
+                             : stage_ == Stage::kDown ? ~Int<18>(in.words.duty_slew)
+                                                      : Int<18>(0);
+        return wrap<Int<18>>(duty_ + slew);
+      }
     }
   }
 
-  static Duty above(const In& in, Int<33> product) {
-    const auto sum = in.fixed_duty + (product >> 12);
-    return sum > in.words.maximum ? in.words.maximum : wrap<Duty>(sum);
-  }
-
-  // The duty comes from elsewhere; control will begin from it.
-  void take(Duty duty) {
-    duty_ = duty;
-    integral_ = UInt<32>(duty) << 16;
-    limited_ = at_high_ = at_low_ = false;
-    to_on_clocks(duty);
-  }
-
-  void to_on_clocks(Duty duty) {
-    operand_ = duty;
-    stage_ = Stage::kOnClocks;
-  }
-
-  void integrate(const In& in, Int<33> product) {
-    const bool winds_up = operand_.negative() ? at_low_ : at_high_ || limited_;
-    limited_ = false;
-    if (winds_up) return;
-    const auto sum = integral_ + product;
-    const auto highest = UInt<32>(in.words.maximum) << 16;
-    integral_ = sum < 0 ? UInt<32>(0) : sum > highest ? highest : wrap<UInt<32>>(sum);
-  }
-
-  void move_duty(const In& in, Int<33> product) {
-    const auto wanted = integral_.slice<31, 16>() + (product >> 12);
-    const auto bounded = wanted < in.words.minimum   ? in.words.minimum
-                         : wanted > in.words.maximum ? in.words.maximum
-                                                     : wrap<Duty>(wanted);
-    const auto move = bounded - duty_;
-    const bool up = move > in.words.duty_slew;
-    const bool down = move + in.words.duty_slew < 0;
-    at_high_ = up || wanted > in.words.maximum;
-    at_low_ = down || wanted < in.words.minimum;
-    const Duty moved = up     ? wrap<Duty>(duty_ + in.words.duty_slew)
-                       : down ? wrap<Duty>(duty_ - in.words.duty_slew)
-                              : bounded;
-    duty_ = moved;
-    to_on_clocks(moved);
-  }
-
-  SerialMultiplier<17, 16> multiplier_;
+  SerialMultiplier<27, 16> multiplier_;
   Stage stage_ = Stage::kIdle;
   bool started_ = false;    // the stage's product is under way
-  UInt<4> shifts_ = 0;      // still to do, one a clock: cheaper than a barrel shifter
-  Int<27> operand_ = 0;     // speed, speed error or duty
-  Frequency reference_ = 0; // u0.32, the slewed target
-  UInt<32> integral_ = 0;   // u1.31: the duty and 16 bits more
+  Work work_ = 0;           // duty on its way
+  Int<28> reference_ = 0;   // u0.32, the slewed target; for one clock it may pass it
+  bool rises_ = false;      // the reference went up
+  Int<34> integral_ = 0;    // u1.31: the duty and 16 bits more
   Duty duty_ = 0;
-  Duty bemf_duty_ = 0;
   Clocks on_clocks_ = 0;
-  bool limited_ = false;    // the current limit cut a pulse since the last tick
-  bool at_high_ = false;    // the duty wanted to be higher than it may
-  bool at_low_ = false;
+  bool slips_ = false;
+  bool limited_ = false;    // the current limit cut a pulse since the last integral
+  bool at_high_ = false;    // integral or duty wanted to be higher than they may
+  bool at_low_ = false;     // or lower
 };
 
 }  // namespace steplock

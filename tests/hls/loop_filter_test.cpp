@@ -165,16 +165,18 @@ TEST(LoopFilter, StopDropsTheWorkInFlight) {
   EXPECT_EQ(settle(dut, in), Frequency(0));
 }
 
-TEST(LoopFilter, SaysWhenItTurnsAtHandOverSpeedOrFaster) {
+TEST(LoopFilter, SaysWhenItTurnsSlowerThanAStallAndWhenAsFastAsHandOver) {
   for (const int more : {0, 1}) {
     LoopFilter dut;
     const In in = {.loop = Loop::kRamp, .ramp = 1000, .maximum = Frequency::max(),
-                   .hand_over = 3000 + more};
-    for (int n = 0; n < 2; ++n) {
-      update(dut, in);
-      EXPECT_FALSE(dut.tick(in).fast);
-    }
+                   .hand_over = 3000 + more, .stall = 2000 + more};
     update(dut, in);
+    EXPECT_TRUE(dut.tick(in).slow);
+    update(dut, in);
+    EXPECT_EQ(dut.tick(in).slow, more == 1);
+    EXPECT_FALSE(dut.tick(in).fast);
+    update(dut, in);
+    EXPECT_FALSE(dut.tick(in).slow);
     EXPECT_EQ(dut.tick(in).fast, more == 0);
   }
 }

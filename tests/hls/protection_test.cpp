@@ -8,7 +8,6 @@ namespace {
 Protection::In running() {
   Protection::In in;
   in.running = true;
-  in.frequency = 1000;
   in.words = {.misses = 8,
               .stall = 100,
               .slip = 5000,
@@ -18,6 +17,15 @@ Protection::In running() {
   return in;
 }
 
+// Before the lock.
+Protection armed(const Protection::In& in = running()) {
+  Protection dut;
+  auto before = in;
+  before.running = false;
+  dut.tick(before);
+  return dut;
+}
+
 Protection::Out repeat(Protection& dut, const Protection::In& in, int clocks) {
   Protection::Out out;
   for (int i = 0; i < clocks; ++i) out = dut.tick(in);
@@ -25,7 +33,7 @@ Protection::Out repeat(Protection& dut, const Protection::In& in, int clocks) {
 }
 
 TEST(Protection, IsSilentInAGoodLock) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.good = in.commutate = in.tick = true;
   for (int i = 0; i < 1000; ++i) {
@@ -36,7 +44,7 @@ TEST(Protection, IsSilentInAGoodLock) {
 }
 
 TEST(Protection, FourMissesInARowAreAStepOut) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.missed = true;
   EXPECT_FALSE(repeat(dut, in, 3).lost);
@@ -46,7 +54,7 @@ TEST(Protection, FourMissesInARowAreAStepOut) {
 }
 
 TEST(Protection, OneMissInThreeIsForgiven) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   for (int i = 0; i < 300; ++i) {
     in.missed = i % 3 == 0;
@@ -56,7 +64,7 @@ TEST(Protection, OneMissInThreeIsForgiven) {
 }
 
 TEST(Protection, MissesOutsideSpeedControlDoNotCount) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.missed = true;
   in.running = false;
@@ -66,40 +74,30 @@ TEST(Protection, MissesOutsideSpeedControlDoNotCount) {
 }
 
 TEST(Protection, SixSlowStepsAreAStallAndFiveAreNot) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.commutate = true;
-  in.frequency = 99;
+  in.slow = true;
   EXPECT_FALSE(repeat(dut, in, 5).lost);
-  in.frequency = 100;
+  in.slow = false;
   dut.tick(in);
-  in.frequency = 99;
+  in.slow = true;
   EXPECT_FALSE(repeat(dut, in, 5).lost);
   EXPECT_EQ(dut.tick(in).reason, Reason::kStall);
 }
 
 TEST(Protection, TooMuchDutyForTheSpeedIsAWrongLock) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.tick = true;
-  in.bemf_duty = 10000;
-  in.duty = 15000;
-  EXPECT_FALSE(repeat(dut, in, 100).lost);  // exactly `slip` is allowed
-  in.duty = 15001;
+  EXPECT_FALSE(repeat(dut, in, 100).lost);
+  in.slips = true;
   EXPECT_FALSE(repeat(dut, in, 9).lost);
   EXPECT_EQ(dut.tick(in).reason, Reason::kWrongLock);
 }
 
-TEST(Protection, BrakingDutyIsNoWrongLock) {
-  Protection dut;
-  auto in = running();
-  in.tick = true;
-  in.bemf_duty = 30000;
-  EXPECT_FALSE(repeat(dut, in, 100).lost);
-}
-
 TEST(Protection, LongFreewheelingIsAWrongLockAndIsCounted) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.tick = in.commutate = true;
   in.freewheel = 0x8001;
@@ -108,11 +106,11 @@ TEST(Protection, LongFreewheelingIsAWrongLockAndIsCounted) {
 }
 
 TEST(Protection, AWrongLockMustLast) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.tick = true;
   for (int i = 0; i < 200; ++i) {
-    in.duty = i % 10 == 9 ? 0 : 20000;
+    in.slips = i % 10 != 9;
     ASSERT_FALSE(dut.tick(in).lost);
   }
 }
@@ -130,7 +128,7 @@ TEST(Protection, FaultPinIsFatalInTheSameClockInAnyState) {
 }
 
 TEST(Protection, ACurrentThatNeverFallsIsFatal) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.running = false;
   in.stuck = 3;
@@ -140,7 +138,7 @@ TEST(Protection, ACurrentThatNeverFallsIsFatal) {
 }
 
 TEST(Protection, AnIllegalHallCodeForTwoTicksEndsTheTry) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.tick = in.hall = in.hall_illegal = true;
   EXPECT_FALSE(dut.tick(in).lost);
@@ -149,19 +147,19 @@ TEST(Protection, AnIllegalHallCodeForTwoTicksEndsTheTry) {
 }
 
 TEST(Protection, HallCodesMeanNothingWithoutHalls) {
-  Protection dut;
+  auto dut = armed();
   auto in = running();
   in.tick = in.hall_illegal = true;
   EXPECT_FALSE(repeat(dut, in, 100).lost);
 }
 
 TEST(Protection, ZeroDisablesEachTestThatSaysSo) {
-  Protection dut;
   auto in = running();
   in.words.wrong_lock = 0;
   in.words.over_current = 0;
+  auto dut = armed(in);
   in.tick = true;
-  in.duty = 0x8000;
+  in.slips = true;
   in.stuck = 15;
   const auto out = repeat(dut, in, 5000);
   EXPECT_FALSE(out.lost);

@@ -36,6 +36,20 @@ TEST(SerialMultiplier, EveryProductOfFiveBitsByFourIsExact) {
   }
 }
 
+// Rounded down, for every shift, and as many clocks later.
+RC_GTEST_PROP(SerialMultiplier, ShiftDropsTheProductsLastBits, ()) {
+  const std::int64_t a = *rc::gen::inRange(-(1 << 26), 1 << 26);
+  const std::int64_t b = *rc::gen::inRange(0, 1 << 16);
+  const int shift = *rc::gen::inRange(0, 16);
+  SerialMultiplier<27, 16> dut;
+  dut.tick({.start = true, .a = a, .b = b, .shift = shift});
+  int clocks = 0;
+  SerialMultiplier<27, 16>::Out out;
+  while (!out.done && ++clocks < 100) out = dut.tick({.a = a, .b = ~b, .shift = shift});
+  RC_ASSERT(clocks == 17 + shift);
+  RC_ASSERT(std::int64_t(out.product.raw()) == (a * b) >> shift);
+}
+
 TEST(SerialMultiplier, TheEndsOfTheRangeDoNotOverflow) {
   SerialMultiplier<34, 26> dut;
   const std::int64_t most = (std::int64_t{1} << 33) - 1;
