@@ -2,6 +2,7 @@
 
 #include "generator/passes/demanded_bits.hpp"
 #include "generator/passes/rebuild.hpp"
+#include "generator/print/plan.hpp"
 
 #include <llvm/ADT/bit.h>
 
@@ -15,7 +16,8 @@ using llvm::APInt;
 class Narrower {
  public:
   explicit Narrower(const Module& m)
-      : m_(m), known_(known_bits(m)), demanded_(demanded_bits(m, known_)) {}
+      : m_(m), known_(known_bits(m)), demanded_(demanded_bits(m, known_)),
+        enumerations_(infer_enumerations(m)) {}
 
   NodeId operator()(Rebuild& b, const Node& n) const {
     const Known& k = known_[b.old_id()];
@@ -46,6 +48,8 @@ class Narrower {
   // Operators of which the low bits depend on the low bits alone.
   NodeId low_bits(Rebuild& b, const Node& n, const Known& k, const APInt& d) const {
     if (const NodeId r = masked(b, n); r != kNone) return r;
+    // A choice of enumerators stays one, whatever bits the enumerators have in common.
+    if (n.op == Op::kMux && enumerations_[b.old_id()] >= 0 && d.isNegative()) return kNone;
     const unsigned read = d.getActiveBits(), zero = k.unsigned_width();
     // A sign can be copied upwards only if someone cares that it is right.
     const unsigned sign = d[k.signed_width() - 1] ? k.signed_width() : n.width;
@@ -84,6 +88,8 @@ class Narrower {
     const bool is_signed = n.op == Op::kSlt || n.op == Op::kSle;
     if (is_signed && x.bits.isNonNegative() && y.bits.isNonNegative())
       return b.binary(n.op == Op::kSlt ? Op::kUlt : Op::kUle, n.in[0], n.in[1]);
+    for (const NodeId side : m_.nodes[b.old_id()].in)
+      if (enumerations_[side] >= 0) return kNone;
     unsigned high = width, low = 0;
     if (!is_signed) high = std::max(x.unsigned_width(), y.unsigned_width());
     if (is_signed || equality)
@@ -129,6 +135,7 @@ class Narrower {
   const Module& m_;
   const std::vector<Known> known_;
   const std::vector<APInt> demanded_;
+  const std::vector<int> enumerations_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "generator/passes/simplify_counters.hpp"
 #include "generator/passes/simplify_muxes.hpp"
 #include "generator/passes/simplify_wiring.hpp"
+#include "generator/passes/spell_enumerators.hpp"
 
 namespace hlsgen {
 namespace {
@@ -21,7 +22,7 @@ using Pass = bool (*)(Module&);
 constexpr Pass kPasses[] = {fold_constants,    simplify_wiring,    share_common,
                             simplify_compares, simplify_counters,  simplify_muxes,
                             narrow_widths,     share_common,       constant_registers,
-                            remove_dead};
+                            remove_dead,       spell_enumerators};
 
 void optimise(Module& module) {
   remove_dead(module);

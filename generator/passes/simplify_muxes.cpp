@@ -91,6 +91,23 @@ NodeId shared_operator(Rebuild& b, NodeId condition, NodeId then, NodeId otherwi
   return b.add(std::move(shared));
 }
 
+// Conditions that were joined, and are told apart again by an arm.
+NodeId ordered(Rebuild& b, const Node& n) {
+  const Node c = b.node(n.in[0]);
+  const bool either = c.op == Op::kOr;
+  if (!either && c.op != Op::kAnd) return kNone;
+  const NodeId arm = n.in[either ? 1 : 2], rest = n.in[either ? 2 : 1];
+  const Node inner = b.node(arm);
+  if (inner.op != Op::kMux || !b.used_once(arm)) return kNone;
+  for (int i = 0; i < 2; ++i) {
+    if (c.in[i] != inner.in[0]) continue;
+    const NodeId other = c.in[1 - i];
+    if (either) return b.mux(c.in[i], inner.in[1], b.mux(other, inner.in[2], rest));
+    return b.mux(c.in[i], b.mux(other, rest, inner.in[1]), inner.in[2]);
+  }
+  return kNone;
+}
+
 NodeId mux(Rebuild& b, const Node& n) {
   if (n.op != Op::kMux) return kNone;
   const NodeId c = n.in[0], then = n.in[1], otherwise = n.in[2];
@@ -121,6 +138,7 @@ NodeId mux(Rebuild& b, const Node& n) {
     if (inner_then.in[1] == otherwise)
       return b.mux(b.binary(Op::kAnd, c, b.inverse(inner_then.in[0])), inner_then.in[2], otherwise);
   }
+  if (const NodeId r = ordered(b, n); r != kNone) return r;
   return shared_operator(b, c, then, otherwise);
 }
 

@@ -6,6 +6,8 @@
 //     c ? (c ? a : b) : d              =>  c ? a : d                  also through & | !
 //     c ? (d ? a : b) : b              =>  (c & d) ? a : b
 //     c ? a : (d ? a : b)              =>  (c | d) ? a : b
+//     (c | d) ? (c ? a : b) : e        =>  c ? a : (d ? b : e)
+//     (c & d) ? a : (c ? b : e)        =>  c ? (d ? a : b) : e
 //     c ? a + b : a + d                =>  a + (c ? b : d)            sums read once; also - * and compares
 //
 // Test: tests/generator/backend_pass_test.cpp

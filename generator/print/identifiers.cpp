@@ -33,6 +33,10 @@ std::string NamePool::take(std::string wanted) {
   return name;
 }
 
+bool NamePool::is_free(const std::string& wanted) const {
+  return taken_.count(lower(legal(wanted))) == 0;
+}
+
 FixedNames::FixedNames(const Design& design, const Module& module) {
   if (is_clocked(design, module)) {
     pool.take(std::string(kClockPort));

@@ -23,6 +23,7 @@ class NamePool {
  public:
   // The wanted name if it is free and legal, else the next one that is.
   std::string take(std::string wanted);
+  bool is_free(const std::string& wanted) const;
 
  private:
   std::set<std::string> taken_;  // in lower case

@@ -106,7 +106,9 @@ std::vector<int> infer_enumerations(const Module& m) {
   }
   // A mux of constants is what it is stored to.
   const auto sink = [&](NodeId id, int enumeration) {
-    if (enumeration >= 0 && e[id] < 0 && m.nodes[id].op == Op::kMux) e[id] = enumeration;
+    const Op op = m.nodes[id].op;
+    const bool passes_on = op == Op::kMux || op == Op::kZext || op == Op::kSext;
+    if (enumeration >= 0 && e[id] < 0 && passes_on) e[id] = enumeration;
   };
   for (const Output& o : m.outputs) sink(o.value, o.leaf.enumeration);
   for (const Register& r : m.registers) sink(r.next, r.leaf.enumeration);

@@ -1,5 +1,7 @@
 #include "generator/print/wire_names.hpp"
 
+#include "generator/names.hpp"
+
 namespace hlsgen {
 namespace {
 
@@ -35,6 +37,11 @@ std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedName
     wanted[id] = !n.name.empty() ? n.name
                  : n.source.line == 0 ? noun(n.op)
                                       : noun(n.op) + "_" + std::to_string(n.source.line);
+  }
+  for (std::size_t o = m.outputs.size(); o-- > 0;) {
+    const std::string name = flat_name(m.outputs[o].leaf.name);
+    if (m.nodes[m.outputs[o].value].name.empty() && names.pool.is_free(name))
+      wanted[m.outputs[o].value] = name;
   }
   for (std::size_t r = m.registers.size(); r-- > 0;)
     wanted[m.registers[r].next] = names.registers[r] + "_next";

@@ -2,6 +2,7 @@
 //
 //     what a register takes at the next clock  ->  <register>_next
 //     a C++ variable                           ->  its name
+//     what an output shows                     ->  the output's name, if it is free
 //     anything else                            ->  operator_line, as sum_42
 //
 // Test: tests/generator/backend_print_test.cpp

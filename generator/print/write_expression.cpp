@@ -89,10 +89,7 @@ class Layout {
       case Kind::kSigned: return "$signed(" + write_flat(e.operands[0]) + ")";
       case Kind::kUnary: return e.text + part(e, 0, column);
       case Kind::kConcat: return concat(e, column);
-      case Kind::kBinary: {
-        const std::string left = part(e, 0, column) + " " + e.text;
-        return join(left, part(e, 1, after(left, column)), column);
-      }
+      case Kind::kBinary: return join(part(e, 0, column) + " " + e.text, e, 1, column);
       case Kind::kConditional: return conditional(e, column);
     }
     return "";
@@ -109,19 +106,18 @@ class Layout {
     const std::string text = write(e.operands[i], column);
     return needs_parentheses(e, e.operands[i], i) ? "(" + text + ")" : text;
   }
-  std::string join(const std::string& left, const std::string& right, unsigned column) const {
-    const std::size_t first = std::min(right.find('\n'), right.size());
-    if (wrap_ && after(left, column) + 1 + first + 2 > kColumns) return left + new_line() + right;
-    return left + " " + right;
+  // The operand behind `left`: on the same line if all of it fits there, else on one of its own.
+  std::string join(const std::string& left, const Expr& e, std::size_t i, unsigned column) const {
+    const std::string flat = Layout(false, 0).part(e, i, 0);
+    constexpr unsigned kCloser = 3;  // what may follow: ") ;" or an operator
+    if (!wrap_ || after(left, column) + 1 + flat.size() + kCloser <= kColumns)
+      return left + " " + flat;
+    return left + new_line() + part(e, i, indent_);
   }
 
   std::string concat(const Expr& e, unsigned column) const {
-    std::string out = "{";
-    for (std::size_t i = 0; i < e.operands.size(); ++i) {
-      std::string text = part(e, i, after(out, column));
-      if (i == 0) out += text;
-      else out = join(out + ",", text, column);
-    }
+    std::string out = "{" + part(e, 0, column + 1);
+    for (std::size_t i = 1; i < e.operands.size(); ++i) out = join(out + ",", e, i, column);
     return out + "}";
   }
 
@@ -129,13 +125,12 @@ class Layout {
   // d ? y :
   // z
   std::string conditional(const Expr& e, unsigned column, bool inside_chain = false) const {
-    std::string head = part(e, 0, column) + " ?";
-    head = join(head, part(e, 1, after(head, column)), column) + " :";
+    const std::string head = join(part(e, 0, column) + " ?", e, 1, column) + " :";
     const Expr& otherwise = e.operands[2];
     if (wrap_ && otherwise.is(Kind::kConditional))
       return head + new_line() + conditional(otherwise, indent_, true);
     if (wrap_ && inside_chain) return head + new_line() + part(e, 2, indent_);
-    return join(head, part(e, 2, after(head, column)), column);
+    return join(head, e, 2, column);
   }
 
   bool wrap_;

@@ -8,6 +8,22 @@ get_property(tops TARGET hls_rtl PROPERTY TOPS)
 foreach(top ${tops})
   prove_rtl(${top})
 endforeach()
+# So are random netlists, which use every operator on mixed widths.
+add_executable(random_netlists random_netlists.cpp)
+target_link_libraries(random_netlists PRIVATE hlsgen_lib)
+set(netlists ${CMAKE_CURRENT_BINARY_DIR}/netlists)
+add_test(NAME random_netlists_print COMMAND random_netlists 10 200 ${netlists})
+set_tests_properties(random_netlists_print PROPERTIES FIXTURES_SETUP random_netlists)
+foreach(seed RANGE 9)
+  add_test(NAME prove_random_netlist_${seed}
+    COMMAND ${PROJECT_SOURCE_DIR}/tools/prove_print ${netlists}/rtl ${netlists}/plain random_${seed})
+  add_test(NAME lint_random_netlist_${seed}
+    COMMAND ${PROJECT_SOURCE_DIR}/tools/lint_rtl ${netlists}/rtl/random_${seed}.f
+    WORKING_DIRECTORY ${netlists})
+  set_tests_properties(prove_random_netlist_${seed} lint_random_netlist_${seed}
+    PROPERTIES FIXTURES_REQUIRED random_netlists TIMEOUT 600)
+endforeach()
+
 add_test(NAME proof_and_lint_can_fail
   COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -D RTL=${PROJECT_BINARY_DIR}/rtl
           -D PLAIN=${PROJECT_BINARY_DIR}/plain

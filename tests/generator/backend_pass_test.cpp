@@ -11,6 +11,7 @@
 #include "generator/passes/simplify_counters.hpp"
 #include "generator/passes/simplify_muxes.hpp"
 #include "generator/passes/simplify_wiring.hpp"
+#include "generator/passes/spell_enumerators.hpp"
 #include "tests/generator/random_netlist.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ constexpr NamedPass kPasses[] = {
     {"share_common", share_common},             {"remove_dead", remove_dead},
     {"narrow_widths", narrow_widths},           {"simplify_muxes", simplify_muxes},
     {"simplify_compares", simplify_compares},   {"constant_registers", constant_registers},
-    {"simplify_counters", simplify_counters}};
+    {"simplify_counters", simplify_counters},   {"spell_enumerators", spell_enumerators}};
 
 TEST(Passes, EachAloneKeepsRandomNetlistsEqual) {
   for (const NamedPass& pass : kPasses) {
@@ -202,6 +203,17 @@ TEST(Counters, ConditionBecomesTheClockEnable) {
   optimise(d);
   const std::string text = print_module(d, d.modules[0]);
   EXPECT_NE(text.find("if (c_i)"), std::string::npos) << text;
+}
+
+TEST(Enumerators, KeepTheirNamesWherePackedIntoFewerBits) {
+  Build b("m");
+  b.m.enumerations.push_back({"State", 3, {{"kIdle", 0}, {"kRun", 1}, {"kStop", 3}}});
+  const NodeId c = b.input("c", 1), d = b.input("d", 1);
+  const NodeId stop = b.constant(2, 3), run = b.constant(2, 1), idle = b.constant(3, 0);
+  const NodeId packed = b.zext(b.mux(c, stop, run), 3);
+  b.output("y", b.mux(d, packed, idle), 0);
+  EXPECT_EQ(optimised(std::move(b)),
+            " d_i ? (c_i ? State_kStop : State_kRun) : State_kIdle");
 }
 
 TEST(Registers, OnesThatNeverLeaveResetAreConstant) {

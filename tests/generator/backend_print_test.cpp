@@ -98,7 +98,7 @@ TEST(Print, ProductIsAsNarrowAsItsFactors) {
   const NodeId x = b.input("x", 16, true), k = b.input("k", 10);
   b.output("p", b.op(Op::kMul, b.sext(x, 27), b.zext(k, 27)));
   const std::string text = printed(std::move(b));
-  EXPECT_PRINTS(text, "wire [26:0] product = $signed(x_i) * $signed({1'b0, k_i});");
+  EXPECT_PRINTS(text, "wire [26:0] p = $signed(x_i) * $signed({1'b0, k_i});");
 }
 
 TEST(Print, ProductThatIsCutIsStillNarrow) {
@@ -106,9 +106,9 @@ TEST(Print, ProductThatIsCutIsStillNarrow) {
   const NodeId x = b.input("x", 8), k = b.input("k", 6);
   b.output("p", b.op(Op::kMul, b.zext(x, 12), b.zext(k, 12)));
   const std::string text = printed(std::move(b));
-  EXPECT_PRINTS(text, "wire [13:0] product_full = x_i * k_i;");
-  EXPECT_PRINTS(text, "wire [11:0] product = product_full[11:0];");
-  EXPECT_PRINTS(text, "wire unused = &{1'b0, product_full[13:12]};");
+  EXPECT_PRINTS(text, "wire [13:0] p_full = x_i * k_i;");
+  EXPECT_PRINTS(text, "wire [11:0] p = p_full[11:0];");
+  EXPECT_PRINTS(text, "wire unused = &{1'b0, p_full[13:12]};");
 }
 
 TEST(Print, SignedOperatorsStandWhereNothingUnsignedReachesThem) {

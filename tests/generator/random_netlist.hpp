@@ -27,7 +27,8 @@ class RandomNetlist {
     }
     for (unsigned i = 0; i < operators; ++i) pool_.push_back(grow(b));
     for (const NodeId r : registers) b.next(r, fit(b, recent(), b.width(r)));
-    for (int i = 0; i < 4; ++i) b.output("out" + std::to_string(i), recent());
+    for (unsigned i = 0; i < 2 + operators / 8; ++i)
+      b.output("out" + std::to_string(i), i < 2 ? recent() : any());
     return std::move(b.m);
   }
 
