@@ -34,31 +34,29 @@ module bemf_comparator (
   logic [15:0] place;  // u0.16, middle of that one and the one after
   logic [15:0] freewheel;  // u0.16, first sample that brought the filter to 0
 
-  wire below_59 = left < 10'd2;  // line 59
   wire either_58 = (chop_i ^ chop) || commutate_i;  // line 58
-  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 67
-  wire [4:0] sum_90 = {1'b0, count} + 5'd1;  // line 90
-  wire at_most_90 = ({1'b0, full} <= sum_90);  // line 90
+  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 102
+  wire [4:0] sum_119 = {1'b0, count} + 5'd1;  // line 119
+  wire at_most_119 = {1'b0, full} <= sum_119;  // line 119
 
-  logic choice_81;  // line 81
+  logic choice_110;  // line 110
   always_comb begin
     case (step_i)
-      3'd0, 3'd3: choice_81 = w_i;
-      3'd1, 3'd4: choice_81 = v_i;
-      default: choice_81 = u_i;
+      3'd0, 3'd3: choice_110 = w_i;
+      3'd1, 3'd4: choice_110 = v_i;
+      default: choice_110 = u_i;
     endcase
   end
 
-  wire differ_85 = choice_81 ^ reverse_i ^ step_i[0];  // line 85
-  wire either_60 =  // line 60
+  wire differ_114 = choice_110 ^ reverse_i ^ step_i[0];  // line 114
+  wire either_98 =  // line 98
       words_sampling_i == Sampling_kBoth || ((words_sampling_i != Sampling_kOnTime) ^ chop_i);
-  wire both = either_60 && !found;
-  wire both_2 = below_59 && !either_58;
-  wire below_95 = count < 4'd2;  // line 95
-  wire choice = (both_2 && both && differ_85) ? below_95 || before_seen : before_seen;
-  wire both_3 = !differ_85 && before_seen && at_most_90;
-  wire choice_2 = (both_2 && either_60) ? found || both_3 : found;
-  wire [16:0] sum_91 = {1'b0, before_} + {1'b0, phase_i};  // line 91
+  wire both = either_98 && !found;
+  wire both_2 = left[9:1] == 9'd0 && !either_58;
+  wire choice = (both_2 && both && differ_114) ? count[3:1] == 3'd0 || before_seen : before_seen;
+  wire both_3 = !differ_114 && before_seen && at_most_119;
+  wire choice_2 = (both_2 && either_98) ? found || both_3 : found;
+  wire [16:0] sum_120 = {1'b0, before_} + {1'b0, phase_i};  // line 120
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -74,7 +72,7 @@ module bemf_comparator (
     end else begin
       if (either_58) begin
         left <= words_blanking_i;
-      end else if (below_59) begin
+      end else if (left[9:1] == 9'd0) begin
         left <= {2'd0, words_sample_every_i};
       end else begin
         left <= left - 10'd1;
@@ -87,31 +85,31 @@ module bemf_comparator (
         end
       end else begin
         if (both_2 && both) begin
-          if (differ_85) begin
+          if (differ_114) begin
             if (count == 4'd0) begin
               count <= 4'd0;
             end else begin
               count <= count - 4'd1;
             end
-          end else if (at_most_90) begin
+          end else if (at_most_119) begin
             count <= full;
           end else begin
-            count <= sum_90[3:0];
+            count <= sum_119[3:0];
           end
         end
-        if (both_2 && both && differ_85 && below_95) begin
+        if (both_2 && both && differ_114 && count[3:1] == 3'd0) begin
           before_ <= phase_i;
         end
-        if (both_2 && either_60 && !(found || differ_85) && count == 4'd0) begin
-          place <= sum_91[16:1];
+        if (both_2 && either_98 && !(found || differ_114) && count == 4'd0) begin
+          place <= sum_120[16:1];
         end
-        if (both_2 && both && differ_85 && below_95 && !before_seen) begin
+        if (both_2 && both && differ_114 && count[3:1] == 3'd0 && !before_seen) begin
           freewheel <= phase_i;
         end
       end
       before_seen <= !commutate_i && choice;
       found <= !commutate_i && choice_2;
-      crossing <= !commutate_i && below_59 && !either_58 && either_60 && !found && both_3;
+      crossing <= !commutate_i && left[9:1] == 9'd0 && !either_58 && either_98 && !found && both_3;
     end
   end
 
@@ -121,5 +119,5 @@ module bemf_comparator (
   assign freewheel_o = (commutate_i && !before_seen) ? 16'd65535 : freewheel;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_91[0]};
+  wire unused = &{1'b0, sum_120[0]};
 endmodule

@@ -1,4 +1,4 @@
-// commutation: steplock::Commutation, printed by hlsgen from hls/six_step/commutation.hpp:33.
+// commutation: steplock::Commutation, printed by hlsgen from hls/six_step/commutation.hpp:34.
 // Do not edit: change the C++ and print again.
 
 module commutation (
@@ -18,21 +18,26 @@ module commutation (
   localparam logic [2:0] Pattern_kReset = 3'd3;
   localparam logic [2:0] Pattern_kBrake = 3'd4;
 
-  wire [2:0] step = (pattern_i == Pattern_kSettle) ? 3'd1 : step_i;  // line 47
+  wire [2:0] step = (pattern_i == Pattern_kSettle) ? 3'd1 : step_i;  // line 48
   wire either = pattern_i == Pattern_kSettle || pattern_i == Pattern_kDrive;
-  wire either_2 = pattern_i == Pattern_kReset || (either && step < 3'd2);
-  wire both_50 = pattern_i == Pattern_kBrake && chop_i;  // line 50
-  wire both_57 = complementary_i && !chop_i;  // line 57
+  wire either_2 = pattern_i == Pattern_kReset || (either && step[2:1] == 2'd0);
+  wire both_51 = pattern_i == Pattern_kBrake && chop_i;  // line 51
+  wire both_58 = complementary_i && !chop_i;  // line 58
+  wire [2:0] sum_55 = step - 3'd3;  // line 55
   wire either_3 = pattern_i == Pattern_kReset || (either && $signed(step) > 3'sd1);
-  wire both_55 = pattern_i != Pattern_kSettle && step_i == 3'd0;  // line 55
-  wire both = either && (both_55 || (pattern_i != Pattern_kSettle && step_i == 3'd5));
+  wire both_56 = pattern_i != Pattern_kSettle && step_i == 3'd0;  // line 56
+  wire both = either && (both_56 || (pattern_i != Pattern_kSettle && step_i == 3'd5));
   wire both_2 = either && $signed(step) < -3'sd2;
-  wire either_4 = pattern_i == Pattern_kReset || (either && step - 3'd1 < 3'd2);
+  wire [2:0] sum_57 = step - 3'd1;  // line 57
+  wire either_4 = pattern_i == Pattern_kReset || (either && sum_57[2:1] == 2'd0);
 
   assign uh_o = either_2 && chop_i;
-  assign ul_o = (either && step - 3'd3 < 3'd2) || both_50 || (either_2 && both_57);
+  assign ul_o = (either && sum_55[2:1] == 2'd0) || both_51 || (either_2 && both_58);
   assign vh_o = either_3 && chop_i;
-  assign vl_o = both || both_50 || (either_3 && both_57);
+  assign vl_o = both || both_51 || (either_3 && both_58);
   assign wh_o = both_2 && chop_i;
-  assign wl_o = either_4 || both_50 || (both_2 && both_57);
+  assign wl_o = either_4 || both_51 || (both_2 && both_58);
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_55[0], sum_57[0]};
 endmodule

@@ -18,10 +18,9 @@ module current_limit (
   logic hit;  // the first clock of an off-time
   logic [3:0] stuck;  // cuts in a row without release
 
-  wire both_37 = on_i && !cut;  // line 37
-  wire both_41 = both_37 && left == 12'd0;  // line 41
-  wire inverse_56 = !both_41;  // line 56
-  wire both_43 = cut && left < 12'd2;  // line 43
+  wire on = on_i && !cut;  // line 37
+  wire both_41 = on && left == 12'd0;  // line 41
+  wire both_43 = cut && left[11:1] == 11'd0;  // line 43
   wire hit_next = both_41 && comparator_i && words_off_time_i != 12'd0;
   wire either_50 = released || !comparator_i;  // line 50
   wire [4:0] sum_46 = {1'b0, stuck} + 5'd1;  // line 46
@@ -37,7 +36,9 @@ module current_limit (
       if (hit_next) begin
         left <= words_off_time_i;
       end else if (!both_43 && (cut || on_i)) begin
-        left <= left + {{11{inverse_56}}, inverse_56};
+        if (!both_41) begin
+          left <= left - 12'd1;
+        end
       end else begin
         left <= {4'd0, words_blanking_i};
       end
@@ -47,7 +48,7 @@ module current_limit (
       if (both_43) begin
         if (either_50) begin
           stuck <= 4'd0;
-        end else if (sum_46[4]) begin
+        end else if ($signed(sum_46) < -5'sd1) begin
           stuck <= 4'd15;
         end else begin
           stuck <= sum_46[3:0];
@@ -58,7 +59,7 @@ module current_limit (
     end
   end
 
-  assign on_o = both_37;
+  assign on_o = on;
   assign hit_o = hit;
   assign stuck_o = stuck;
 endmodule

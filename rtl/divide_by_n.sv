@@ -23,21 +23,23 @@ module divide_by_n (
 
   wire [2:0] choice =
       reverse_i ? ((step == 3'd0) ? 3'd5 : step - 3'd1) :
-      (step > 3'd4) ? 3'd0 : step + 3'd1;
+      (step > 3'd4) ? 3'd0 :
+      step + 3'd1;
   wire [1:0] choice_2 = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};
   wire [2:0] wide = {1'b0, choice_2};
   wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide;
-  wire at_most = (last <= sub);
-  wire both = !load_i && pulse_i && at_most;
+  wire at_most = last <= sub;
+  wire elapsed = !load_i && pulse_i && at_most;
   wire [2:0] step_next =
       load_i ? step_i :
-      (pulse_i && !(!both || hold_i)) ? choice : step;
-  wire [3:0] sum_55 = {1'b0, last} + 4'd1;  // line 55
+      (pulse_i && !(!elapsed || hold_i)) ? choice :
+      step;
+  wire [3:0] sum_56 = {1'b0, last} + 4'd1;  // line 56
   wire [2:0] sub_next =
-      load_i ? (half_i ? sum_55[3:1] : 3'd0) :
-      pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) : sub;
-  wire [18:0] turns = {sub_next, 16'd0} | {3'd0, phase_i};  // line 60
-  wire [18:0] shifted_62 = turns >> divide_i;  // line 62
+      load_i ? (half_i ? sum_56[3:1] : 3'd0) :
+      pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) :
+      sub;
+  wire [18:0] shifted_70 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 70
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -50,11 +52,11 @@ module divide_by_n (
   end
 
   assign step_o = step_next;
-  assign phase_o = shifted_62[15:0];
-  assign commutate_o = load_i || (both && !hold_i);
-  assign elapsed_o = both;
+  assign phase_o = shifted_70[15:0];
+  assign commutate_o = load_i || (elapsed && !hold_i);
+  assign elapsed_o = elapsed;
   assign turn_o = step_next < 3'd3;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_55[0], shifted_62[18:16]};
+  wire unused = &{1'b0, sum_56[0], shifted_70[18:16]};
 endmodule

@@ -18,16 +18,15 @@ module guarded_leg (
   logic was_low;  // the request of the last clock
   logic [7:0] timer;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 
-  wire below_43 = timer < 8'd2;  // line 43
   wire was_high_next = !off_i && high_i && !low_i;
   wire was_low_next = !off_i && low_i && !high_i;
-  wire either_46 = !(off_i || below_43) || (high ? was_high_next : was_low_next);  // line 46
+  wire either_46 = !(off_i || timer[7:1] == 7'd0) || (high ? was_high_next : was_low_next);
   wire either_42 = high || low;  // line 42
   wire both = either_42 && either_46;
   wire either_41 = (was_high_next && was_high) || (was_low_next && was_low);  // line 41
-  wire both_47 = !either_42 && either_41 && below_43;  // line 47
-  wire below_51 = timer > 8'd1;  // line 51
-  wire [7:0] sum_51 = timer + {{7{below_51}}, below_51};  // line 51
+  wire both_47 = !either_42 && either_41 && timer[7:1] == 7'd0;  // line 47
+  wire unequal_51 = timer[7:1] != 7'd0;  // line 51
+  wire [7:0] sum_51 = timer + {8{unequal_51}};  // line 51
   wire [7:0] choice_50 = both_47 ? minimum_i : dead_time_i;  // line 50
 
   always_ff @(posedge clk) begin
@@ -48,7 +47,7 @@ module guarded_leg (
         end else begin
           timer <= choice_50;
         end
-      end else if (!either_41 || below_43) begin
+      end else if (!either_41 || timer[7:1] == 7'd0) begin
         timer <= choice_50;
       end else begin
         timer <= sum_51;

@@ -1,2 +1,2 @@
-rtl/serial_multiplier_37_26.sv
+rtl/serial_multiplier_34_22.sv
 rtl/loop_filter.sv

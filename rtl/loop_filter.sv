@@ -1,4 +1,4 @@
-// loop_filter: steplock::LoopFilter, printed by hlsgen from hls/six_step/loop_filter.hpp:34.
+// loop_filter: steplock::LoopFilter, printed by hlsgen from hls/six_step/loop_filter.hpp:37.
 // Do not edit: change the C++ and print again.
 
 module loop_filter (
@@ -8,8 +8,6 @@ module loop_filter (
     input  logic [15:0] error_i,  // s0.16, turns of one step; held between updates
     input  logic        update_i,  // strobe: the error is new
     input  logic        tick_i,  // strobe: time base of ramp and per-second form
-    input  logic        load_i,  // takes load_frequency and drops work in flight
-    input  logic [25:0] load_frequency_i,  // u0.32, VCO turns per clock
     input  logic [19:0] ramp_i,  // u0.32, VCO turns per clock, per tick
     input  logic        bandwidth_i,
     input  logic [9:0]  delay_i,  // clocks / 2^divide
@@ -19,176 +17,186 @@ module loop_filter (
     input  logic [25:0] scale_i,  // u0.32, stands for the frequency in the per-second form
     input  logic [25:0] minimum_i,  // u0.32, VCO turns per clock
     input  logic [25:0] maximum_i,  // u0.32, VCO turns per clock
+    input  logic [25:0] hand_over_i,  // u0.32, VCO turns per clock
+    input  logic [25:0] stall_i,  // u0.32, VCO turns per clock
     output logic [25:0] frequency_o,  // u0.32, VCO turns per clock
+    output logic        fast_o,  // frequency >= hand_over
+    output logic        slow_o,  // frequency < stall
     output logic        busy_o  // an update is being worked on
 );
-  localparam logic [2:0] Loop_kHold = 3'd0;
+  localparam logic [2:0] Loop_kStop = 3'd0;
   localparam logic [2:0] Loop_kRamp = 3'd1;
   localparam logic [2:0] Loop_kTrack = 3'd2;
   localparam logic [2:0] Loop_kHall = 3'd4;
-  localparam logic [2:0] Stage_kIdle = 3'd0;
-  localparam logic [2:0] Stage_kDelay = 3'd1;
-  localparam logic [2:0] Stage_kScale = 3'd2;
-  localparam logic [2:0] Stage_kIntegral = 3'd3;
-  localparam logic [2:0] Stage_kBoundX = 3'd4;
-  localparam logic [2:0] Stage_kProportional = 3'd5;
-  localparam logic [2:0] Stage_kPole = 3'd6;
-  localparam logic [2:0] Stage_kBoundY = 3'd7;
+  localparam logic [3:0] Stage_kIdle = 4'd0;
+  localparam logic [3:0] Stage_kDelay = 4'd1;
+  localparam logic [3:0] Stage_kScale = 4'd2;
+  localparam logic [3:0] Stage_kIntegral = 4'd3;
+  localparam logic [3:0] Stage_kProportional = 4'd4;
+  localparam logic [3:0] Stage_kPole = 4'd5;
+  localparam logic [3:0] Stage_kKeep = 4'd6;
+  localparam logic [3:0] Stage_kLow = 4'd7;
+  localparam logic [3:0] Stage_kHigh = 4'd8;
+  localparam logic [3:0] Stage_kSlow = 4'd9;
+  localparam logic [3:0] Stage_kOut = 4'd10;
 
-  logic [2:0] stage;
+  logic [3:0] stage;
   logic started;  // the stage's product is under way
-  logic [36:0] work;  // frequency, then e', p, v and the next y
-  logic [36:0] x;  // u0.40, the integrator
-  logic [33:0] y;  // u0.40, behind the pole
+  logic [33:0] work;  // e', p, v, and the next y
+  logic [33:0] x;  // s-2.36, the integrator
+  logic [29:0] y;  // u0.36, behind the pole
+  logic fast;
+  logic slow;
   logic at_top;  // the output stands at a limit
   logic at_bottom;
 
-  wire [33:0] choice_63 = (stage == Stage_kPole) ? y : 34'd0;  // line 63
-  wire [9:0] choice_95 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 95
-  wire [25:0] choice_96 = (loop_i != Loop_kTrack || bandwidth_i) ? y[33:8] : scale_i;  // line 96
-  wire [14:0] choice_97 = (loop_i == Loop_kHall) ? 15'd4096 : 15'd16384;  // line 97
-  wire [15:0] choice_63_2 =  // line 63
-      (stage == Stage_kIntegral) ? ((loop_i == Loop_kTrack) ? ki_i : {1'b0, choice_97}) :
-      (stage == Stage_kProportional) ? kp_i : pole_i;
-  wire [1:0] choice_109 = (loop_i == Loop_kRamp) ? 2'd3 : 2'd1;  // line 109
-  wire choice =
-      (loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ? tick_i : update_i;
-  wire both_106 = loop_i != Loop_kHold && choice;  // line 106
-  wire [1:0] choice_2 = (stage == Stage_kProportional) ? 2'd2 : 2'd3;
-  wire [2:0] wide = {choice_2[1], choice_2};
+  wire below_69 = stage - 4'd1 < 4'd6;  // line 69
+  wire [9:0] choice_105 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 105
+  wire [21:0] choice_73 =  // line 73
+      (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
+      (loop_i != Loop_kTrack || bandwidth_i) ? y[29:8] :
+      scale_i[25:4];
+  wire [14:0] choice_111 = (loop_i == Loop_kHall) ? 15'd4096 : 15'd16384;  // line 111
+  wire [14:0] choice_73_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
+  wire [15:0] wide_73 = {1'b0, choice_73_2};  // line 73
+  wire [15:0] choice_73_3 =  // line 73
+      (stage == Stage_kIntegral) ? ((loop_i == Loop_kTrack) ? ki_i : {1'b0, choice_111}) :
+      (stage == Stage_kProportional) ? kp_i :
+      wide_73;
 
-  logic [2:0] choice_3;
-  always_comb begin
-    case (stage)
-      Stage_kDelay: choice_3 = Stage_kScale;
-      Stage_kScale: choice_3 = Stage_kIntegral;
-      Stage_kIntegral: choice_3 = Stage_kBoundX;
-      default: choice_3 = wide;
-    endcase
-  end
-
-  wire [62:0] multiplier_product;
+  wire [55:0] multiplier_product;
   wire multiplier_done;
   wire unused_multiplier_busy;
-  serial_multiplier_37_26 multiplier (
+  serial_multiplier_34_22 multiplier (
       .clk(clk),
       .rst(rst),
-      .start_i(!(stage == Stage_kIdle || stage == Stage_kBoundX || stage == Stage_kBoundY) &&
-        !started),
-      .a_i(work - {3'd0, choice_63}),
-      .b_i((stage == Stage_kDelay) ? {16'd0, choice_95} :
-        (stage == Stage_kScale) ? choice_96 : {10'd0, choice_63_2}),
+      .start_i(below_69 && !started),
+      .a_i((stage == Stage_kKeep || stage == Stage_kDelay) ? {4'd0, y} : work),
+      .b_i((stage == Stage_kDelay) ? {12'd0, choice_105} :
+        (stage == Stage_kScale) ? choice_73 :
+        {6'd0, choice_73_3}),
+      .shift_i(4'd0),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
 
-  logic [2:0] choice_4;
+  wire choice_157 =  // line 157
+      (loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ? tick_i : update_i;
+
+  logic [3:0] choice;
   always_comb begin
     case (stage)
-      Stage_kIdle: choice_4 = both_106 ? {1'b0, choice_109} : stage;
-      Stage_kBoundX: choice_4 = (loop_i == Loop_kTrack) ? Stage_kProportional : Stage_kBoundY;
-      Stage_kBoundY: choice_4 = Stage_kIdle;
-      default: choice_4 = multiplier_done ? choice_3 : stage;
+      Stage_kIdle: choice = choice_157 ? Stage_kDelay : stage;
+      Stage_kLow: choice = Stage_kHigh;
+      Stage_kHigh: choice = Stage_kSlow;
+      Stage_kSlow: choice = Stage_kOut;
+      default: choice = Stage_kIdle;
     endcase
   end
 
-  logic choice_5;
+  wire either_130 = stage != Stage_kIntegral || loop_i != Loop_kTrack;  // line 130
+  wire [21:0] base = (loop_i == Loop_kRamp) ? 22'd262144 : {error_i, 6'd0};  // line 122
+  wire [33:0] base_2 = {{12{base[21]}}, base};  // line 122
+
+  logic [33:0] base_3;  // line 83
   always_comb begin
     case (stage)
-      Stage_kIdle, Stage_kBoundX, Stage_kBoundY: choice_5 = started;
-      default: choice_5 = !multiplier_done;
+      Stage_kDelay: base_3 = base_2;
+      Stage_kIntegral, Stage_kProportional: base_3 = x;
+      Stage_kKeep: base_3 = work;
+      default: base_3 = 34'd0;
     endcase
   end
 
-  wire [27:0] choice_107 = (loop_i == Loop_kRamp) ? {ramp_i, 8'd0} : {2'd0, y[33:8]};  // line 107
-  wire [33:0] low = (loop_i == Loop_kRamp) ? 34'd0 : {minimum_i, 8'd0};  // line 141
-  wire [33:0] joined_142 = {maximum_i, 8'd0};  // line 142
-  wire [36:0] x_2 =  // line 143
-      ($signed(x) < $signed({3'd0, low})) ? {3'd0, low} :
-      ($signed(x) < $signed({3'd0, joined_142})) ? x : {3'd0, joined_142};
-  wire [21:0] sum_114 =  // line 114
-      {{6{error_i[15]}}, error_i} + {multiplier_product[36], multiplier_product[36:16]};
-  wire [21:0] choice_114 = ($signed(sum_114) < 22'sd32767) ? sum_114 : 22'd32767;  // line 114
-  wire [21:0] choice_114_2 = ($signed(choice_114) < -22'sd32768) ? 22'd4161536 : choice_114;
-  wire [36:0] wide_114 = {{15{choice_114_2[21]}}, choice_114_2};  // line 114
-  wire [36:0] part_118 = multiplier_product[44:8];  // line 118
-  wire [36:0] sum_128 = x + multiplier_product[50:14];  // line 128
-  wire [36:0] sum_132 = {3'd0, y} + multiplier_product[51:15];  // line 132
+  wire [33:0] sum = base_3 + multiplier_product[47:14];  // line 126
 
-  logic [36:0] choice_6;
+  logic [25:0] limit;  // line 74
   always_comb begin
     case (stage)
-      Stage_kDelay: choice_6 = wide_114;
-      Stage_kScale: choice_6 = part_118;
-      Stage_kIntegral: choice_6 = work;
-      Stage_kProportional: choice_6 = sum_128;
-      default: choice_6 = sum_132;
+      Stage_kLow: limit = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;
+      Stage_kHigh: limit = maximum_i;
+      Stage_kSlow: limit = stall_i;
+      default: limit = hand_over_i;
     endcase
   end
 
-  logic [36:0] choice_7;
-  always_comb begin
-    case (stage)
-      Stage_kIdle: choice_7 = both_106 ? {9'd0, choice_107} : work;
-      Stage_kBoundX: choice_7 = (loop_i == Loop_kTrack) ? work : x_2;
-      Stage_kBoundY: choice_7 = work;
-      default: choice_7 = multiplier_done ? choice_6 : work;
-    endcase
-  end
-
-  wire [33:0] joined_65 = {load_frequency_i, 8'd0};  // line 65
-  wire both = multiplier_done && stage == Stage_kIntegral && !(work[36] ? at_bottom : at_top);
-
-  logic [36:0] choice_8;
-  always_comb begin
-    case (stage)
-      Stage_kIdle, Stage_kBoundY: choice_8 = x;
-      Stage_kBoundX: choice_8 = x_2;
-      default: choice_8 = both ? sum_128 : x;
-    endcase
-  end
-
-  wire choice_9 = (stage == Stage_kBoundY) ? $signed({3'd0, joined_142}) < $signed(work) : at_top;
-  wire choice_10 = (stage == Stage_kBoundY) ? work[36] : at_bottom;
+  wire below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
+  wire both_153 = !(stage == Stage_kLow && below_75) && (stage != Stage_kHigh || below_75);
+  wire [33:0] choice_153 = both_153 ? work : {4'd0, limit, 4'd0};  // line 153
+  wire either = stage == Stage_kIdle || stage == Stage_kLow || stage == Stage_kHigh;
+  wire either_2 = either || stage == Stage_kSlow;
+  wire either_3 = below_69 || either_2;
+  wire choice_2 = either_3 ? fast : $signed({4'd0, limit}) <= $signed(work[33:4]);
+  wire choice_3 =
+      below_69 ? slow :
+      (stage == Stage_kSlow) ? below_75 :
+      slow;
+  wire choice_4 =
+      below_69 ? at_top :
+      (stage == Stage_kHigh) ? !both_153 :
+      at_top;
+  wire choice_5 =
+      below_69 ? at_bottom :
+      (stage == Stage_kLow) ? !both_153 :
+      at_bottom;
 
   always_ff @(posedge clk) begin
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
-      work <= 37'sd0;
-      x <= 37'sd0;
-      y <= 34'd0;
+      work <= 34'sd0;
+      x <= 34'sd0;
+      y <= 30'd0;
+      fast <= 1'b0;
+      slow <= 1'b0;
       at_top <= 1'b0;
       at_bottom <= 1'b0;
     end else begin
-      if (load_i) begin
+      if (loop_i == Loop_kStop) begin
         stage <= Stage_kIdle;
-        x <= {3'd0, joined_65};
-        y <= joined_65;
+        x <= 34'd0;
+        y <= 30'd0;
       end else begin
-        stage <= choice_4;
-        work <= choice_7;
-        x <= choice_8;
-        if (stage == Stage_kBoundY) begin
-          if (work[36]) begin
-            y <= 34'd0;
-          end else if ($signed(work) < $signed({3'd0, joined_142})) begin
-            y <= work[33:0];
-          end else begin
-            y <= joined_142;
+        if (below_69) begin
+          if (multiplier_done) begin
+            if (stage != Stage_kIntegral || loop_i == Loop_kTrack) begin
+              stage <= stage + 4'd1;
+            end else begin
+              stage <= Stage_kLow;
+            end
+          end
+          if (multiplier_done && either_130) begin
+            work <= sum;
+          end
+          if (multiplier_done && !(either_130 || (work[33] ? at_bottom : at_top))) begin
+            x <= sum;
+          end
+        end else begin
+          stage <= choice;
+          work <= choice_153;
+          if (!(either_2 || loop_i == Loop_kTrack)) begin
+            x <= choice_153;
           end
         end
+        if (!either_3) begin
+          y <= choice_153[29:0];
+        end
       end
-      started <= !load_i && choice_5;
-      at_top <= !load_i && choice_9;
-      at_bottom <= !load_i && choice_10;
+      started <= loop_i != Loop_kStop && (below_69 ? !multiplier_done : started);
+      fast <= loop_i != Loop_kStop && choice_2;
+      slow <= loop_i != Loop_kStop && choice_3;
+      at_top <= loop_i != Loop_kStop && choice_4;
+      at_bottom <= loop_i != Loop_kStop && choice_5;
     end
   end
 
-  assign frequency_o = y[33:8];
+  assign frequency_o = y[29:4];
+  assign fast_o = fast;
+  assign slow_o = slow;
   assign busy_o = stage != Stage_kIdle;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, multiplier_product[7:0], multiplier_product[62:52]};
+  wire unused =
+      &{1'b0, pole_i[0], scale_i[3:0], multiplier_product[13:0], multiplier_product[55:48]};
 endmodule

@@ -33,18 +33,24 @@ module phase_detector (
   logic before_;  // before_seen, from the step that a commutation ends
   logic turned;  // following: a whole turn since the last change or miss
 
-  wire [15:0] magnitude = error ^ {{15{error[15]}}, error[15]};  // line 55
+  wire [15:0] magnitude = error ^ {16{error[15]}};  // line 55
   wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 56
-  wire [15:0] found = {{15{before_}}, before_};  // line 76
-  wire [17:0] difference_101 = {2'd0, before_ ? expected_i : lead_error_i} - {2'd0, found};
-  wire [17:0] difference_101_2 = {2'd0, expected_i} - {2'd0, crossing_phase_i};  // line 101
-  wire both = crossing_i && !answered;
-  wire [16:0] place = turned ? 17'd0 : 17'd65536;  // line 101
-  wire [17:0] difference_101_3 = {1'b0, place} - {2'd0, phase_i};  // line 101
-  wire both_2 = elapsed_i && turned;
-  wire both_80 = !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);  // line 80
-  wire choice = commutate_i ? both_80 : crossing_i || answered;
-  wire choice_2 = (watch_i == Evidence_kSectors && !changed_i) ? !(elapsed_i ^ !turned) : turned;
+  wire either_65 = !(watch_i == Evidence_kSectors && elapsed_i && turned) || changed_i;  // line 65
+  wire either_64 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 64
+  wire either_67 = !either_64 || !either_65;  // line 67
+  wire [15:0] choice_92 = (!either_67 || before_) ? expected_i : lead_error_i;  // line 92
+  wire [16:0] wide_92 = {1'b0, choice_92};  // line 92
+  wire [16:0] choice_67 = (watch_i == Evidence_kSectors) ? (turned ? 17'd0 : 17'd65536) : wide_92;
+  wire [15:0] choice_95 =  // line 95
+      (watch_i == Evidence_kSectors) ? (either_67 ? 16'd32768 : phase_i) :
+      either_67 ? {16{before_}} :
+      crossing_phase_i;
+  wire [17:0] difference_67 = {1'b0, choice_67} - {2'd0, choice_95};  // line 67
+  wire either_66 =  // line 66
+      !(watch_i != Evidence_kCrossings || !crossing_i || answered) ||
+      (watch_i == Evidence_kSectors && changed_i);
+  wire both_78 = !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);  // line 78
+  wire choice = commutate_i ? both_78 : crossing_i || answered;
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -55,51 +61,24 @@ module phase_detector (
       before_ <= 1'b0;
       turned <= 1'b0;
     end else begin
-      if (watch_i == Evidence_kCrossings) begin
-        if (commutate_i) begin
-          if (!answered) begin
-            if ($signed(difference_101) < -18'sd32768) begin
-              error <= 16'd32768;
-            end else if ($signed(difference_101) < 18'sd32767) begin
-              error <= difference_101[15:0];
-            end else begin
-              error <= 16'd32767;
-            end
-          end
-          update <= !answered;
-        end else begin
-          if (both) begin
-            if ($signed(difference_101_2) < -18'sd32768) begin
-              error <= 16'd32768;
-            end else if ($signed(difference_101_2) < 18'sd32767) begin
-              error <= difference_101_2[15:0];
-            end else begin
-              error <= 16'd32767;
-            end
-          end
-          update <= both;
-        end
-        missed <= commutate_i && !answered;
-        before_ <= before_seen_i;
-      end else begin
-        if (watch_i == Evidence_kSectors) begin
-          if (changed_i) begin
-            if ($signed(difference_101_3) < -18'sd32768) begin
-              error <= 16'd32768;
-            end else if ($signed(difference_101_3) < 18'sd32767) begin
-              error <= difference_101_3[15:0];
-            end else begin
-              error <= 16'd32767;
-            end
-          end else if (both_2) begin
+      if (!(either_64 && either_65 && !either_66)) begin
+        if (difference_67[17]) begin
+          if (difference_67 > 18'd229375) begin
+            error <= difference_67[15:0];
+          end else begin
             error <= 16'd32768;
           end
+        end else if (difference_67[17:15] == 3'd0) begin
+          error <= difference_67[15:0];
+        end else begin
+          error <= 16'd32767;
         end
-        update <= watch_i == Evidence_kSectors && (changed_i || both_2);
-        missed <= watch_i == Evidence_kSectors && !changed_i && both_2;
       end
+      update <= !either_64 || !either_65 || either_66;
+      missed <= !either_64 || !either_65 || (!either_64 && either_66);
       answered <= watch_i != Evidence_kCrossings || choice;
-      turned <= !commutate_i && choice_2;  // line 68
+      before_ <= before_seen_i;
+      turned <= !commutate_i && watch_i == Evidence_kSectors && (turned ^ elapsed_i);  // line 69
     end
   end
 

@@ -9,9 +9,8 @@ module protection (
     input  logic        commutate_i,  // a new step began
     input  logic        good_i,  // strobe: a crossing near its place
     input  logic        missed_i,  // strobe: a step without a crossing
-    input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
-    input  logic [15:0] duty_i,  // u1.15
-    input  logic [15:0] bemf_duty_i,  // u1.15
+    input  logic        slow_i,  // the VCO's frequency is below `stall`
+    input  logic        slips_i,  // the duty is more than the back-EMF explains
     input  logic [15:0] freewheel_i,  // u0.16, of the present or last step
     input  logic [3:0]  stuck_i,  // hits of the current limit in a row with its comparator never released
     input  logic        fault_pin_i,  // synchronised
@@ -29,52 +28,49 @@ module protection (
     output logic        freewheel_long_o  // strobe: the step that ended freewheeled for too long
 );
   localparam logic [3:0] Reason_kNone = 4'd0;
+  localparam logic [3:0] Reason_kFaultPin = 4'd1;
+  localparam logic [3:0] Reason_kOverCurrent = 4'd2;
+  localparam logic [3:0] Reason_kStepOut = 4'd3;
   localparam logic [3:0] Reason_kStall = 4'd4;
   localparam logic [3:0] Reason_kWrongLock = 4'd5;
   localparam logic [3:0] Reason_kHallCode = 4'd8;
 
-  logic [5:0] score;  // of missed crossings
+  logic [6:0] score;  // of missed crossings
   logic [2:0] slow;  // slow steps in a row
-  logic [11:0] wrong;  // ticks in a row that look like a wrong lock
+  logic [11:0] wrong;  // ticks more that may look like a wrong lock
   logic [1:0] hall;  // ticks in a row with an illegal code
 
-  wire [6:0] sum_89 = {1'b0, score} + 7'd2;  // line 89
-  wire both_90 = good_i && score != 6'd0;  // line 90
-  wire [5:0] choice =
-      missed_i ? (sum_89[6] ? 6'd63 : sum_89[5:0]) : score + {{5{both_90}}, both_90};
-  wire [5:0] score_next = running_i ? choice : 6'd0;
-  wire below_70 = words_misses_i - 6'd1 < score_next;  // line 70
-  wire [2:0] choice_96 = (slow == 3'd6) ? 3'd6 : slow + 3'd1;  // line 96
-  wire [2:0] choice_2 = commutate_i ? ((frequency_i < words_stall_i) ? choice_96 : 3'd0) : slow;
-  wire both_71 = running_i && choice_2 == 3'd6;  // line 71
-  wire [12:0] sum_103 = {1'b0, wrong} + 13'd1;  // line 103
-  wire below_54 = words_freewheel_i < freewheel_i;  // line 54
-  wire either_61 =  // line 61
-      $signed({1'b0, words_slip_i}) < $signed({1'b0, duty_i} - {1'b0, bemf_duty_i}) || below_54;
-  wire [11:0] choice_3 =
-      tick_i ? (either_61 ? (sum_103[12] ? 12'd4095 : sum_103[11:0]) : 12'd0) : wrong;
-  wire [11:0] wrong_next = running_i ? choice_3 : 12'd0;
-  wire below_72 = words_wrong_lock_i - 12'd1 < wrong_next;  // line 72
-  wire [1:0] choice_106 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 106
-  wire [1:0] choice_4 = tick_i ? ((hall_i && hall_illegal_i) ? choice_106 : 2'd0) : hall;
-  wire both_73 = running_i && choice_4 == 2'd2;  // line 73
-  wire below_69 = words_over_current_i - 4'd1 < stuck_i;  // line 69
-  wire either_74 = fault_pin_i || below_69;  // line 74
-  wire [1:0] choice_76 =  // line 76
-      fault_pin_i ? 2'd1 :
-      below_69 ? 2'd2 : 2'd3;
+  wire [6:0] choice =
+      missed_i ? score + 7'd2 :
+      (good_i && score != 7'd0) ? score - 7'd1 :
+      score;
+  wire [6:0] score_next = running_i ? choice : 7'd0;
+  wire both_68 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 68
+  wire [2:0] choice_93 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 93
+  wire [2:0] choice_93_2 = commutate_i ? choice_93 : slow;  // line 93
+  wire both_69 = running_i && choice_93_2 == 3'd6;  // line 69
+  wire below_53 = words_freewheel_i < freewheel_i;  // line 53
+  wire [11:0] choice_103 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 103
+  wire [11:0] choice_2 = tick_i ? ((slips_i || below_53) ? choice_103 : words_wrong_lock_i) : wrong;
+  wire [11:0] wrong_next = running_i ? choice_2 : words_wrong_lock_i;
+  wire both_70 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 70
+  wire [1:0] choice_110 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 110
+  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_110 : 2'd0) : hall;
+  wire both_71 = running_i && choice_3 == 2'd2;  // line 71
+  wire below_67 = words_over_current_i - 4'd1 < stuck_i;  // line 67
+  wire fatal = fault_pin_i || below_67;  // line 72
 
   always_ff @(posedge clk) begin
     if (rst) begin
-      score <= 6'd0;
+      score <= 7'd0;
       slow <= 3'd0;
-      wrong <= 12'd0;
+      wrong <= 12'd4095;
       hall <= 2'd0;
     end else begin
       score <= score_next;
       if (running_i) begin
-        slow <= choice_2;
-        hall <= choice_4;
+        slow <= choice_93_2;
+        hall <= choice_3;
       end else begin
         slow <= 3'd0;
         hall <= 2'd0;
@@ -83,12 +79,19 @@ module protection (
     end
   end
 
-  assign lost_o = below_70 || both_71 || below_72 || both_73;
-  assign fatal_o = either_74;
+  assign lost_o = both_68 || both_69 || both_70 || both_71;
+  assign fatal_o = fatal;
   assign reason_o =
-      (either_74 || below_70) ? {2'd0, choice_76} :
-      both_71 ? Reason_kStall :
-      below_72 ? Reason_kWrongLock :
-      both_73 ? Reason_kHallCode : Reason_kNone;
-  assign freewheel_long_o = commutate_i && below_54;
+      (fatal || both_68) ?
+      (fault_pin_i ? Reason_kFaultPin :
+      below_67 ? Reason_kOverCurrent :
+      Reason_kStepOut) :
+      both_69 ? Reason_kStall :
+      both_70 ? Reason_kWrongLock :
+      both_71 ? Reason_kHallCode :
+      Reason_kNone;
+  assign freewheel_long_o = commutate_i && below_53;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, words_stall_i, words_slip_i};
 endmodule

@@ -24,13 +24,11 @@ module pwm_generator (
   logic start;  // as first_, in step with on_
   logic tick;  // as first_, in every `tick_periods`-th period
 
-  wire first_next = left < 14'd2;  // line 47
   wire [14:0] rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 64
   wire both_51 = waiting && lead == 13'd0;  // line 51
   wire either = both_51 || (on && !first);
   wire start_next = first && left != 14'd0;  // line 55
-  wire below_56 = periods < 8'd2;  // line 56
-  wire at_most_68 = (minimum_i <= on_clocks_i);  // line 68
+  wire at_most_68 = minimum_i <= on_clocks_i;  // line 68
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -45,7 +43,7 @@ module pwm_generator (
       start <= 1'b0;
       tick <= 1'b0;
     end else begin
-      if (first_next) begin
+      if (left[13:1] == 13'd0) begin
         left <= period_i;
         if (centred_i) begin
           lead <= rest[13:1];
@@ -57,25 +55,29 @@ module pwm_generator (
         always_ <= at_most_68 && $signed(rest) < $signed({1'b0, minimum_i});
       end else begin
         left <= left - 14'd1;
-        lead <= lead + {{12{waiting}}, waiting};
-        pulse <= pulse + {{13{either}}, either};
+        if (waiting) begin
+          lead <= lead - 13'd1;
+        end
+        if (either) begin
+          pulse <= pulse - 14'd1;
+        end
         waiting <= both_51 ^ waiting;
       end
       if (start_next) begin  // line 60
-        if (below_56) begin
+        if (periods[7:1] == 7'd0) begin
           periods <= tick_periods_i;
         end else begin
           periods <= periods - 8'd1;
         end
       end
-      first <= first_next;  // line 47
+      first <= left[13:1] == 13'd0;  // line 47
       if (left == 14'd0 || always_) begin
         on <= left != 14'd0;
       end else begin
         on <= either && pulse != 14'd0;
       end
       start <= start_next;  // line 55
-      tick <= start_next && below_56;  // line 59
+      tick <= start_next && periods[7:1] == 7'd0;  // line 59
     end
   end
 

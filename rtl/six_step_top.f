@@ -4,10 +4,10 @@ rtl/start_sequence.sv
 rtl/divide_by_n.sv
 rtl/bemf_comparator.sv
 rtl/phase_detector.sv
-rtl/serial_multiplier_37_26.sv
+rtl/serial_multiplier_34_22.sv
 rtl/loop_filter.sv
 rtl/vco_counter.sv
-rtl/serial_multiplier_17_16.sv
+rtl/serial_multiplier_27_16.sv
 rtl/speed_control.sv
 rtl/pwm_generator.sv
 rtl/current_limit.sv

@@ -106,10 +106,12 @@ module six_step_top (
   logic tick;
   logic chop;
   logic limited;
-  logic [15:0] phase;  // u0.16, of the VCO
-  logic pulse;
-  logic [25:0] frequency;  // u0.32
-  logic commutate;
+  logic [2:0] divided_step;  // 0 to 5
+  logic [15:0] divided_phase;  // u0.16, turns of one step
+  logic divided_commutate;  // one clock, the first of a new step
+  logic divided_elapsed;  // one clock: a step's worth of VCO turns is over, even if held
+  logic divided_turn;  // the divided VCO signal: high in the first half electrical turn
+  logic fast;
   logic update;
   logic good;
   logic lost;
@@ -164,6 +166,8 @@ module six_step_top (
       .jumped_o(hall_jumped)
   );
 
+  wire [2:0] choice = (hall_sector < 3'd3) ? 3'd3 : 3'd5;
+
   wire [3:0] start_state;
   wire [3:0] start_reason;
   wire start_enable;
@@ -172,11 +176,9 @@ module six_step_top (
   wire start_running;
   wire [1:0] start_mode;
   wire [15:0] start_duty;
-  wire [25:0] start_target;
+  wire start_stop;
   wire [1:0] start_watch;
   wire [2:0] start_loop;
-  wire start_load;
-  wire [25:0] start_load_frequency;
   wire start_load_step;
   wire [2:0] start_step;
   wire start_turn_vco;
@@ -207,9 +209,8 @@ module six_step_top (
       .words_brake_duty_i(words_start_brake_duty_i),
       .words_rest_i(words_start_rest_i),
       .words_retries_i(words_start_retries_i),
-      .target_i(words_speed_target_i),
-      .frequency_i(frequency),
-      .commutate_i(commutate),
+      .fast_i(fast),
+      .commutate_i(divided_commutate),
       .update_i(update),
       .good_i(good),
       .turns_reverse_i(hall_reverse),
@@ -225,11 +226,9 @@ module six_step_top (
       .running_o(start_running),
       .mode_o(start_mode),
       .duty_o(start_duty),
-      .target_o(start_target),
+      .stop_o(start_stop),
       .watch_o(start_watch),
       .loop_o(start_loop),
-      .load_o(start_load),
-      .load_frequency_o(start_load_frequency),
       .load_step_o(start_load_step),
       .step_o(start_step),
       .turn_vco_o(start_turn_vco),
@@ -237,34 +236,8 @@ module six_step_top (
       .failed_o(start_failed)
   );
 
-  wire either_103 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
-  wire [2:0] choice = (hall_sector < 3'd3) ? 3'd3 : 3'd5;
   wire [2:0] hall_step = start_reverse ? hall_sector + choice : hall_sector;
-
-  wire [2:0] divide_step;
-  wire [15:0] divide_phase;
-  wire divide_commutate;
-  wire divide_elapsed;
-  wire divide_turn;
-  divide_by_n divide (
-      .clk(clk),
-      .rst(rst),
-      .pulse_i(pulse),
-      .phase_i(phase),
-      .divide_i(words_loop_divide_i),
-      .reverse_i(start_reverse),
-      .hold_i(start_watch == 2'd2),
-      .load_i(either_103),
-      .step_i(start_load_step ? start_step : hall_step),
-      .half_i(start_load_step),
-      .step_o(divide_step),
-      .phase_o(divide_phase),
-      .commutate_o(divide_commutate),
-      .elapsed_o(divide_elapsed),
-      .turn_o(divide_turn)
-  );
-
-  wire [2:0] step = words_source_i ? hall_step : divide_step;  // line 106
+  wire [2:0] step = words_source_i ? hall_step : divided_step;  // line 99
 
   wire bemf_crossing;
   wire [15:0] bemf_crossing_phase;
@@ -278,9 +251,9 @@ module six_step_top (
       .w_i(synchroniser_comparator_w),
       .step_i(step),
       .reverse_i(start_reverse),
-      .commutate_i(divide_commutate),
+      .commutate_i(divided_commutate),
       .chop_i(chop),
-      .phase_i(divide_phase),
+      .phase_i(divided_phase),
       .words_sampling_i(words_bemf_sampling_i),
       .words_blanking_i(words_bemf_blanking_i),
       .words_sample_every_i(words_bemf_sample_every_i),
@@ -302,12 +275,12 @@ module six_step_top (
       .crossing_i(bemf_crossing),
       .crossing_phase_i(bemf_crossing_phase),
       .before_seen_i(bemf_before_seen),
-      .commutate_i(divide_commutate),
+      .commutate_i(divided_commutate),
       .step_i(step),
       .reverse_i(start_reverse),
       .changed_i(hall_moved),
-      .elapsed_i(divide_elapsed),
-      .phase_i(divide_phase),
+      .elapsed_i(divided_elapsed),
+      .phase_i(divided_phase),
       .detector_i(words_loop_detector_i),
       .expected_i(words_loop_expected_i),
       .lead_error_i(words_loop_lead_error_i),
@@ -318,7 +291,11 @@ module six_step_top (
       .missed_o(detector_missed)
   );
 
+  wire either_139 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
+
   wire [25:0] filter_frequency;
+  wire filter_fast;
+  wire filter_slow;
   wire unused_filter_busy;
   loop_filter filter (
       .clk(clk),
@@ -327,8 +304,6 @@ module six_step_top (
       .error_i(detector_error),
       .update_i(detector_update),
       .tick_i(tick),
-      .load_i(start_load),
-      .load_frequency_i(start_load_frequency),
       .ramp_i(words_start_ramp_i),
       .bandwidth_i(words_loop_bandwidth_i),
       .delay_i(words_loop_delay_i >> words_loop_divide_i),
@@ -338,13 +313,30 @@ module six_step_top (
       .scale_i(words_loop_scale_i),
       .minimum_i(words_loop_minimum_i),
       .maximum_i(words_loop_maximum_i),
+      .hand_over_i(words_start_hand_over_i),
+      .stall_i(words_protection_stall_i),
       .frequency_o(filter_frequency),
+      .fast_o(filter_fast),
+      .slow_o(filter_slow),
       .busy_o(unused_filter_busy)
   );
 
+  wire [15:0] vco_phase;
+  wire vco_pulse;
+  vco_counter vco (
+      .clk(clk),
+      .rst(rst),
+      .enable_i(start_turn_vco),
+      .load_i(either_139),
+      .phase_i((start_load_step && words_loop_divide_i == 2'd0) ? 16'd32768 : 16'd0),
+      .frequency_i(filter_frequency),
+      .phase_o(vco_phase),
+      .pulse_o(vco_pulse)
+  );
+
   wire [15:0] speed_duty;
-  wire [15:0] speed_bemf_duty;
   wire [13:0] speed_on_clocks;
+  wire speed_slips;
   speed_control speed (
       .clk(clk),
       .rst(rst),
@@ -352,9 +344,10 @@ module six_step_top (
       .mode_i(start_mode),
       .fixed_duty_i(start_duty),
       .frequency_i(filter_frequency),
-      .target_i(start_target),
+      .target_i(start_stop ? 26'd0 : words_speed_target_i),
       .limited_i(limited),
       .period_i(words_pwm_period_i),
+      .slip_i(words_protection_slip_i),
       .words_target_i(words_speed_target_i),
       .words_slew_i(words_speed_slew_i),
       .words_shift_i(words_speed_shift_i),
@@ -365,8 +358,8 @@ module six_step_top (
       .words_maximum_i(words_speed_maximum_i),
       .words_duty_slew_i(words_speed_duty_slew_i),
       .duty_o(speed_duty),
-      .bemf_duty_o(speed_bemf_duty),
-      .on_clocks_o(speed_on_clocks)
+      .on_clocks_o(speed_on_clocks),
+      .slips_o(speed_slips)
   );
 
   wire pwm_on;
@@ -428,12 +421,11 @@ module six_step_top (
       .rst(rst),
       .running_i(start_running),
       .tick_i(tick),
-      .commutate_i(divide_commutate),
+      .commutate_i(divided_commutate || divided_elapsed),
       .good_i(detector_good),
       .missed_i(detector_missed),
-      .frequency_i(filter_frequency),
-      .duty_i(speed_duty),
-      .bemf_duty_i(speed_bemf_duty),
+      .slow_i(filter_slow),
+      .slips_i(speed_slips),
       .freewheel_i(words_source_i ? 16'd0 : bemf_freewheel),
       .stuck_i(limit_stuck),
       .fault_pin_i(synchroniser_fault),
@@ -499,17 +491,27 @@ module six_step_top (
       .retries_o(telemetry_retries)
   );
 
-  wire [15:0] vco_phase;
-  wire vco_pulse;
-  vco_counter vco (
+  wire [2:0] divide_step;
+  wire [15:0] divide_phase;
+  wire divide_commutate;
+  wire divide_elapsed;
+  wire divide_turn;
+  divide_by_n divide (
       .clk(clk),
       .rst(rst),
-      .enable_i(start_turn_vco),
-      .load_i(either_103),
-      .phase_i((start_load_step && words_loop_divide_i == 2'd0) ? 16'd32768 : 16'd0),
-      .frequency_i(filter_frequency),
-      .phase_o(vco_phase),
-      .pulse_o(vco_pulse)
+      .pulse_i(vco_pulse),
+      .phase_i(vco_phase),
+      .divide_i(words_loop_divide_i),
+      .reverse_i(start_reverse),
+      .hold_i(start_watch == 2'd2),
+      .load_i(either_139),
+      .step_i(start_load_step ? start_step : hall_step),
+      .half_i(start_load_step),
+      .step_o(divide_step),
+      .phase_o(divide_phase),
+      .commutate_o(divide_commutate),
+      .elapsed_o(divide_elapsed),
+      .turn_o(divide_turn)
   );
 
   always_ff @(posedge clk) begin
@@ -517,10 +519,12 @@ module six_step_top (
       tick <= 1'b0;
       chop <= 1'b0;
       limited <= 1'b0;
-      phase <= 16'd0;
-      pulse <= 1'b0;
-      frequency <= 26'd0;
-      commutate <= 1'b0;
+      divided_step <= 3'd0;
+      divided_phase <= 16'd0;
+      divided_commutate <= 1'b0;
+      divided_elapsed <= 1'b0;
+      divided_turn <= 1'b0;
+      fast <= 1'b0;
       update <= 1'b0;
       good <= 1'b0;
       lost <= 1'b0;
@@ -530,10 +534,12 @@ module six_step_top (
       tick <= pwm_tick;
       chop <= limit_on;
       limited <= limit_hit;
-      phase <= vco_phase;
-      pulse <= vco_pulse;
-      frequency <= filter_frequency;
-      commutate <= divide_commutate;
+      divided_step <= divide_step;
+      divided_phase <= divide_phase;
+      divided_commutate <= divide_commutate;
+      divided_elapsed <= divide_elapsed;
+      divided_turn <= divide_turn;
+      fast <= filter_fast;
       update <= detector_update;
       good <= detector_good;
       lost <= protection_lost;
@@ -554,10 +560,10 @@ module six_step_top (
   assign reverse_o = start_reverse;
   assign step_o = step;
   assign chop_o = limit_on;
-  assign commutate_o = divide_commutate;
-  assign turn_o = divide_turn;
+  assign commutate_o = divided_commutate;
+  assign turn_o = divided_turn;
   assign frequency_o = filter_frequency;
-  assign step_phase_o = divide_phase;
+  assign step_phase_o = divided_phase;
   assign phase_error_o = detector_error;
   assign update_o = detector_update;
   assign crossing_o = bemf_crossing;

@@ -1,2 +1,2 @@
-rtl/serial_multiplier_17_16.sv
+rtl/serial_multiplier_27_16.sv
 rtl/speed_control.sv

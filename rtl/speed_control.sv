@@ -1,4 +1,4 @@
-// speed_control: steplock::SpeedControl, printed by hlsgen from hls/six_step/speed_control.hpp:30.
+// speed_control: steplock::SpeedControl, printed by hlsgen from hls/six_step/speed_control.hpp:33.
 // Do not edit: change the C++ and print again.
 
 module speed_control (
@@ -11,6 +11,7 @@ module speed_control (
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
     input  logic [13:0] period_i,  // clocks per PWM period
+    input  logic [15:0] slip_i,  // u1.15, above the back-EMF's duty
     input  logic [25:0] words_target_i,  // u0.32
     input  logic [19:0] words_slew_i,  // u0.32 per tick
     input  logic [3:0]  words_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
@@ -21,215 +22,257 @@ module speed_control (
     input  logic [15:0] words_maximum_i,
     input  logic [11:0] words_duty_slew_i,  // u1.15 per tick
     output logic [15:0] duty_o,  // u1.15
-    output logic [15:0] bemf_duty_o,  // u1.15, mean voltage equal to the back-EMF
-    output logic [13:0] on_clocks_o  // clocks of on-time per period
+    output logic [13:0] on_clocks_o,  // clocks of on-time per period
+    output logic        slips_o  // in speed control: duty above the back-EMF's by more than slip
 );
-  localparam logic [1:0] SpeedMode_kAboveBemf = 2'd1;
+  localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
-  localparam logic [2:0] Stage_kIdle = 3'd0;
-  localparam logic [2:0] Stage_kBemf = 3'd1;
-  localparam logic [2:0] Stage_kIntegral = 3'd2;
-  localparam logic [2:0] Stage_kProportional = 3'd3;
-  localparam logic [2:0] Stage_kOnClocks = 3'd4;
+  localparam logic [4:0] Stage_kIdle = 5'd0;
+  localparam logic [4:0] Stage_kSlew = 5'd1;
+  localparam logic [4:0] Stage_kReach = 5'd2;
+  localparam logic [4:0] Stage_kBemf = 5'd3;
+  localparam logic [4:0] Stage_kSlip = 5'd4;
+  localparam logic [4:0] Stage_kIntegral = 5'd5;
+  localparam logic [4:0] Stage_kWhole = 5'd6;
+  localparam logic [4:0] Stage_kWholeLow = 5'd7;
+  localparam logic [4:0] Stage_kWholeHigh = 5'd8;
+  localparam logic [4:0] Stage_kKeep = 5'd9;
+  localparam logic [4:0] Stage_kProportional = 5'd10;
+  localparam logic [4:0] Stage_kLow = 5'd11;
+  localparam logic [4:0] Stage_kHigh = 5'd12;
+  localparam logic [4:0] Stage_kUp = 5'd13;
+  localparam logic [4:0] Stage_kDown = 5'd14;
+  localparam logic [4:0] Stage_kDuty = 5'd15;
+  localparam logic [4:0] Stage_kOnClocks = 5'd16;
 
-  logic [2:0] stage;
+  logic [4:0] stage;
   logic started;  // the stage's product is under way
-  logic [3:0] shifts;  // still to do, one a clock: cheaper than a barrel shifter
-  logic [26:0] operand;  // speed, speed error or duty
-  logic [25:0] reference;  // u0.32, the slewed target
-  logic [31:0] integral;  // u1.31: the duty and 16 bits more
+  logic [20:0] work;  // duty on its way
+  logic [27:0] reference;  // u0.32, the slewed target; for one clock it may pass it
+  logic rises;  // the reference went up
+  logic [33:0] integral;  // u1.31: the duty and 16 bits more
   logic [15:0] duty;
-  logic [15:0] bemf_duty;
   logic [13:0] on_clocks;
-  logic limited;  // the current limit cut a pulse since the last tick
-  logic at_high;  // the duty wanted to be higher than it may
-  logic at_low;
+  logic slips;
+  logic limited;  // the current limit cut a pulse since the last integral
+  logic at_high;  // integral or duty wanted to be higher than they may
+  logic at_low;  // or lower
 
-  wire [26:0] choice_54 = ($signed(operand) < 27'sd65535) ? operand : 27'd65535;  // line 54
+  wire either = stage == Stage_kProportional || stage == Stage_kIntegral;
+  wire either_2 = either || stage == Stage_kOnClocks || stage == Stage_kBemf;
+  wire [15:0] choice_61 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 61
+  wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_61};
+  wire [25:0] choice_64 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 64
+  wire [26:0] choice_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_64};
+  wire [26:0] a = choice + choice_2;  // line 62
 
-  logic [15:0] choice_55;
-  logic [2:0] choice;
+  logic [15:0] choice_68;  // line 68
   always_comb begin
     case (stage)
-      Stage_kBemf: begin
-        choice_55 = words_bemf_i;
-        choice = (mode_i == SpeedMode_kControl) ? Stage_kIntegral : Stage_kOnClocks;
-      end
-      Stage_kIntegral: begin
-        choice_55 = words_ki_i;
-        choice = Stage_kProportional;
-      end
-      Stage_kProportional: begin
-        choice_55 = words_kp_i;
-        choice = Stage_kOnClocks;
-      end
-      default: begin
-        choice_55 = {2'd0, period_i};
-        choice = Stage_kIdle;
-      end
+      Stage_kBemf: choice_68 = words_bemf_i;
+      Stage_kIntegral: choice_68 = words_ki_i;
+      Stage_kProportional: choice_68 = words_kp_i;
+      default: choice_68 = {2'd0, period_i};
     endcase
   end
 
-  wire [32:0] multiplier_product;
+  wire [4:0] choice_95 = stage[4] ? Stage_kIdle : stage + 5'd1;  // line 95
+  wire [4:0] choice_3 =
+      (stage != Stage_kBemf || mode_i == SpeedMode_kControl) ? choice_95 : Stage_kHigh;
+
+  wire [42:0] multiplier_product;
   wire multiplier_done;
   wire unused_multiplier_busy;
-  serial_multiplier_17_16 multiplier (
+  serial_multiplier_27_16 multiplier (
       .clk(clk),
       .rst(rst),
-      .start_i(stage != Stage_kIdle && shifts == 4'd0 && !started),
-      .a_i(($signed(choice_54) < -27'sd65536) ? 17'd65536 : choice_54[16:0]),
-      .b_i(choice_55),
+      .start_i(either_2 && !started),
+      .a_i(a),
+      .b_i(choice_68),
+      .shift_i((stage == Stage_kOnClocks) ? 4'd0 : words_shift_i),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
 
-  wire both = started && multiplier_done;
-  wire both_2 = shifts == 4'd0 && both;
-  wire [21:0] wide_130 = {multiplier_product[32], multiplier_product[32:12]};  // line 130
-  wire [21:0] sum = {6'd0, fixed_duty_i} + wide_130;  // line 130
-  wire [15:0] duty_2 =  // line 112
-      (mode_i == SpeedMode_kAboveBemf) ? (($signed({6'd0, words_maximum_i}) < $signed(sum)) ?
-      words_maximum_i : sum[15:0]) : fixed_duty_i;
-  wire [15:0] moved = duty + {4'd0, words_duty_slew_i};  // line 166
-  wire [15:0] moved_2 = duty - {4'd0, words_duty_slew_i};  // line 167
-  wire [21:0] wanted = {6'd0, integral[31:16]} + wide_130;  // line 157
-  wire below_158 = $signed(wanted) < $signed({6'd0, words_minimum_i});  // line 158
-  wire below_158_2 = $signed({6'd0, words_maximum_i}) < $signed(wanted);  // line 158
-  wire [15:0] bounded =  // line 158
-      below_158 ? words_minimum_i :
-      below_158_2 ? words_maximum_i : wanted[15:0];
-  wire [16:0] move = {1'b0, bounded} - {1'b0, duty};  // line 161
-  wire [17:0] sum_163 = {move[16], move} + {6'd0, words_duty_slew_i};  // line 163
-  wire below_162 = $signed({5'd0, words_duty_slew_i}) < $signed(move);  // line 162
-  wire [15:0] moved_3 =  // line 120
-      below_162 ? moved :
-      sum_163[17] ? moved_2 : bounded;
-  wire [26:0] distance = {1'b0, target_i} - {1'b0, reference};  // line 89
-  wire [27:0] sum_92 = {distance[26], distance} + {8'd0, words_slew_i};  // line 92
-  wire [33:0] sum_2 = {2'd0, integral} + {multiplier_product[32], multiplier_product};  // line 151
-  wire [31:0] highest = {words_maximum_i, 16'd0};  // line 152
-  wire either_56 = limited_i || limited;  // line 56
-  wire choice_148 = operand[26] ? at_low : at_high || either_56;  // line 148
-  wire both_3 =
-      multiplier_done && !(stage == Stage_kBemf || stage == Stage_kIntegral || stage ==
-      Stage_kProportional);
+  logic [4:0] stage_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: stage_next =
+          multiplier_done ? choice_3 : stage;
+      Stage_kIdle: stage_next = tick_i ? Stage_kSlew : stage;
+      default: stage_next =
+          (stage != Stage_kHigh || mode_i == SpeedMode_kControl) ? choice_95 : Stage_kDuty;
+    endcase
+  end
+
+  logic started_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: started_next =
+          !multiplier_done;
+      default: started_next = started;
+    endcase
+  end
+
+  wire [20:0] base = {{3{integral[33]}}, integral[33:16]};  // line 110
+  wire [15:0] choice_124 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 124
+  wire either_124 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 124
+  wire [17:0] base_2 = either_124 ? integral[33:16] : {2'd0, choice_124};  // line 124
+  wire [20:0] base_3 = {{3{base_2[17]}}, base_2};  // line 124
+  wire [19:0] choice_114 =  // line 114
+      (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 : multiplier_product[31:12];
+  wire both = multiplier_done && !(stage == Stage_kIntegral || stage == Stage_kOnClocks);
+  wire [20:0] choice_4 = both ? base_3 + {choice_114[19], choice_114} : work;
+  wire [12:0] slew = ~{1'b0, words_duty_slew_i};  // line 188
+  wire [12:0] slew_2 =  // line 132
+      (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
+      (stage == Stage_kDown) ? slew :
+      13'd0;
+  wire [17:0] slew_3 = {{5{slew_2[12]}}, slew_2};  // line 132
+  wire [17:0] limit = slew_3 + {2'd0, duty};  // line 190
+
+  logic [17:0] limit_2;  // line 132
+  always_comb begin
+    case (stage)
+      Stage_kWholeLow, Stage_kLow: limit_2 = {2'd0, words_minimum_i};
+      Stage_kWholeHigh, Stage_kHigh: limit_2 = {2'd0, words_maximum_i};
+      default: limit_2 = limit;
+    endcase
+  end
+
+  wire [20:0] wide_133 = {{3{limit_2[17]}}, limit_2};  // line 133
+  wire below_133 = $signed(work) < $signed(wide_133);  // line 133
+  wire both_75 =  // line 75
+      (stage == Stage_kWholeLow || stage == Stage_kLow || stage == Stage_kDown) && below_133;
+  wire either_75 = stage == Stage_kWholeHigh || stage == Stage_kHigh || stage == Stage_kUp;
+  wire both_75_2 = either_75 && $signed(wide_133) <= $signed(work);  // line 75
+
+  logic [20:0] work_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: work_next = choice_4;
+      Stage_kWhole: work_next = base;
+      default: work_next = (both_75 || both_75_2) ? wide_133 : work;
+    endcase
+  end
+
+  wire [25:0] goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 145
+  wire below_146 = $signed(reference) < $signed({2'd0, goal});  // line 146
+  wire at_most_148 = $signed({2'd0, goal}) <= $signed(reference);  // line 148
+  wire [20:0] slew_4 = {1'b0, words_slew_i} ^ {21{at_most_148}};  // line 148
+  wire [27:0] slew_5 = {{7{slew_4[20]}}, slew_4};  // line 148
+  wire both_2 = stage == Stage_kReach && (mode_i != SpeedMode_kControl || (below_146 ^ rises));
+
+  logic [27:0] reference_next;
+  logic rises_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf, Stage_kIdle: begin
+        reference_next = reference;
+        rises_next = rises;
+      end
+      Stage_kSlew: begin
+        reference_next = reference + slew_5;
+        rises_next = below_146;
+      end
+      default: begin
+        reference_next = both_2 ? {2'd0, goal} : reference;
+        rises_next = rises;
+      end
+    endcase
+  end
+
+  wire choice_119 = multiplier_product[31] ? at_low : at_high || limited;  // line 119
+  wire both_3 = multiplier_done && stage == Stage_kIntegral && !choice_119;
+  wire [33:0] choice_5 =
+      both_3 ? integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]} : integral;
+  wire [33:0] joined_163 = {work[17:0], 16'd0};  // line 163
+
+  logic [33:0] integral_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: integral_next = choice_5;
+      Stage_kIdle: integral_next = integral;
+      Stage_kKeep: integral_next = (at_low || at_high) ? joined_163 : integral;
+      default: integral_next =
+          (stage == Stage_kDuty && mode_i != SpeedMode_kControl) ? joined_163 : integral;
+    endcase
+  end
+
+  wire [15:0] part_166 = work[15:0];  // line 166
+
+  logic [15:0] duty_next;
+  always_comb begin
+    case (stage)
+      Stage_kDuty: duty_next = part_166;
+      default: duty_next = duty;
+    endcase
+  end
+
+  logic slips_next;
+  always_comb begin
+    case (stage)
+      Stage_kSlip: slips_next = below_133;
+      Stage_kDuty: slips_next = mode_i == SpeedMode_kControl && slips;
+      default: slips_next = slips;
+    endcase
+  end
+
+  logic at_high_next;
+  logic at_low_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf, Stage_kIdle: begin
+        at_high_next = at_high;
+        at_low_next = at_low;
+      end
+      default: begin
+        at_high_next = (stage != Stage_kWhole && at_high) || both_75_2;
+        at_low_next = (stage != Stage_kWhole && at_low) || both_75;
+      end
+    endcase
+  end
 
   always_ff @(posedge clk) begin
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
-      shifts <= 4'd0;
-      operand <= 27'sd0;
-      reference <= 26'd0;
-      integral <= 32'd0;
+      work <= 21'sd0;
+      reference <= 28'sd0;
+      rises <= 1'b0;
+      integral <= 34'sd0;
       duty <= 16'd0;
-      bemf_duty <= 16'd0;
       on_clocks <= 14'd0;
+      slips <= 1'b0;
       limited <= 1'b0;
       at_high <= 1'b0;
       at_low <= 1'b0;
     end else begin
-      if (stage == Stage_kIdle) begin
-        stage <= {2'd0, tick_i};
-        if (tick_i) begin
-          shifts <= words_shift_i;
-          operand <= {1'b0, frequency_i};
-        end
-        limited <= either_56;
-      end else begin
-        if (both_2) begin
-          stage <= choice;
-          if (stage == Stage_kBemf) begin
-            if (mode_i != SpeedMode_kControl) begin
-              integral <= {duty_2, 16'd0};
-              duty <= duty_2;
-            end
-            limited <= mode_i == SpeedMode_kControl && either_56;
-            at_high <= mode_i == SpeedMode_kControl && at_high;
-            at_low <= mode_i == SpeedMode_kControl && at_low;
-          end else begin
-            if (stage == Stage_kIntegral && !choice_148) begin
-              if (sum_2[33]) begin
-                integral <= 32'd0;
-              end else if ({2'd0, highest} < sum_2) begin
-                integral <= highest;
-              end else begin
-                integral <= sum_2[31:0];
-              end
-            end
-            if (stage == Stage_kProportional) begin
-              duty <= moved_3;
-              at_high <= below_162 || below_158_2;
-              at_low <= sum_163[17] || below_158;
-            end
-            limited <= stage != Stage_kIntegral && either_56;
-          end
-        end else begin
-          limited <= either_56;
-        end
-        if (shifts == 4'd0) begin
-          started <= !started || !multiplier_done;
-          if (started && multiplier_done && stage == Stage_kBemf && mode_i ==
-              SpeedMode_kControl) begin
-            shifts <= words_shift_i;
-          end else begin
-            shifts <= 4'd0;
-          end
-          if (both) begin
-            if (stage == Stage_kBemf) begin
-              if (mode_i == SpeedMode_kControl) begin
-                operand <= {1'b0, reference} - {1'b0, frequency_i};
-              end else begin
-                operand <= {11'd0, duty_2};
-              end
-            end else if (stage == Stage_kProportional) begin
-              operand <= {11'd0, moved_3};
-            end
-          end
-        end else begin
-          shifts <= shifts - 4'd1;
-          operand <= {operand[26], operand[26:1]};
-        end
-        if (shifts == 4'd0 && started && multiplier_done && stage == Stage_kBemf) begin
-          if (multiplier_product[32]) begin
-            bemf_duty <= 16'd0;
-          end else if ($signed(multiplier_product) > 33'sd268435455) begin
-            bemf_duty <= 16'd65535;
-          end else begin
-            bemf_duty <= multiplier_product[27:12];
-          end
-        end
-        if (shifts == 4'd0 && started && both_3) begin
-          if (multiplier_product[32]) begin
-            on_clocks <= 14'd0;
-          end else if (multiplier_product > 33'd536870911) begin
-            on_clocks <= 14'd16383;
-          end else begin
-            on_clocks <= multiplier_product[28:15];
-          end
-        end
+      stage <= stage_next;
+      started <= started_next;
+      work <= work_next;
+      reference <= reference_next;
+      rises <= rises_next;
+      integral <= integral_next;
+      duty <= duty_next;
+      if (either_2 && multiplier_done && stage == Stage_kOnClocks) begin
+        on_clocks <= multiplier_product[28:15];
       end
-      if (stage == Stage_kIdle && tick_i) begin
-        if (mode_i == SpeedMode_kControl) begin
-          if ($signed({7'd0, words_slew_i}) < $signed(distance)) begin
-            reference <= reference + {6'd0, words_slew_i};
-          end else if (sum_92[27]) begin
-            reference <= reference - {6'd0, words_slew_i};
-          end else begin
-            reference <= target_i;
-          end
-        end else begin
-          reference <= frequency_i;
-        end
-      end
+      slips <= slips_next;
+      limited <=
+          limited_i ||
+          (limited && !(stage == Stage_kIntegral && multiplier_done) &&
+          mode_i == SpeedMode_kControl);
+      at_high <= at_high_next;
+      at_low <= at_low_next;
     end
   end
 
   assign duty_o = duty;
-  assign bemf_duty_o = bemf_duty;
   assign on_clocks_o = on_clocks;
+  assign slips_o = slips;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_target_i, sum_163[16:0], sum_92[26:0]};
+  wire unused = &{1'b0, words_target_i, multiplier_product[42:32]};
 endmodule
