@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace steplock {
@@ -143,6 +144,39 @@ TEST(SixStepTop, AFaultStaysLatchedWhenThePinIsReleased) {
   const auto out = chaos.top.tick(chaos.in);
   EXPECT_EQ(out.state, State::kFault);
   EXPECT_EQ(out.reason, Reason::kFaultPin);
+}
+
+// While nothing outside changes, skipping the quiet clocks leads to the same state as ticking through
+// them, bit for bit; and there is something to skip.
+TEST(SixStepTop, SkippingQuietClocksEqualsTickingThem) {
+  Chaos chaos;
+  chaos.in.words.pwm.period = 4000;
+  chaos.in.words.start.hand_over = 1 << 19;
+  chaos.in.words.start.pull_in = 100;
+  chaos.in.command.run = true;
+  SixStepTop ticking, skipping;
+  std::uint64_t skipped = 0, clocks = 0;
+  for (int i = 0; i < 20000; ++i) {
+    chaos.clock();
+    const int hold = int(chaos.random() % 300);
+    SixStepTop::Out out, ticked;
+    for (int k = 0; k < hold; ++k) ticked = ticking.tick(chaos.in);
+    for (int k = 0; k < hold;) {
+      const auto quiet = k == 0 ? 0 : skipping.quiet(chaos.in, out);
+      const auto n = std::min(quiet, std::uint64_t(hold - k));
+      if (n > 0) {
+        skipping.skip(chaos.in, out, n);
+        skipped += n;
+        k += int(n);
+      } else {
+        out = skipping.tick(chaos.in);
+        ++k;
+      }
+    }
+    clocks += std::uint64_t(hold);
+    ASSERT_TRUE(skipping == ticking) << "after " << clocks << " clocks";
+  }
+  EXPECT_GT(skipped, clocks / 4);
 }
 
 TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
