@@ -73,7 +73,7 @@ class FrontEnd {
     expand_accesses(*step.function, opaque_);
     simplify_memory(*step.function);
     run_passes(*step.function, kPromote);
-    refuse_unproved(prove_guards(*step.function));
+    refuse_unproved(prove(*step.function));
     run_passes(*step.function, kSimplify);
     check_marks(*step.function, opaque_);
 
@@ -122,7 +122,7 @@ class FrontEnd {
       expand_accesses(*step.function, opaque_);
       simplify_memory(*step.function);
       run_passes(*step.function, kPromote);
-      const auto failed = prove_guards(*step.function);
+      const auto failed = prove(*step.function);
       if (widen(block, failed, wide)) {
         step.function->eraseFromParent();
         continue;
@@ -130,12 +130,21 @@ class FrontEnd {
       refuse_unproved(failed);
       run_passes(*step.function, kSimplify);
       check_instances(step, block);
-      run_passes(*step.function, "adce");
-      check_marks(*step.function, opaque_);
       auto module = convert(step, block, opaque_);
       step.function->eraseFromParent();
       return module;
     }
+  }
+
+  // An index that proves goes bare, and equal ones become one value; that may prove the next.
+  static std::vector<unsigned> prove(llvm::Function& function) {
+    auto failed = prove_guards(function);
+    for (std::size_t before = failed.size() + 1; !failed.empty() && failed.size() < before;) {
+      before = failed.size();
+      run_passes(function, kSimplify);
+      failed = prove_guards(function);
+    }
+    return failed;
   }
 
   bool widen(const Block& block, const std::vector<unsigned>& failed, std::vector<bool>& wide) {

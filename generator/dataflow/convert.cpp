@@ -7,6 +7,7 @@
 
 #include "generator/dataflow/control.hpp"
 #include "generator/dataflow/instructions.hpp"
+#include "generator/dataflow/reach.hpp"
 #include "generator/dataflow/variables.hpp"
 #include "generator/names.hpp"
 #include "generator/refusal.hpp"
@@ -18,8 +19,12 @@ using llvm::dyn_cast;
 
 class Converter {
  public:
-  Converter(const Step& step, const Block& block, const Opaque& opaque)
-      : step_(step),
+  // With `marks`, marks are inputs beyond the block's own, and their sites are listed there; without,
+  // they are values that do not matter.
+  Converter(const Step& step, const Block& block, const Opaque& opaque,
+            std::vector<unsigned>* marks)
+      : marks_(marks),
+        step_(step),
         block_(block),
         opaque_(opaque),
         nodes_(module_.nodes),
@@ -150,8 +155,9 @@ class Converter {
       const Located located(*this, at);
       return control_.phi(*phi);
     }
-    std::vector<NodeId> in;
     const auto* call = dyn_cast<llvm::CallInst>(&at);
+    if (opaque_kind(&at) == OpaqueKind::kUndefined) return mark(*call);
+    std::vector<NodeId> in;
     const bool is_table = opaque_kind(&at) == OpaqueKind::kTable;
     for (const auto& operand : at.operands()) {
       if (call != nullptr && !call->isDataOperand(&operand)) continue;
@@ -179,6 +185,14 @@ class Converter {
     }
     return nodes_.source_node(found->second.op, load.getType()->getIntegerBitWidth(),
                               found->second.index, found->second.port);
+  }
+
+  NodeId mark(const llvm::CallInst& call) {
+    if (marks_ == nullptr) return kNone;
+    marks_->push_back(site_of(&call));
+    const auto number = module_.inputs.size() + marks_->size() - 1;
+    return nodes_.source_node(Op::kInput, call.getType()->getIntegerBitWidth(),
+                              static_cast<unsigned>(number));
   }
 
   // Tables of the program, numbered within the module as they are met, and as narrow as their
@@ -225,6 +239,7 @@ class Converter {
     unsigned index, port;
   };
 
+  std::vector<unsigned>* marks_;
   const Step& step_;
   const Block& block_;
   const Opaque& opaque_;
@@ -241,7 +256,14 @@ class Converter {
 }  // namespace
 
 Module convert(const Step& step, const Block& block, const Opaque& opaque) {
-  return Converter(step, block, opaque).run();
+  std::vector<unsigned> marks;
+  const auto module = Converter(step, block, opaque, &marks).run();
+  if (marks.empty()) return module;
+  if (const auto reached = Reach(module).find()) {
+    const auto& site = opaque.site(marks[*reached]);
+    throw Refusal(site.where, site.what, site.mend);
+  }
+  return Converter(step, block, opaque, nullptr).run();
 }
 
 }  // namespace hlsgen

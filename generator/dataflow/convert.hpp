@@ -11,6 +11,7 @@
 
 namespace hlsgen {
 
+// Refuses what depends on a value that nobody has written.
 Module convert(const Step& step, const Block& block, const Opaque& opaque);
 
 }  // namespace hlsgen

@@ -18,7 +18,7 @@ namespace hlsgen {
 // Before anything is promoted to registers; removes the lifetime markers, which it consumes.
 void mark_variables(llvm::Function& function, Opaque& opaque);
 
-// Refuses when a mark is left that a value depends on.  After optimisation.
+// Refuses when a mark is left: for functions that must come to constants.
 void check_marks(const llvm::Function& function, const Opaque& opaque);
 
 }  // namespace hlsgen

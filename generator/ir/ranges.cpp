@@ -71,7 +71,26 @@ void Ranges::learn(const llvm::Value* condition, bool holds) {
   const auto predicate = holds ? compare->getPredicate() : compare->getInversePredicate();
   const auto* bound = dyn_cast<llvm::ConstantInt>(compare->getOperand(1));
   if (bound == nullptr) return;
+  if (compare->isEquality()) learn_masked(*compare, predicate == llvm::CmpInst::ICMP_EQ);
   learn(compare->getOperand(0), ConstantRange::makeExactICmpRegion(predicate, bound->getValue()));
+}
+
+// (x & 0b110) != 0b110, LLVM's form of x < 6 where x has three bits; (x & 0b100) == 0 for x < 4.
+void Ranges::learn_masked(const llvm::ICmpInst& compare, bool equal) {
+  const llvm::Value* x = nullptr;
+  const llvm::APInt* mask = nullptr;
+  const llvm::APInt* bound = nullptr;
+  if (!match::match(compare.getOperand(0), match::m_And(match::m_Value(x), match::m_APInt(mask))) ||
+      !match::match(compare.getOperand(1), match::m_APInt(bound)) || !mask->isShiftedMask()) {
+    return;
+  }
+  const unsigned width = mask->getActiveBits();
+  if (!equal && *bound == *mask) {
+    facts_.push_back({x, ConstantRange(llvm::APInt(width, 0), mask->trunc(width))});
+  } else if (equal && bound->isZero() && mask->countTrailingZeros() > 0) {
+    const auto limit = llvm::APInt::getOneBitSet(width, mask->countTrailingZeros());
+    facts_.push_back({x, ConstantRange(llvm::APInt(width, 0), limit)});
+  }
 }
 
 void Ranges::learn(const llvm::Value* value, const ConstantRange& range) {
@@ -96,8 +115,12 @@ ConstantRange Ranges::range(const llvm::Value* value) {
   if (budget_ == 0 || !value->getType()->isIntegerTy()) return full(value);
   --budget_;
   auto result = by_operands(value);
+  const auto* cut = dyn_cast<llvm::TruncInst>(value);
   for (const auto& fact : facts_) {
-    if (fact.value == value) result = result.intersectWith(fact.range);
+    const bool is_own = fact.value == value || (cut != nullptr && fact.value == cut->getOperand(0));
+    if (is_own && fact.range.getBitWidth() == result.getBitWidth()) {
+      result = result.intersectWith(fact.range);
+    }
   }
   return result;
 }

@@ -28,13 +28,14 @@ class Ranges {
  private:
   struct Fact {
     const llvm::Value* value;
-    llvm::ConstantRange range;
+    llvm::ConstantRange range;  // narrower than the value: of its lower bits
   };
 
   void learn_block(const llvm::BasicBlock* block);
   void learn_edge(const llvm::BasicBlock* from, const llvm::BasicBlock* to);
   void learn(const llvm::Value* condition, bool holds);
   void learn(const llvm::Value* value, const llvm::ConstantRange& range);
+  void learn_masked(const llvm::ICmpInst& compare, bool equal);
 
   llvm::ConstantRange range(const llvm::Value* value);
   llvm::ConstantRange by_operands(const llvm::Value* value);
