@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   int exit_code = kWell;
   add_run_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_design_command(app, exit_code);
   add_plant_command(app, exit_code);
   add_keys_command(app, exit_code);
   try {

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "testbench/command/command.hpp"
+#include "testbench/report/design_report.hpp"
+#include "testbench/run/check.hpp"
+
+namespace steplock {
+namespace {
+
+struct Arguments {
+  std::string file, out;
+  bool json = false;
+};
+
+int design_drive_file(const Arguments& arguments) {
+  const DriveFile file = open_drive_file(arguments.file);
+  const DesignReport report = design_report(file.settings);
+  fmt::print("{}", arguments.json ? report.json.dump(2) + "\n" : report.text);
+  // With --json alone nothing but JSON is asked for.
+  if (arguments.json && arguments.out.empty()) return kWell;
+  namespace fs = std::filesystem;
+  const fs::path out = arguments.out.empty()
+                           ? fs::path("out") / (fs::path(arguments.file).stem().string() + "-design")
+                           : fs::path(arguments.out);
+  fs::create_directories(out);
+  if (!draw(report.bode, out)) {
+    fmt::print(stderr, "steplock: gnuplot does not run, so there is no Bode plot; "
+                       "install gnuplot-nox\n");
+    return kWell;
+  }
+  if (!arguments.json) fmt::print("  wrote {}\n", (out / "bode.svg").string());
+  return kWell;
+}
+
+}  // namespace
+
+void add_design_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "design", "Show what the design library makes of a drive file: filter, gains, margins, words.");
+  command->add_option("FILE", arguments->file, "drive file")->required();
+  command->add_flag("--json", arguments->json, "print as JSON");
+  command->add_option("--out", arguments->out,
+                      "directory for bode.svg (default out/<file>-design; with --json: none)");
+  command->footer("Example: steplock design drives/amano2003.toml");
+  command->callback([arguments, &exit_code] { exit_code = design_drive_file(*arguments); });
+}
+
+}  // namespace steplock
