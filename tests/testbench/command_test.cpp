@@ -1,0 +1,169 @@
+// The program itself: exit codes, messages and files, as a user or a script meets them.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int exit_code = -1;
+  std::string output;  // both streams
+};
+
+Result steplock(const std::string& arguments, bool errors = true) {
+  const std::string command =
+      std::string(STEPLOCK_PROGRAM) + " " + arguments + (errors ? " 2>&1" : " 2>/dev/null");
+  Result r;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    r.output.append(buffer.data(), n);
+  }
+  r.exit_code = WEXITSTATUS(pclose(pipe));
+  return r;
+}
+
+const std::string kDrive = STEPLOCK_TESTS "/short.toml";
+
+fs::path fresh(const std::string& name) {
+  const fs::path path = fs::path(testing::TempDir()) / ("steplock_" + name);
+  fs::remove_all(path);
+  fs::create_directories(path);
+  return path;
+}
+
+std::string write(const fs::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+  return path.string();
+}
+
+TEST(Command, HelpOfEverySubCommandHasAnExample) {
+  EXPECT_EQ(steplock("--help").exit_code, 0);
+  for (const char* name : {"run", "compare", "design", "plant", "keys"}) {
+    const Result r = steplock(std::string(name) + " --help");
+    EXPECT_EQ(r.exit_code, 0) << name;
+    EXPECT_NE(r.output.find("Example: steplock " + std::string(name)), r.output.npos) << r.output;
+  }
+}
+
+TEST(Command, BadUsageIsExitCodeTwo) {
+  EXPECT_EQ(steplock("").exit_code, 2);
+  EXPECT_EQ(steplock("frobnicate").exit_code, 2);
+  EXPECT_EQ(steplock("run").exit_code, 2);
+  EXPECT_EQ(steplock("run " + kDrive + " --engine steam").exit_code, 2);
+}
+
+TEST(Command, ABadDriveFileIsExitCodeTwoAndLeavesNothingBehind) {
+  const fs::path here = fresh("bad");
+  const std::string file = write(here / "bad.toml", "[motor]\nresistence_ohm = 1\n");
+  const Result r = steplock("run " + file + " --out " + (here / "out").string());
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_NE(r.output.find(file + ":2: motor.resistence_ohm is an unknown key"), r.output.npos)
+      << r.output;
+  EXPECT_FALSE(fs::exists(here / "out"));
+}
+
+TEST(Command, RunWithJsonPrintsTheSummaryItWrites) {
+  const fs::path out = fresh("run");
+  const Result r = steplock("run " + kDrive + " --engine fixed --angle 60 --json --trace --out " +
+                                out.string(), false);
+  EXPECT_EQ(r.exit_code, 0) << r.output;
+  std::ostringstream file;
+  file << std::ifstream(out / "summary.json").rdbuf();
+  EXPECT_EQ(r.output, file.str());
+  const auto j = nlohmann::json::parse(r.output);
+  EXPECT_EQ(j["engine"], "fixed");
+  EXPECT_EQ(j["start_angle_deg"], 60);
+  EXPECT_TRUE(j["passed"].get<bool>());
+  for (const char* name : {"wave.fst", "wave.gtkw", "report.html", "start.svg"}) {
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+  }
+}
+
+TEST(Command, ARunThatFailsIsExitCodeOneAndSaysWhy) {
+  const fs::path here = fresh("fails");
+  std::ostringstream text;
+  text << std::ifstream(kDrive).rdbuf();
+  std::string drive = text.str();
+  // A load beyond what the motor can give at rated voltage.
+  drive += "load_step_nm = 4\n";
+  const Result r = steplock("run " + write(here / "heavy.toml", drive) + " --engine float --out " +
+                            (here / "out").string());
+  EXPECT_EQ(r.exit_code, 1) << r.output;
+  EXPECT_NE(r.output.find("FAILED:"), r.output.npos);
+}
+
+TEST(Command, DesignPrintsEveryWordAsTextAndAsJson) {
+  const fs::path out = fresh("design");
+  const Result text = steplock("design " + kDrive + " --out " + out.string());
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_TRUE(fs::exists(out / "bode.svg"));
+  const auto j = nlohmann::json::parse(steplock("design " + kDrive + " --json", false).output);
+  EXPECT_GT(j["words"].size(), 40u);
+  for (const auto& word : j["words"]) {
+    EXPECT_NE(text.output.find(word["name"].get<std::string>()), text.output.npos);
+  }
+}
+
+// One gate pair on at standstill, rotor held by friction: i = V/R (1 - exp(-t R/L)), two phases.
+TEST(Command, PlantReplaysGatesOntoTheGrid) {
+  const fs::path here = fresh("plant");
+  const std::string gates = write(here / "gates.csv",
+                                  "time_s,uh,ul,vh,vl,wh,wl,load_nm\n"
+                                  "0,1,0,0,1,0,0,1\n"
+                                  "1e-3,1,0,0,1,0,0,1\n");
+  const std::string out = (here / "plant.csv").string();
+  ASSERT_EQ(steplock("plant " + kDrive + " --gates " + gates + " --out " + out + " --dt 1e-4").exit_code,
+            0);
+  std::ifstream in(out);
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad");
+  int rows = 0;
+  double t = 0, iu = 0, iv = 0;
+  while (std::getline(in, line)) {
+    ++rows;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &t, &iu, &iv), 3);
+  }
+  EXPECT_EQ(rows, 11);
+  EXPECT_NEAR(t, 1e-3, 1e-12);
+  // 24 V behind 0.05 ohm (bus), 2 x 0.01 (switches), 2 x 0.38 ohm and 2 x 0.2 mH; the bus capacitor
+  // holds the voltage up meanwhile, so the current lies between a stiff bus and none at all.
+  const double stiff = 24 / 0.78 * (1 - std::exp(-1e-3 * 0.78 / 0.4e-3));
+  const double soft = 24 / 0.83 * (1 - std::exp(-1e-3 * 0.83 / 0.4e-3));
+  EXPECT_LT(iu, stiff * 1.0001);
+  EXPECT_GT(iu, soft * 0.98);
+  EXPECT_NEAR(iu, -iv, 1e-9 * iu);
+}
+
+TEST(Command, ABadGateFileIsExitCodeTwoWithItsLine) {
+  const fs::path here = fresh("gates");
+  const std::string gates =
+      write(here / "gates.csv", "time_s,uh,ul,vh,vl,wh,wl,load_nm\n0,1,0,0,2,0,0,0\n");
+  const std::string out = (here / "plant.csv").string();
+  const Result r = steplock("plant " + kDrive + " --gates " + gates + " --out " + out);
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_EQ(r.output, gates + ":2: vl is \"2\"; write 0 or 1\n");
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Command, ADirectoryThatCannotBeWrittenIsExitCodeThree) {
+  EXPECT_EQ(steplock("run " + kDrive + " --engine float --out /proc/steplock").exit_code, 3);
+}
+
+TEST(Command, TheKeysPageInDocsIsWhatTheProgramPrints) {
+  std::ostringstream page;
+  page << std::ifstream(STEPLOCK_DOCS "/drive_file.md").rdbuf();
+  EXPECT_EQ(steplock("keys").output, page.str())
+      << "print it again: steplock keys > docs/drive_file.md";
+}
+
+}  // namespace

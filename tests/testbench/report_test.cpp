@@ -1,0 +1,67 @@
+#include "testbench/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "testbench/report/csv.hpp"
+#include "testbench/report/page.hpp"
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+TEST(Report, AllFilesAreWrittenAndThePageNeedsNoOther) {
+  const DriveFile file = open_drive_file(STEPLOCK_TESTS "/short.toml");
+  const RunOptions options{.engine = EngineKind::kFloat};
+  const Record record = run_drive(file.settings, options);
+  const Summary summary = summarise(file.settings, options, record);
+  const fs::path out = fs::path(testing::TempDir()) / "report_test";
+  const ReportFiles files = write_report(out, file, summary, record, false);
+  EXPECT_TRUE(files.warnings.empty());
+  for (const char* name : {"summary.json", "run.csv", "lock.csv", "steady.csv", "start.svg", "lock.svg",
+                           "steady.svg", "load_step.svg", "report.html"}) {
+    EXPECT_GT(fs::file_size(out / name), 100u) << name;
+  }
+  const std::string page = read(out / "report.html");
+  EXPECT_NE(page.find("<svg"), page.npos);
+  EXPECT_NE(page.find("passed"), page.npos);
+  for (const char* outside : {"<script", "href=\"http", "src=", "@import", "<link"}) {
+    EXPECT_EQ(page.find(outside), page.npos) << outside;
+  }
+  EXPECT_EQ(nlohmann::json::parse(read(out / "summary.json"))["engine"], "float");
+}
+
+TEST(Report, CsvHasOneLineASampleAndAsManyCellsAsNames) {
+  Sample s;
+  s.time = 0.5;
+  s.plant.speed = 100;
+  const std::string csv = samples_csv({s, s, s}, 4);
+  std::istringstream in(csv);
+  std::string line, header;
+  std::getline(in, header);
+  int lines = 0;
+  while (std::getline(in, line)) {
+    ++lines;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(header.begin(), header.end(), ','));
+  }
+  EXPECT_EQ(lines, 3);
+  EXPECT_NE(csv.find("\n0.500000000,954.93,"), csv.npos);  // 100 rad/s
+}
+
+TEST(Report, TextOfADriveFileCannotBreakThePage) {
+  EXPECT_EQ(escaped("<b>&\"x\"</b>"), "&lt;b&gt;&amp;&quot;x&quot;&lt;/b&gt;");
+}
+
+}  // namespace
+}  // namespace steplock

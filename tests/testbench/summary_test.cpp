@@ -1,0 +1,103 @@
+#include "testbench/run/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock {
+namespace {
+
+// A record of a rotor that turns at exactly `rpm` while the drive claims a lock from 0.1 s on.
+Record record_at(double rpm) {
+  Record r;
+  const double speed = rpm * std::numbers::pi / 30;
+  for (int i = 0; i <= 9500; ++i) {
+    Sample s;
+    s.time = i * 1e-4;
+    s.plant.speed = speed;
+    s.plant.angle = speed * s.time;
+    const State state = s.time < 0.1 ? State::kAccelerate : State::kRun;
+    s.watch.bits = static_cast<std::uint32_t>(state) << Watch::kState |
+                   std::uint32_t{state == State::kRun} << Watch::kLocked;
+    s.totals.current_squared = 4 * s.time;  // 2 A rms
+    s.totals.commutations = static_cast<std::uint64_t>(i);
+    s.totals.commutation_deg = 3.0 * i;     // 3 degrees late, always
+    s.totals.commutation_squared = 9.0 * i;
+    s.totals.phase_error_squared = 25.0 * i;
+    r.overview.push_back(s);
+  }
+  r.changes = {{0.001, State::kAccelerate, Reason::kNone}, {0.1, State::kRun, Reason::kNone}};
+  r.clocks = 11400000;
+  r.simulated_s = 0.95;
+  r.wall_s = r.cpu_s = 1;
+  return r;
+}
+
+design::Settings steady_only() {
+  design::Settings s = short_drive();
+  s.scenario.load_step_s.reset();
+  s.scenario.load_off_s.reset();
+  s.scenario.reverse_s.reset();
+  s.scenario.stop_s.reset();
+  return s;
+}
+
+TEST(Summary, FiguresFollowFromTheRecord) {
+  const Summary s = summarise(steady_only(), {}, record_at(3003));
+  EXPECT_TRUE(s.locked);
+  EXPECT_DOUBLE_EQ(*s.lock_time_s, 0.1);
+  EXPECT_NEAR(s.steady.mean_rpm, 3003, 1e-6);
+  EXPECT_NEAR(s.steady.error_percent, 0.1, 1e-6);
+  EXPECT_NEAR(s.rms_current_a, 2, 1e-6);
+  EXPECT_NEAR(s.commutation_error_mean_deg, 3, 1e-6);
+  EXPECT_NEAR(s.commutation_error_rms_deg, 3, 1e-6);
+  EXPECT_NEAR(s.phase_error_rms_deg, 5, 1e-6);
+  EXPECT_TRUE(s.failures().empty()) << why(s);
+}
+
+TEST(Summary, ASpeedErrorBeyondHalfAPercentFails) {
+  EXPECT_EQ(summarise(steady_only(), {}, record_at(3014)).failures().size(), 0u);
+  const auto failures = summarise(steady_only(), {}, record_at(3016)).failures();
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_NE(failures[0].find("steady"), std::string::npos);
+}
+
+TEST(Summary, ALostLockAndALatchedFaultFail) {
+  Record r = record_at(3000);
+  r.changes.push_back({0.5, State::kRest, Reason::kStepOut});
+  r.changes.push_back({0.6, State::kFault, Reason::kStepOut});
+  const Summary s = summarise(steady_only(), {}, r);
+  EXPECT_EQ(s.lost_locks, 1);
+  EXPECT_EQ(s.fault, "step_out");
+  EXPECT_EQ(s.failures().size(), 2u) << why(s);
+}
+
+TEST(Summary, SlippedStepsFail) {
+  Record r = record_at(3000);
+  r.step_outs = 1;
+  EXPECT_EQ(summarise(steady_only(), {}, r).failures().size(), 1u);
+}
+
+TEST(Summary, TheJsonHasEveryKeyThatUsersRelyOn) {
+  const auto j = to_json(summarise(short_drive(), {}, record_at(3000)));
+  for (const char* key :
+       {"engine", "locked", "step_outs", "fault", "start_time_s", "lock_time_s", "set_speed_rpm",
+        "mean_speed_rpm", "speed_error_percent", "phase_error_rms_deg", "peak_current_a",
+        "rms_current_a", "clocks", "simulated_s", "wall_s", "commutation_error_rms_deg", "retries",
+        "load_dip_percent", "reversed"}) {
+    EXPECT_TRUE(j.contains(key)) << key;
+  }
+}
+
+TEST(Summary, AnEmptyRecordIsAFailureAndNoCrash) {
+  Record r;
+  r.interrupted = true;
+  const Summary s = summarise(short_drive(), {}, r);
+  EXPECT_FALSE(s.failures().empty());
+  EXPECT_TRUE(to_json(s)["lock_time_s"].is_null());
+}
+
+}  // namespace
+}  // namespace steplock

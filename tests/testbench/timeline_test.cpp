@@ -1,0 +1,46 @@
+#include "testbench/run/timeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/design/design.hpp"
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock {
+namespace {
+
+TEST(Timeline, EventsStandAtTheirClocksInOrder) {
+  const design::Settings s = short_drive();
+  const Timeline t = timeline(s);
+  ASSERT_EQ(t.events.size(), 6u);
+  const char* const names[] = {"gates off", "run", "load step", "load off", "reverse", "stop"};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(t.events[i].what, names[i]);
+  EXPECT_EQ(t.events[1].clock, 12000u);
+  EXPECT_EQ(t.events[2].clock, 3600000u);
+  EXPECT_EQ(t.clocks, 11400000u);
+  EXPECT_DOUBLE_EQ(t.steady_end_s, 0.3);
+}
+
+TEST(Timeline, CommandsAndLoadHoldUntilTheyAreChanged) {
+  const Timeline t = timeline(short_drive());
+  EXPECT_FALSE(t.events[0].command.run);
+  EXPECT_TRUE(t.events[1].command.run);
+  EXPECT_DOUBLE_EQ(t.events[2].load_nm, design::load_step_torque(short_drive()));
+  EXPECT_EQ(t.events[3].load_nm, 0);
+  EXPECT_FALSE(t.events[3].command.reverse);
+  EXPECT_TRUE(t.events[4].command.reverse);
+  EXPECT_TRUE(t.events[4].command.run);
+  EXPECT_FALSE(t.events[5].command.run);
+}
+
+TEST(Timeline, ContradictionsAreNamed) {
+  design::Settings s = short_drive();
+  s.scenario.load_off_s = 0.2;
+  s.scenario.stop_s = 5;
+  const auto problems = timeline_problems(s);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0], "scenario.load_off_s is 0.2 s; it must come after load_step_s (0.3 s)");
+  EXPECT_EQ(problems[1], "scenario.stop_s is 5 s; it must come before duration_s (0.95 s)");
+}
+
+}  // namespace
+}  // namespace steplock

@@ -1,0 +1,93 @@
+// Writes a wave and reads it back with GTKWave's own reader.
+#include "testbench/run/trace_writer.hpp"
+
+#include <gtest/gtest.h>
+#include <gtkwave/fstapi.h>
+
+#include <filesystem>
+#include <map>
+
+namespace steplock {
+namespace {
+
+struct Wave {
+  std::map<std::string, fstHandle> signals;
+  std::map<fstHandle, std::vector<std::pair<std::uint64_t, std::string>>> changes;
+};
+
+void collect(void* user, std::uint64_t time, fstHandle handle, const unsigned char* value) {
+  static_cast<Wave*>(user)->changes[handle].emplace_back(time, reinterpret_cast<const char*>(value));
+}
+void collect_text(void* user, std::uint64_t time, fstHandle handle, const unsigned char* value,
+                  std::uint32_t length) {
+  static_cast<Wave*>(user)->changes[handle].emplace_back(
+      time, std::string(reinterpret_cast<const char*>(value), length));
+}
+
+Wave read_wave(const std::string& path) {
+  Wave wave;
+  void* file = fstReaderOpen(path.c_str());
+  EXPECT_NE(file, nullptr);
+  if (file == nullptr) return wave;
+  while (const fstHier* h = fstReaderIterateHier(file)) {
+    if (h->htyp == FST_HT_VAR) wave.signals[h->u.var.name] = h->u.var.handle;
+  }
+  fstReaderSetFacProcessMaskAll(file);
+  fstReaderIterBlocks2(file, collect, collect_text, &wave, nullptr);
+  fstReaderClose(file);
+  return wave;
+}
+
+TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "wave.fst").string();
+  {
+    TraceWriter writer(path, 4);
+    Sample s;
+    s.watch.bits = static_cast<std::uint32_t>(State::kReset) << Watch::kState | 1u;  // uh on
+    writer.logic(s);
+    s.time = 2e-6;
+    s.watch.bits = static_cast<std::uint32_t>(State::kRun) << Watch::kState | 5u << Watch::kStep;
+    writer.logic(s);
+    s.time = 3e-6;
+    s.plant.current = {1.5, -1.5, 0};
+    writer.analog(s);
+    writer.logic(4e-6, plant::Pins{.comparator = {false, true, false}});
+  }
+  Wave wave = read_wave(path);
+  using Changes = std::vector<std::pair<std::uint64_t, std::string>>;
+  EXPECT_EQ(wave.changes[wave.signals.at("uh")], (Changes{{0, "1"}, {2000000, "0"}}));
+  EXPECT_EQ(wave.changes[wave.signals.at("step")].back(), (Changes::value_type{2000000, "101"}));
+  EXPECT_EQ(wave.changes[wave.signals.at("state")], (Changes{{0, "reset"}, {2000000, "run"}}));
+  EXPECT_EQ(wave.changes[wave.signals.at("comparator_v")].back(),
+            (Changes::value_type{4000000, "1"}));
+  const auto& current = wave.changes[wave.signals.at("iu_a")];
+  ASSERT_FALSE(current.empty());
+  EXPECT_EQ(current.back().first, 3000000u);
+  EXPECT_EQ(std::stod(current.back().second), 1.5);
+}
+
+TEST(TraceWriter, TheSaveFileNamesOnlySignalsOfTheWave) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "names.fst").string();
+  { TraceWriter writer(path, 4); writer.logic(Sample{}); }
+  const Wave wave = read_wave(path);
+  const std::string save = gtkwave_save_file("names.fst");
+  EXPECT_NE(save.find("[dumpfile] \"names.fst\""), save.npos);
+  std::size_t named = 0;
+  for (std::size_t at = 0; (at = save.find('\n', at)) != save.npos;) {
+    ++at;
+    for (const std::string scope : {"drive.", "plant."}) {
+      if (save.compare(at, scope.size(), scope) != 0) continue;
+      const std::string name = save.substr(at + 6, save.find_first_of("[\n", at) - at - 6);
+      EXPECT_TRUE(wave.signals.contains(name)) << name;
+      ++named;
+    }
+  }
+  EXPECT_GE(named, 30u);
+}
+
+TEST(TraceWriter, AFileThatCannotBeMadeIsSaid) {
+  EXPECT_THROW(TraceWriter("no/such/directory/wave.fst", 4), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace steplock
