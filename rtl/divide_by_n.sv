@@ -1,4 +1,4 @@
-// divide_by_n: steplock::DivideByN, printed by hlsgen from hls/six_step/divide_by_n.hpp:29.
+// divide_by_n: steplock::DivideByN, printed by hlsgen from hls/six_step/divide_by_n.hpp:30.
 // Do not edit: change the C++ and print again.
 
 module divide_by_n (
@@ -34,12 +34,12 @@ module divide_by_n (
       load_i ? step_i :
       (pulse_i && !(!elapsed || hold_i)) ? choice :
       step;
-  wire [3:0] sum_56 = {1'b0, last} + 4'd1;  // line 56
+  wire [3:0] sum_57 = {1'b0, last} + 4'd1;  // line 57
   wire [2:0] sub_next =
-      load_i ? (half_i ? sum_56[3:1] : 3'd0) :
+      load_i ? (half_i ? sum_57[3:1] : 3'd0) :
       pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) :
       sub;
-  wire [18:0] shifted_70 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 70
+  wire [18:0] shifted_71 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 71
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -52,11 +52,11 @@ module divide_by_n (
   end
 
   assign step_o = step_next;
-  assign phase_o = shifted_70[15:0];
+  assign phase_o = shifted_71[15:0];
   assign commutate_o = load_i || (elapsed && !hold_i);
   assign elapsed_o = elapsed;
   assign turn_o = step_next < 3'd3;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_56[0], shifted_70[18:16]};
+  wire unused = &{1'b0, sum_57[0], shifted_71[18:16]};
 endmodule

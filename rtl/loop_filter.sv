@@ -56,11 +56,13 @@ module loop_filter (
       (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
       (loop_i != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
-  wire [14:0] choice_111 = (loop_i == Loop_kHall) ? 15'd4096 : 15'd16384;  // line 111
+  wire both_120 =  // line 120
+      loop_i == Loop_kHall && $signed(error_i) < 16'sd8192 && $signed(error_i) > -16'sd8193;
   wire [14:0] choice_73_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
   wire [15:0] wide_73 = {1'b0, choice_73_2};  // line 73
   wire [15:0] choice_73_3 =  // line 73
-      (stage == Stage_kIntegral) ? ((loop_i == Loop_kTrack) ? ki_i : {1'b0, choice_111}) :
+      (stage == Stage_kIntegral) ?
+      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_120 ? 15'd4096 : 15'd16384}) :
       (stage == Stage_kProportional) ? kp_i :
       wide_73;
 
@@ -81,13 +83,13 @@ module loop_filter (
       .busy_o(unused_multiplier_busy)
   );
 
-  wire choice_157 =  // line 157
+  wire choice_162 =  // line 162
       (loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ? tick_i : update_i;
 
   logic [3:0] choice;
   always_comb begin
     case (stage)
-      Stage_kIdle: choice = choice_157 ? Stage_kDelay : stage;
+      Stage_kIdle: choice = choice_162 ? Stage_kDelay : stage;
       Stage_kLow: choice = Stage_kHigh;
       Stage_kHigh: choice = Stage_kSlow;
       Stage_kSlow: choice = Stage_kOut;
@@ -95,9 +97,9 @@ module loop_filter (
     endcase
   end
 
-  wire either_130 = stage != Stage_kIntegral || loop_i != Loop_kTrack;  // line 130
-  wire [21:0] base = (loop_i == Loop_kRamp) ? 22'd262144 : {error_i, 6'd0};  // line 122
-  wire [33:0] base_2 = {{12{base[21]}}, base};  // line 122
+  wire either_135 = stage != Stage_kIntegral || loop_i != Loop_kTrack;  // line 135
+  wire [21:0] base = (loop_i == Loop_kRamp) ? 22'd262144 : {error_i, 6'd0};  // line 127
+  wire [33:0] base_2 = {{12{base[21]}}, base};  // line 127
 
   logic [33:0] base_3;  // line 83
   always_comb begin
@@ -109,7 +111,7 @@ module loop_filter (
     endcase
   end
 
-  wire [33:0] sum = base_3 + multiplier_product[47:14];  // line 126
+  wire [33:0] sum = base_3 + multiplier_product[47:14];  // line 131
 
   logic [25:0] limit;  // line 74
   always_comb begin
@@ -122,8 +124,8 @@ module loop_filter (
   end
 
   wire below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
-  wire both_153 = !(stage == Stage_kLow && below_75) && (stage != Stage_kHigh || below_75);
-  wire [33:0] choice_153 = both_153 ? work : {4'd0, limit, 4'd0};  // line 153
+  wire both_158 = !(stage == Stage_kLow && below_75) && (stage != Stage_kHigh || below_75);
+  wire [33:0] choice_158 = both_158 ? work : {4'd0, limit, 4'd0};  // line 158
   wire either = stage == Stage_kIdle || stage == Stage_kLow || stage == Stage_kHigh;
   wire either_2 = either || stage == Stage_kSlow;
   wire either_3 = below_69 || either_2;
@@ -134,11 +136,11 @@ module loop_filter (
       slow;
   wire choice_4 =
       below_69 ? at_top :
-      (stage == Stage_kHigh) ? !both_153 :
+      (stage == Stage_kHigh) ? !both_158 :
       at_top;
   wire choice_5 =
       below_69 ? at_bottom :
-      (stage == Stage_kLow) ? !both_153 :
+      (stage == Stage_kLow) ? !both_158 :
       at_bottom;
 
   always_ff @(posedge clk) begin
@@ -166,21 +168,21 @@ module loop_filter (
               stage <= Stage_kLow;
             end
           end
-          if (multiplier_done && either_130) begin
+          if (multiplier_done && either_135) begin
             work <= sum;
           end
-          if (multiplier_done && !(either_130 || (work[33] ? at_bottom : at_top))) begin
+          if (multiplier_done && !(either_135 || (work[33] ? at_bottom : at_top))) begin
             x <= sum;
           end
         end else begin
           stage <= choice;
-          work <= choice_153;
+          work <= choice_158;
           if (!(either_2 || loop_i == Loop_kTrack)) begin
-            x <= choice_153;
+            x <= choice_158;
           end
         end
         if (!either_3) begin
-          y <= choice_153[29:0];
+          y <= choice_158[29:0];
         end
       end
       started <= loop_i != Loop_kStop && (below_69 ? !multiplier_done : started);

@@ -12,16 +12,16 @@ module protection (
     input  logic        slow_i,  // the VCO's frequency is below `stall`
     input  logic        slips_i,  // the duty is more than the back-EMF explains
     input  logic [15:0] freewheel_i,  // u0.16, of the present or last step
-    input  logic [3:0]  stuck_i,  // hits of the current limit in a row with its comparator never released
+    input  logic [3:0]  stuck_i,  // hits of the current limit whose comparator was never released
     input  logic        fault_pin_i,  // synchronised
     input  logic        hall_i,  // steps come from the Hall sensors
     input  logic        hall_illegal_i,  // their code is 000 or 111
-    input  logic [5:0]  words_misses_i,  // score at which a lock counts as lost: a miss adds 2, a good crossing takes 1
+    input  logic [5:0]  words_misses_i,  // lost lock: a miss scores 2, a good crossing takes 1; 0 disables
     input  logic [25:0] words_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
     input  logic [11:0] words_wrong_lock_i,  // for how long; 0 disables the test
-    input  logic [3:0]  words_over_current_i,  // limit hits in a row with the comparator never released; 0 disables
+    input  logic [3:0]  words_over_current_i,  // limit hits with the comparator never released; 0 disables
     output logic        lost_o,  // give up this try
     output logic        fatal_o,  // latch a fault, in any state
     output logic [3:0]  reason_o,

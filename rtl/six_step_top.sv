@@ -1,4 +1,4 @@
-// six_step_top: steplock::SixStepTop, printed by hlsgen from hls/six_step/six_step_top.hpp:38.
+// six_step_top: steplock::SixStepTop, printed by hlsgen from hls/six_step/six_step_top.hpp:39.
 // Do not edit: change the C++ and print again.
 
 module six_step_top (
@@ -32,16 +32,16 @@ module six_step_top (
     input  logic        words_loop_detector_i,
     input  logic        words_loop_bandwidth_i,
     input  logic [1:0]  words_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
-    input  logic [15:0] words_loop_expected_i,  // u0.16: where in the step the crossing belongs; 1/2 + advance / 60 deg
-    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error taken when the level before the crossing never showed
+    input  logic [15:0] words_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
+    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error when the level before the crossing never showed
     input  logic [9:0]  words_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
     input  logic [15:0] words_loop_ki_i,  // u2.14
     input  logic [15:0] words_loop_kp_i,  // u2.14
-    input  logic [15:0] words_loop_pole_i,  // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole
-    input  logic [25:0] words_loop_scale_i,  // u0.32: stands for the VCO frequency in the per-second form
+    input  logic [15:0] words_loop_pole_i,  // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole; last bit unused
+    input  logic [25:0] words_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
     input  logic [25:0] words_loop_minimum_i,  // limits of the integrator and of the output
     input  logic [25:0] words_loop_maximum_i,
-    input  logic [11:0] words_start_settle_i,  // first pattern, so that a rotor opposite to the reset position moves
+    input  logic [11:0] words_start_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_start_reset_i,  // reset pattern: t_r of Eq. (22)
     input  logic [15:0] words_start_reset_duty_i,
     input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
@@ -61,16 +61,16 @@ module six_step_top (
     input  logic [3:0]  words_speed_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
     input  logic [15:0] words_speed_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
     input  logic [15:0] words_speed_ki_i,  // u0.16 per tick
-    input  logic [15:0] words_speed_bemf_i,  // u4.12: duty whose mean voltage equals the back-EMF, per normalised speed
+    input  logic [15:0] words_speed_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
     input  logic [15:0] words_speed_minimum_i,
     input  logic [15:0] words_speed_maximum_i,
     input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // score at which a lock counts as lost: a miss adds 2, a good crossing takes 1
+    input  logic [5:0]  words_protection_misses_i,  // lost lock: a miss scores 2, a good crossing takes 1; 0 disables
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
     input  logic [11:0] words_protection_wrong_lock_i,  // for how long; 0 disables the test
-    input  logic [3:0]  words_protection_over_current_i,  // limit hits in a row with the comparator never released; 0 disables
+    input  logic [3:0]  words_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
     input  logic        words_source_i,
     output logic        gates_uh_o,  // phase U, high side
     output logic        gates_ul_o,  // phase U, low side
@@ -237,7 +237,7 @@ module six_step_top (
   );
 
   wire [2:0] hall_step = start_reverse ? hall_sector + choice : hall_sector;
-  wire [2:0] step = words_source_i ? hall_step : divided_step;  // line 99
+  wire [2:0] step = words_source_i ? hall_step : divided_step;  // line 100
 
   wire bemf_crossing;
   wire [15:0] bemf_crossing_phase;
@@ -291,7 +291,7 @@ module six_step_top (
       .missed_o(detector_missed)
   );
 
-  wire either_139 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
+  wire either_140 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
 
   wire [25:0] filter_frequency;
   wire filter_fast;
@@ -327,7 +327,7 @@ module six_step_top (
       .clk(clk),
       .rst(rst),
       .enable_i(start_turn_vco),
-      .load_i(either_139),
+      .load_i(either_140),
       .phase_i((start_load_step && words_loop_divide_i == 2'd0) ? 16'd32768 : 16'd0),
       .frequency_i(filter_frequency),
       .phase_o(vco_phase),
@@ -461,7 +461,7 @@ module six_step_top (
       .enable_i(start_enable && command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_pwm_dead_time_i),
-      .minimum_i(8'd0),
+      .minimum_i((words_pwm_minimum_i[13:8] == 6'd0) ? words_pwm_minimum_i[7:0] : 8'd255),
       .uh_o(guard_uh),
       .ul_o(guard_ul),
       .vh_o(guard_vh),
@@ -504,7 +504,7 @@ module six_step_top (
       .divide_i(words_loop_divide_i),
       .reverse_i(start_reverse),
       .hold_i(start_watch == 2'd2),
-      .load_i(either_139),
+      .load_i(either_140),
       .step_i(start_load_step ? start_step : hall_step),
       .half_i(start_load_step),
       .step_o(divide_step),

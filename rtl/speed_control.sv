@@ -17,7 +17,7 @@ module speed_control (
     input  logic [3:0]  words_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
     input  logic [15:0] words_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
     input  logic [15:0] words_ki_i,  // u0.16 per tick
-    input  logic [15:0] words_bemf_i,  // u4.12: duty whose mean voltage equals the back-EMF, per normalised speed
+    input  logic [15:0] words_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
     input  logic [15:0] words_minimum_i,
     input  logic [15:0] words_maximum_i,
     input  logic [11:0] words_duty_slew_i,  // u1.15 per tick
@@ -60,25 +60,25 @@ module speed_control (
 
   wire either = stage == Stage_kProportional || stage == Stage_kIntegral;
   wire either_2 = either || stage == Stage_kOnClocks || stage == Stage_kBemf;
-  wire [15:0] choice_61 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 61
-  wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_61};
-  wire [25:0] choice_64 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 64
-  wire [26:0] choice_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_64};
-  wire [26:0] a = choice + choice_2;  // line 62
+  wire [15:0] choice_62 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 62
+  wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_62};
+  wire [25:0] choice_65 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 65
+  wire [26:0] choice_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_65};
+  wire [26:0] a = choice + choice_2;  // line 63
 
-  logic [15:0] choice_68;  // line 68
+  logic [15:0] choice_69;  // line 69
   always_comb begin
     case (stage)
-      Stage_kBemf: choice_68 = words_bemf_i;
-      Stage_kIntegral: choice_68 = words_ki_i;
-      Stage_kProportional: choice_68 = words_kp_i;
-      default: choice_68 = {2'd0, period_i};
+      Stage_kBemf: choice_69 = words_bemf_i;
+      Stage_kIntegral: choice_69 = words_ki_i;
+      Stage_kProportional: choice_69 = words_kp_i;
+      default: choice_69 = {2'd0, period_i};
     endcase
   end
 
-  wire [4:0] choice_95 = stage[4] ? Stage_kIdle : stage + 5'd1;  // line 95
+  wire [4:0] choice_96 = stage[4] ? Stage_kIdle : stage + 5'd1;  // line 96
   wire [4:0] choice_3 =
-      (stage != Stage_kBemf || mode_i == SpeedMode_kControl) ? choice_95 : Stage_kHigh;
+      (stage != Stage_kBemf || mode_i == SpeedMode_kControl) ? choice_96 : Stage_kHigh;
 
   wire [42:0] multiplier_product;
   wire multiplier_done;
@@ -88,7 +88,7 @@ module speed_control (
       .rst(rst),
       .start_i(either_2 && !started),
       .a_i(a),
-      .b_i(choice_68),
+      .b_i(choice_69),
       .shift_i((stage == Stage_kOnClocks) ? 4'd0 : words_shift_i),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
@@ -102,7 +102,7 @@ module speed_control (
           multiplier_done ? choice_3 : stage;
       Stage_kIdle: stage_next = tick_i ? Stage_kSlew : stage;
       default: stage_next =
-          (stage != Stage_kHigh || mode_i == SpeedMode_kControl) ? choice_95 : Stage_kDuty;
+          (stage != Stage_kHigh || mode_i == SpeedMode_kControl) ? choice_96 : Stage_kDuty;
     endcase
   end
 
@@ -115,24 +115,24 @@ module speed_control (
     endcase
   end
 
-  wire [20:0] base = {{3{integral[33]}}, integral[33:16]};  // line 110
-  wire [15:0] choice_124 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 124
-  wire either_124 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 124
-  wire [17:0] base_2 = either_124 ? integral[33:16] : {2'd0, choice_124};  // line 124
-  wire [20:0] base_3 = {{3{base_2[17]}}, base_2};  // line 124
-  wire [19:0] choice_114 =  // line 114
+  wire [20:0] base = {{3{integral[33]}}, integral[33:16]};  // line 112
+  wire [15:0] choice_126 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 126
+  wire either_126 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 126
+  wire [17:0] base_2 = either_126 ? integral[33:16] : {2'd0, choice_126};  // line 126
+  wire [20:0] base_3 = {{3{base_2[17]}}, base_2};  // line 126
+  wire [19:0] choice_116 =  // line 116
       (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 : multiplier_product[31:12];
   wire both = multiplier_done && !(stage == Stage_kIntegral || stage == Stage_kOnClocks);
-  wire [20:0] choice_4 = both ? base_3 + {choice_114[19], choice_114} : work;
-  wire [12:0] slew = ~{1'b0, words_duty_slew_i};  // line 188
-  wire [12:0] slew_2 =  // line 132
+  wire [20:0] choice_4 = both ? base_3 + {choice_116[19], choice_116} : work;
+  wire [12:0] slew = ~{1'b0, words_duty_slew_i};  // line 190
+  wire [12:0] slew_2 =  // line 134
       (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
       (stage == Stage_kDown) ? slew :
       13'd0;
-  wire [17:0] slew_3 = {{5{slew_2[12]}}, slew_2};  // line 132
-  wire [17:0] limit = slew_3 + {2'd0, duty};  // line 190
+  wire [17:0] slew_3 = {{5{slew_2[12]}}, slew_2};  // line 134
+  wire [17:0] limit = slew_3 + {2'd0, duty};  // line 192
 
-  logic [17:0] limit_2;  // line 132
+  logic [17:0] limit_2;  // line 134
   always_comb begin
     case (stage)
       Stage_kWholeLow, Stage_kLow: limit_2 = {2'd0, words_minimum_i};
@@ -141,28 +141,28 @@ module speed_control (
     endcase
   end
 
-  wire [20:0] wide_133 = {{3{limit_2[17]}}, limit_2};  // line 133
-  wire below_133 = $signed(work) < $signed(wide_133);  // line 133
-  wire both_75 =  // line 75
-      (stage == Stage_kWholeLow || stage == Stage_kLow || stage == Stage_kDown) && below_133;
-  wire either_75 = stage == Stage_kWholeHigh || stage == Stage_kHigh || stage == Stage_kUp;
-  wire both_75_2 = either_75 && $signed(wide_133) <= $signed(work);  // line 75
+  wire [20:0] wide_135 = {{3{limit_2[17]}}, limit_2};  // line 135
+  wire below_135 = $signed(work) < $signed(wide_135);  // line 135
+  wire both_76 =  // line 76
+      (stage == Stage_kWholeLow || stage == Stage_kLow || stage == Stage_kDown) && below_135;
+  wire either_76 = stage == Stage_kWholeHigh || stage == Stage_kHigh || stage == Stage_kUp;
+  wire both_76_2 = either_76 && $signed(wide_135) <= $signed(work);  // line 76
 
   logic [20:0] work_next;
   always_comb begin
     case (stage)
       Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: work_next = choice_4;
       Stage_kWhole: work_next = base;
-      default: work_next = (both_75 || both_75_2) ? wide_133 : work;
+      default: work_next = (both_76 || both_76_2) ? wide_135 : work;
     endcase
   end
 
-  wire [25:0] goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 145
-  wire below_146 = $signed(reference) < $signed({2'd0, goal});  // line 146
-  wire at_most_148 = $signed({2'd0, goal}) <= $signed(reference);  // line 148
-  wire [20:0] slew_4 = {1'b0, words_slew_i} ^ {21{at_most_148}};  // line 148
-  wire [27:0] slew_5 = {{7{slew_4[20]}}, slew_4};  // line 148
-  wire both_2 = stage == Stage_kReach && (mode_i != SpeedMode_kControl || (below_146 ^ rises));
+  wire [25:0] goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 147
+  wire below_148 = $signed(reference) < $signed({2'd0, goal});  // line 148
+  wire at_most_150 = $signed({2'd0, goal}) <= $signed(reference);  // line 150
+  wire [20:0] slew_4 = {1'b0, words_slew_i} ^ {21{at_most_150}};  // line 150
+  wire [27:0] slew_5 = {{7{slew_4[20]}}, slew_4};  // line 150
+  wire both_2 = stage == Stage_kReach && (mode_i != SpeedMode_kControl || (below_148 ^ rises));
 
   logic [27:0] reference_next;
   logic rises_next;
@@ -174,7 +174,7 @@ module speed_control (
       end
       Stage_kSlew: begin
         reference_next = reference + slew_5;
-        rises_next = below_146;
+        rises_next = below_148;
       end
       default: begin
         reference_next = both_2 ? {2'd0, goal} : reference;
@@ -183,29 +183,29 @@ module speed_control (
     endcase
   end
 
-  wire choice_119 = multiplier_product[31] ? at_low : at_high || limited;  // line 119
-  wire both_3 = multiplier_done && stage == Stage_kIntegral && !choice_119;
+  wire choice_121 = multiplier_product[31] ? at_low : at_high || limited;  // line 121
+  wire both_3 = multiplier_done && stage == Stage_kIntegral && !choice_121;
   wire [33:0] choice_5 =
       both_3 ? integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]} : integral;
-  wire [33:0] joined_163 = {work[17:0], 16'd0};  // line 163
+  wire [33:0] joined_165 = {work[17:0], 16'd0};  // line 165
 
   logic [33:0] integral_next;
   always_comb begin
     case (stage)
       Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: integral_next = choice_5;
       Stage_kIdle: integral_next = integral;
-      Stage_kKeep: integral_next = (at_low || at_high) ? joined_163 : integral;
+      Stage_kKeep: integral_next = (at_low || at_high) ? joined_165 : integral;
       default: integral_next =
-          (stage == Stage_kDuty && mode_i != SpeedMode_kControl) ? joined_163 : integral;
+          (stage == Stage_kDuty && mode_i != SpeedMode_kControl) ? joined_165 : integral;
     endcase
   end
 
-  wire [15:0] part_166 = work[15:0];  // line 166
+  wire [15:0] part_168 = work[15:0];  // line 168
 
   logic [15:0] duty_next;
   always_comb begin
     case (stage)
-      Stage_kDuty: duty_next = part_166;
+      Stage_kDuty: duty_next = part_168;
       default: duty_next = duty;
     endcase
   end
@@ -213,7 +213,7 @@ module speed_control (
   logic slips_next;
   always_comb begin
     case (stage)
-      Stage_kSlip: slips_next = below_133;
+      Stage_kSlip: slips_next = below_135;
       Stage_kDuty: slips_next = mode_i == SpeedMode_kControl && slips;
       default: slips_next = slips;
     endcase
@@ -228,8 +228,8 @@ module speed_control (
         at_low_next = at_low;
       end
       default: begin
-        at_high_next = (stage != Stage_kWhole && at_high) || both_75_2;
-        at_low_next = (stage != Stage_kWhole && at_low) || both_75;
+        at_high_next = (stage != Stage_kWhole && at_high) || both_76_2;
+        at_low_next = (stage != Stage_kWhole && at_low) || both_76;
       end
     endcase
   end

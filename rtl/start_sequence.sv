@@ -11,7 +11,7 @@ module start_sequence (
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
     input  logic        source_i,
-    input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset position moves
+    input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
     input  logic [15:0] words_reset_duty_i,
     input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
@@ -43,7 +43,7 @@ module start_sequence (
     output logic        running_o,  // locked and under speed control
     output logic [1:0]  mode_o,
     output logic [15:0] duty_o,  // u1.15, for kFixed and kAboveBemf
-    output logic        stop_o,  // speed control: towards standstill, not towards the set speed
+    output logic        stop_o,  // speed control: towards standstill, not the set speed
     output logic [1:0]  watch_o,  // phase detector
     output logic [2:0]  loop_o,  // loop filter
     output logic        load_step_o,  // one clock: take `step`, in its middle

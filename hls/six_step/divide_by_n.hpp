@@ -4,7 +4,8 @@
 //     step       counts up forward, down in reverse, modulo 6
 //
 // Step and step phase belong to the same instant: both change in the clock of `commutate`.  Between
-// the VCO's registers and this block's outputs lie a few gates and no adder; a parent registers them.
+// the VCO's registers and this block's outputs lie a few gates and no adder; a parent registers
+// them.
 //
 //     latency      none: step and step phase follow the VCO's outputs in the same clock
 //     registers    6 bits     multipliers  none

@@ -7,12 +7,12 @@
 //     y += pole (v - y)  pole                      within [minimum, maximum]; frequency = y
 //
 // This is F(s) = (s R C2 + 1) / (s^2 R C1 C2 + s (C1 + C2)), Eq. (1) of Amano 2003, discretised: on
-// every tick with constant s (coefficients per second, as in the paper), or on every update with s the
-// frequency itself, so that the loop's bandwidth is a constant part of the stepping rate.
+// every tick with constant s (coefficients per second, as in the paper), or on every update with s
+// the frequency itself, so that the loop's bandwidth is a constant part of the stepping rate.
 //
-// Following sectors (a rotor to be caught, or Hall sensors) x takes e * frequency whole or a quarter
-// of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 / interval.  A
-// ramp is the same with a constant error and `ramp` for s.
+// Following sectors (a rotor to be caught, or Hall sensors) x takes e * frequency whole or a
+// quarter of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 /
+// interval.  A ramp is the same with a constant error and `ramp` for s.
 //
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
@@ -30,8 +30,8 @@
 
 namespace steplock {
 
-// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatch, kHall:
-// it follows the intervals between changes of sector.
+// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatch,
+// kHall: it follows the intervals between changes of sector.
 enum class Loop : std::uint8_t { kStop, kRamp, kTrack, kCatch, kHall };
 
 class LoopFilter {
@@ -108,11 +108,16 @@ class LoopFilter {
                : track && in.bandwidth == Bandwidth::kPerSecond ? in.scale.slice<25, 4>()
                                                                 : y_.slice<29, 8>();
       case Stage::kIntegral:
-        return track ? in.ki : in.loop == Loop::kHall ? UInt<16>(0x1000) : UInt<16>(0x4000);
+        return track ? in.ki : smooth(in) ? UInt<16>(0x1000) : UInt<16>(0x4000);
       case Stage::kProportional: return in.kp;
       case Stage::kPole: return pole;
       default: return wrap<UInt<15>>(UInt<15>(0x4000) - pole);
     }
+  }
+
+  // Hall sensors stand a few degrees off: small errors count for a quarter, large ones are real.
+  static bool smooth(const In& in) {
+    return in.loop == Loop::kHall && in.error < 0x2000 && in.error >= -0x2000;
   }
 
   // A product's turn to be added, all with 14 bits to drop: e' has 22 fraction bits, the rest 36.

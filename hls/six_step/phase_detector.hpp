@@ -1,14 +1,14 @@
 // Phase detector: the back-EMF against the divided VCO.
 //
-//     crossing        error = expected - crossing_phase      positive: the rotor leads, the VCO must hurry
-//     none, before    error = expected - 1                   the step ended on the level before: it lags
-//     none, after     error = lead_error                     that level never showed: it leads
+//     crossing        error = expected - crossing_phase   positive: rotor leads, VCO must hurry
+//     none, before    error = expected - 1                step ended on the level before: it lags
+//     none, after     error = lead_error                  that level never showed: it leads
 //     following       error = 1 - turns since the last change of sector, within +-1/2
 //
-// Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per turn,
-// as in Amano 2003.  `Following` serves a rotor that is not driven by the VCO's steps: one that is
-// being caught, or one with Hall sensors.  Each legal change of sector measures an interval; two turns
-// without a change count as a miss, with the VCO too fast.
+// Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per
+// turn, as in Amano 2003.  `Following` serves a rotor that is not driven by the VCO's steps: one
+// that is being caught, or one with Hall sensors.  Each legal change of sector measures an
+// interval; two turns without a change count as a miss, with the VCO too fast.
 //
 //     error        s0.16 of a step, held until the next update
 //     latency      1 clock: all outputs are registers but `good`, one comparison behind them

@@ -2,10 +2,10 @@
 //
 //     step-out     score + 2 per missed crossing, - 1 per good one, at `misses`
 //     stall        six steps in a row slower than `stall`
-//     wrong lock   a stable lock on a wrong edge keeps its phase error small; it shows in the current
-//                  (duty - duty of the back-EMF > slip: voltage that only resistance can take) or in
-//                  the interval (freewheeling longer than `freewheel` of a step), for `wrong_lock`
-//                  ticks in a row
+//     wrong lock   a stable lock on a wrong edge keeps its phase error small; it shows in current
+//                  (duty - duty of the back-EMF > slip: voltage that only resistance can take) or
+//                  in the interval (freewheeling longer than `freewheel` of a step), for
+//                  `wrong_lock` ticks in a row
 //     Hall code    all three alike for two ticks
 //     over-current the limit's comparator was never released in `over_current` hits in a row
 //     fault pin    as it comes
@@ -35,7 +35,7 @@ class Protection {
     bool slow = false;          // the VCO's frequency is below `stall`
     bool slips = false;         // the duty is more than the back-EMF explains
     Phase freewheel = 0;        // u0.16, of the present or last step
-    UInt<4> stuck = 0;          // hits of the current limit in a row with its comparator never released
+    UInt<4> stuck = 0;          // hits of the current limit whose comparator was never released
     bool fault_pin = false;     // synchronised
     bool hall = false;          // steps come from the Hall sensors
     bool hall_illegal = false;  // their code is 000 or 111

@@ -1,16 +1,17 @@
 // The six-step drive: wires between the blocks, and nothing else.
 //
-//     pins -> Synchroniser -> BemfComparator -> PhaseDetector -> LoopFilter -> VcoCounter -> DivideByN
-//                         \-> HallDecoder ---/                                      |
-//     SpeedControl -> PwmGenerator -> CurrentLimit -------------------------> Commutation -> GateGuard -> gates
+//     pins -> Synchroniser -> BemfComparator -> PhaseDetector -> LoopFilter -> VcoCounter -.
+//                         \-> HallDecoder ---/                                             |
+//                                                          Commutation <-- DivideByN <-----'
+//     SpeedControl -> PwmGenerator -> CurrentLimit -------------^  \-> GateGuard -> gates
 //     StartSequence says who is closed when; Protection and Telemetry watch.
 //
-// The blocks stand in a ring (the VCO's step selects the comparator that moves the VCO), so a few wires
-// cross from one clock to the next: the registers below.  They are the only state here.
+// The blocks stand in a ring (the VCO's step selects the comparator that moves the VCO).  It is cut
+// behind the divider, whose outputs are a register here; a few strobes cross a clock as well.
 //
 //     fault pin to all six gates off    3 clocks: two of the synchroniser, one of the gate guard
-//     comparator pin to its sample      3 clocks; limit pin to gate off 5 clocks
-//     VCO turn to gates off             3 clocks (docs/blocks/six_step_top.md)
+//     comparator pin to its sample      2 clocks; limit pin to high side off 5 clocks
+//     VCO's pulse to the new step       1 clock
 //
 // Doc: docs/blocks/six_step_top.md   Test: tests/hls/six_step_top_test.cpp
 
@@ -175,7 +176,7 @@ class SixStepTop {
                                     .enable = start.enable && in.command.configured,
                                     .fault = pins.fault,
                                     .dead_time = words.pwm.dead_time,
-                                    .minimum = 0});
+                                    .minimum = saturate<UInt<8>>(words.pwm.minimum)});
 
     const auto protection = protection_.tick({.running = start.running,
                                               .tick = tick_,
@@ -228,11 +229,11 @@ class SixStepTop {
             .counts = counts};
   }
 
-
-  // Quiet clocks (docs/theory.md): how many ticks, with the inputs of the last one, whose outputs were
-  // `last`, would do nothing but count; and that many at once.  Both are for simulation.
+  // Quiet clocks (docs/theory.md): how many ticks, with the inputs of the last one, whose outputs
+  // were `last`, would do nothing but count; and that many at once.  Both are for simulation.
   std::uint64_t quiet(const In& in, const Out& last) const {
-    if (tick_ || limited_ || divided_.commutate || divided_.elapsed || update_ || !filter_.idle() || !speed_.idle()) {
+    if (tick_ || limited_ || divided_.commutate || divided_.elapsed || update_ ||
+        !filter_.idle() || !speed_.idle()) {
       return 0;
     }
     std::uint64_t clocks = vco_.quiet(turning(last));

@@ -2,14 +2,14 @@
 //
 //     reference  moves towards target by at most slew
 //     e          = reference - frequency
-//     integral  += ki e >> shift        within [minimum, maximum]; frozen in the direction that winds up
+//     integral  += ki e >> shift        within [minimum, maximum]; frozen where it would wind up
 //     duty       = integral + (kp e >> shift)       within [minimum, maximum] and duty_slew
 //     on_clocks  = duty * period
 //     slips      = duty > slip + (bemf frequency >> shift)      more than the back-EMF explains
 //
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
-// mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds up).
-// Integral and reference follow, so that control begins without a jump, after a start as after
+// mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds
+// up). Integral and reference follow, so that control begins without a jump, after a start as after
 // catching a rotor.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
@@ -55,7 +55,8 @@ class SpeedControl {
     const bool of_error = stage_ == Stage::kIntegral || stage_ == Stage::kProportional;
     const bool of_duty = stage_ == Stage::kOnClocks;
     const bool multiplies = of_error || of_duty || stage_ == Stage::kBemf;
-    // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
+    // Reference - frequency, but for its last bit: the one's complement saves the duty another
+    // adder.
     const Int<27> frequency = in.frequency;
     const Int<27> a = wrap<Int<27>>((of_error  ? wrap<Int<27>>(reference_)
                                      : of_duty ? Int<27>(duty_)
@@ -92,7 +93,8 @@ class SpeedControl {
   using Work = Int<21>;  // s5.15: kp e alone may be 16 times the full duty
 
   static Stage next(Stage stage) {
-    return stage < Stage::kOnClocks ? static_cast<Stage>(static_cast<int>(stage) + 1) : Stage::kIdle;
+    if (stage >= Stage::kOnClocks) return Stage::kIdle;
+    return static_cast<Stage>(static_cast<int>(stage) + 1);
   }
 
   UInt<16> factor(const In& in) const {

@@ -1,8 +1,8 @@
 // Start sequence: from standstill, or from a rotor that already turns, to a lock; and back.
 //
 //     kIdle        gates off, until the words are valid and `run` is up
-//     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun at the
-//                  speed and angle found.  Turns the other way: kBrake.  Not found in time: kSettle
+//     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
+//                  at the speed and angle found.  The other way: kBrake.  Not in time: kSettle
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
 //     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22)
 //     kAccelerate  forced steps, frequency from 0 to hand_over by `ramp` per tick   (t_a, Eq. 23)
@@ -59,7 +59,7 @@ class StartSequence {
     bool running = false;               // locked and under speed control
     SpeedMode mode = SpeedMode::kFixed;
     Duty duty = 0;                      // u1.15, for kFixed and kAboveBemf
-    bool stop = false;                  // speed control: towards standstill, not towards the set speed
+    bool stop = false;                  // speed control: towards standstill, not the set speed
     Evidence watch = Evidence::kNothing;  // phase detector
     Loop loop = Loop::kStop;            // loop filter
     bool load_step = false;             // one clock: take `step`, in its middle
@@ -103,8 +103,8 @@ class StartSequence {
   bool operator==(const StartSequence&) const = default;
 
  private:
-  // Where the present state wants to go; itself, if nowhere.  kObserve stands for a new try, kBrake for
-  // one more braking interval, kRest for a failed try: admit() knows what becomes of them.
+  // Where the present state wants to go; itself, if nowhere.  kObserve stands for a new try, kBrake
+  // for one more braking interval, kRest for a failed try: admit() knows what becomes of them.
   State choose(const In& in, bool over) const {
     if (state_ == State::kFault) {
       const bool rearm = in.command.clear_fault && !clear_was_;
@@ -196,8 +196,8 @@ class StartSequence {
     }
   }
 
-  // Pulling in, the start's torque fades by 1/32 per step: with all of it the rotor would keep its lead
-  // on the VCO and run away from the loop, with too little of it a heavy load would stop it.
+  // Pulling in, the start's torque fades by 1/32 per step: with all of it the rotor would keep its
+  // lead on the VCO and run away from the loop, with too little of it a heavy load would stop it.
   void fade(const In& in) {
     if (state_ != State::kPullIn) {
       boost_ = in.words.start_duty;

@@ -54,7 +54,8 @@ class VcoCounter {
   }
   // The phase that the last of `clocks` skipped ones showed.
   Phase shown(const In& in, std::uint64_t clocks) const {
-    return UInt<32>::of(phase_.raw() + (in.enable ? (clocks - 1) * in.frequency.raw() : 0)).slice<31, 16>();
+    const std::uint64_t moved = in.enable ? (clocks - 1) * in.frequency.raw() : 0;
+    return UInt<32>::of(phase_.raw() + moved).slice<31, 16>();
   }
   bool operator==(const VcoCounter&) const = default;
 

@@ -50,19 +50,19 @@ struct LoopWords {
   Detector detector = Detector::kEveryStep;
   Bandwidth bandwidth = Bandwidth::kPerStep;
   UInt<2> divide = 0;            // N = 6 * 2^divide VCO turns per electrical turn
-  Phase expected = 0x8000;       // u0.16: where in the step the crossing belongs; 1/2 + advance / 60 deg
-  Phase lead_error = 0x4000;     // u0.16: error taken when the level before the crossing never showed
+  Phase expected = 0x8000;       // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
+  Phase lead_error = 0x4000;     // u0.16: error when the level before the crossing never showed
   UInt<10> delay = 0;            // clocks from the crossing at the motor to the sample, taken back
   UInt<16> ki = 0;               // u2.14
   UInt<16> kp = 0;               // u2.14
-  UInt<16> pole = 0x8000;        // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole
-  Frequency scale = 0;           // u0.32: stands for the VCO frequency in the per-second form
+  UInt<16> pole = 0x8000;        // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole; last bit unused
+  Frequency scale = 0;           // u0.32: for the frequency, per second; last four bits unused
   Frequency minimum = 0;         // limits of the integrator and of the output
   Frequency maximum = 0;
 };
 
 struct StartWords {
-  Ticks settle = 0;              // first pattern, so that a rotor opposite to the reset position moves
+  Ticks settle = 0;              // first pattern, so that a rotor opposite to the reset place moves
   Ticks reset = 0;               // reset pattern: t_r of Eq. (22)
   Duty reset_duty = 0;
   Duty start_duty = 0;           // during acceleration and pull-in
@@ -85,19 +85,19 @@ struct SpeedWords {
   UInt<4> shift = 0;             // speeds are normalised: frequency >> shift fits 15 bits
   UInt<16> kp = 0;               // u4.12: duty per normalised speed error (s1.15 against u1.15)
   UInt<16> ki = 0;               // u0.16 per tick
-  UInt<16> bemf = 0;             // u4.12: duty whose mean voltage equals the back-EMF, per normalised speed
+  UInt<16> bemf = 0;             // u4.12: duty of mean voltage equal to the back-EMF, per speed
   Duty minimum = 0;
   Duty maximum = 0;
   UInt<12> duty_slew = 0;        // u1.15 per tick
 };
 
 struct ProtectionWords {
-  UInt<6> misses = 0;            // score at which a lock counts as lost: a miss adds 2, a good crossing takes 1
+  UInt<6> misses = 0;            // lost lock: a miss scores 2, a good crossing takes 1; 0 disables
   Frequency stall = 0;           // u0.32: slower than this in speed control is a stall
   Duty slip = 0;                 // duty above the back-EMF's that no right lock shows
   Phase freewheel = 0;           // u0.16: freewheeling for longer than this part of a step is wrong
   Ticks wrong_lock = 0;          // for how long; 0 disables the test
-  UInt<4> over_current = 0;      // limit hits in a row with the comparator never released; 0 disables
+  UInt<4> over_current = 0;      // limit hits with the comparator never released; 0 disables
 };
 
 struct Words {

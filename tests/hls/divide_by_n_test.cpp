@@ -6,7 +6,8 @@
 namespace steplock {
 namespace {
 
-// Six steps take N pulses, whatever N is, and each commutation comes with the pulse that ends a step.
+// Six steps take N pulses, whatever N is, and each commutation comes with the pulse that ends a
+// step.
 TEST(DivideByN, CountsNPulsesForEveryN) {
   for (int divide = 0; divide < 4; ++divide) {
     DivideByN dut;

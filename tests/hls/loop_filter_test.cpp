@@ -46,11 +46,11 @@ In track() {
   return {.loop = Loop::kTrack, .pole = 0x8000, .maximum = Frequency::max()};
 }
 
-// A constant error e makes x_n = x_0 + n A and v_n = x_n + B with A = ki e s, B = kp e s.  Behind the
-// pole a that is y_n = x_0 + n A + C (1 - (1-a)^n), C = B - A (1-a)/a.  Each update truncates p by one
-// last bit, ki and kp (below 4) multiply that, and each product truncates once more: x is off by at
-// most 5 n bits and v by 5 more; the pole's two products add two bits to what it forgets by a.  s and
-// the pole are taken where all their bits count.
+// A constant error e makes x_n = x_0 + n A and v_n = x_n + B with A = ki e s, B = kp e s.  Behind
+// the pole a that is y_n = x_0 + n A + C (1 - (1-a)^n), C = B - A (1-a)/a.  Each update truncates p
+// by one last bit, ki and kp (below 4) multiply that, and each product truncates once more: x is
+// off by at most 5 n bits and v by 5 more; the pole's two products add two bits to what it forgets
+// by a.  s and the pole are taken where all their bits count.
 RC_GTEST_PROP(LoopFilter, StepResponseIsTheDiscretisedLagLeadFilters, ()) {
   auto in = track();
   in.bandwidth = Bandwidth::kPerSecond;
@@ -146,7 +146,8 @@ TEST(LoopFilter, DoesNotWindUpAtALimit) {
 
 TEST(LoopFilter, ARampGrowsPerTickFromStandstillBelowTheMinimum) {
   LoopFilter dut;
-  const In in = {.loop = Loop::kRamp, .ramp = 1234, .minimum = 1 << 20, .maximum = Frequency::max()};
+  const In in = {
+      .loop = Loop::kRamp, .ramp = 1234, .minimum = 1 << 20, .maximum = Frequency::max()};
   for (int n = 1; n <= 20; ++n) EXPECT_EQ(update(dut, in), Frequency(1234 * n));
 }
 
@@ -181,8 +182,8 @@ TEST(LoopFilter, SaysWhenItTurnsSlowerThanAStallAndWhenAsFastAsHandOver) {
   }
 }
 
-// The first change finds the frequency at its minimum, each that follows may raise it by half.  A rotor
-// slower than the minimum never shows a small error.
+// The first change finds the frequency at its minimum, each that follows may raise it by half.  A
+// rotor slower than the minimum never shows a small error.
 TEST(LoopFilter, CatchesFromStandstillButNothingSlowerThanTheMinimum) {
   LoopFilter dut;
   In in = {.loop = Loop::kCatch, .minimum = 1 << 19, .maximum = Frequency::max()};

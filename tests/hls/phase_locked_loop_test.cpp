@@ -1,5 +1,5 @@
-// Detector, filter, VCO and divider closed around an ideal rotor, which crosses zero in the middle of
-// each of its own steps.
+// Detector, filter, VCO and divider closed around an ideal rotor, which crosses zero in the middle
+// of each of its own steps.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -39,7 +39,10 @@ struct Loop6 {
     while (left > 0) {
       const auto ramp = std::min<std::int64_t>(left, 1 << 19);
       for (int i = 0; i < 200; ++i) {
-        filter.tick({.loop = Loop::kRamp, .tick = i == 0, .ramp = ramp, .maximum = Frequency::max()});
+        filter.tick({.loop = Loop::kRamp,
+                     .tick = i == 0,
+                     .ramp = ramp,
+                     .maximum = Frequency::max()});
       }
       left -= ramp;
     }
@@ -88,8 +91,9 @@ void per_step(Loop6& loop, double bandwidth, double damping) {
   loop.tune.kp = int(2 * damping * bandwidth * 16384);
 }
 
-// Bandwidth 0.2 per step, damping 1: the slowest part of the answer fades with exp(-0.2) per step, so
-// after 100 steps what is left is below the phase's resolution, which at 3000 clocks a step is 1/3000.
+// Bandwidth 0.2 per step, damping 1: the slowest part of the answer fades with exp(-0.2) per step,
+// so after 100 steps what is left is below the phase's resolution, which at 3000 clocks a step is
+// 1/3000.
 RC_GTEST_PROP(PhaseLockedLoop, LocksFromATwentyPercentFrequencyError, ()) {
   const double rotor = 1.0 / 3000;
   const int divide = *rc::gen::inRange(0, 4);
@@ -111,7 +115,8 @@ TEST(PhaseLockedLoop, WithoutItsIntegratorAFrequencyErrorStaysAsPhaseError) {
   EXPECT_NEAR(loop.error, 0.1 / 0.4, 0.005);
 }
 
-// The integrator must grow by the acceleration per step, a / f, and grows by ki e f: e = a / (ki f^2).
+// The integrator must grow by the acceleration per step, a / f, and grows by ki e f: e = a / (ki
+// f^2).
 TEST(PhaseLockedLoop, PerStepARampLeavesThePredictedError) {
   const double f = 1.0 / 3000, a = 0.002 * f * f;  // 0.2 % faster each step
   Loop6 loop(f);
@@ -141,8 +146,8 @@ TEST(PhaseLockedLoop, PerSecondARampLeavesThePredictedError) {
   EXPECT_EQ(loop.missed, 0);
 }
 
-// The paper's form sees one crossing in six steps, so each update acts on the phase six times: 0.12 per
-// turn of bandwidth needs 6 kp = 2 * 0.12 and 6 ki = 0.12^2.
+// The paper's form sees one crossing in six steps, so each update acts on the phase six times: 0.12
+// per turn of bandwidth needs 6 kp = 2 * 0.12 and 6 ki = 0.12^2.
 TEST(PhaseLockedLoop, LocksOnOneCrossingPerTurnToo) {
   const double rotor = 1.0 / 1000;
   Loop6 loop(rotor * 1.03);

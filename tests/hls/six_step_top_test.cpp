@@ -1,4 +1,5 @@
-// What the whole drive promises for every input; that it turns a motor is closed_loop_test.cpp's claim.
+// What the whole drive promises for every input; that it turns a motor is closed_loop_test.cpp's
+// claim.
 #include "hls/six_step/six_step_top.hpp"
 
 #include <gtest/gtest.h>
@@ -146,8 +147,8 @@ TEST(SixStepTop, AFaultStaysLatchedWhenThePinIsReleased) {
   EXPECT_EQ(out.reason, Reason::kFaultPin);
 }
 
-// While nothing outside changes, skipping the quiet clocks leads to the same state as ticking through
-// them, bit for bit; and there is something to skip.
+// While nothing outside changes, skipping the quiet clocks leads to the same state as ticking
+// through them, bit for bit; and there is something to skip.
 TEST(SixStepTop, SkippingQuietClocksEqualsTickingThem) {
   Chaos chaos;
   chaos.in.words.pwm.period = 4000;

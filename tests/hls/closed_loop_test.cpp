@@ -1,0 +1,221 @@
+// The whole drive turns a motor: the blocks against the plant, judged by the rotor's true angle.
+// The words are those that the design library makes for drives/bly172s.toml.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "hls/six_step/six_step_top.hpp"
+#include "model/design/design.hpp"
+#include "model/design/words.hpp"
+#include "model/plant/plant.hpp"
+#include "testbench/drive_file/drive_file.hpp"
+#include "testbench/engine/words.hpp"
+
+namespace steplock {
+namespace {
+
+constexpr double kRpm = 30 / std::numbers::pi;
+
+const design::Settings& settings() {
+  static const auto file = load_drive_file(STEPLOCK_ROOT "/drives/bly172s.toml");
+  return file.settings;
+}
+
+Words designed_words() {
+  const auto& s = settings();
+  return hls_words(design::quantise(design::design_drive(s).parameters, s.control.clock_hz).words);
+}
+
+struct Rig {
+  double clock_hz = settings().control.clock_hz;
+  plant::Plant plant;
+  SixStepTop top;
+  SixStepTop::In in;
+  SixStepTop::Out out;
+  std::uint64_t clock = 0;
+  std::vector<State> visited;
+  double worst_late = 0;  // degrees, of commutations while locked
+
+  explicit Rig(double angle_deg = 0, double rpm = 0)
+      : plant(plant_parameters(settings()), start(angle_deg, rpm)) {
+    in.words = designed_words();
+    in.command.configured = in.command.run = true;
+  }
+
+  static plant::InitialState start(double angle_deg, double rpm) {
+    auto state = initial_state(settings(), angle_deg);
+    state.speed = rpm / kRpm;
+    return state;
+  }
+
+  void run_for(double seconds) {
+    const auto end = clock + std::uint64_t(seconds * clock_hz);
+    std::uint64_t visit = clock;
+    bool ticked = false;
+    while (clock < end) {
+      if (clock >= visit) {
+        plant.advance_to(double(clock) / clock_hz);
+        visit = show_pins();
+        ticked = false;
+      }
+      const auto room = std::min(visit, end) - clock;
+      if (const auto quiet = ticked ? std::min(top.quiet(in, out), room) : 0; quiet > 0) {
+        top.skip(in, out, quiet);
+        clock += quiet;
+        ticked = false;
+        continue;
+      }
+      out = top.tick(in);
+      ticked = true;
+      const auto& g = out.gates;
+      const plant::Gates gates{g.uh, g.ul, g.vh, g.vl, g.wh, g.wl};
+      if (!(gates == plant.gates())) {
+        plant.advance_to(double(clock) / clock_hz);
+        plant.set_gates(gates);
+        visit = show_pins();
+        ticked = false;
+      }
+      if (visited.empty() || visited.back() != out.state) visited.push_back(out.state);
+      if (out.commutate && out.locked) judge();
+      ++clock;
+    }
+    plant.advance_to(double(clock) / clock_hz);
+  }
+
+  // The first clock at which a pin may change again.
+  std::uint64_t show_pins() {
+    const auto& p = plant.pins();
+    in.pins.comparator_u = p.comparator[0];
+    in.pins.comparator_v = p.comparator[1];
+    in.pins.comparator_w = p.comparator[2];
+    in.pins.limit = p.limit;
+    in.pins.hall_u = p.hall[0];
+    in.pins.hall_v = p.hall[1];
+    in.pins.hall_w = p.hall[2];
+    const double next = std::min(std::ceil(plant.next_event() * clock_hz), 1e15);
+    return std::max(std::uint64_t(next), clock + 1);
+  }
+
+  // Forward step k is ideal from theta = 30 + 60 k; in reverse three places on.  docs/theory.md
+  void judge() {
+    plant.advance_to(double(clock) / clock_hz);
+    const double theta = plant.state().electrical_angle * 180 / std::numbers::pi;
+    const int k = (int(out.step.raw()) + (out.reverse ? 3 : 0)) % 6;
+    const double late = out.reverse ? 90 + 60 * k - theta : theta - 30 - 60 * k;
+    worst_late = std::max(worst_late, std::abs(std::remainder(late, 360.0)));
+  }
+
+  double rpm() const { return plant.state().speed * kRpm; }
+  double mean_rpm(double seconds) {
+    const double from = plant.state().angle;
+    run_for(seconds);
+    return (plant.state().angle - from) / seconds * kRpm;
+  }
+  bool was(State state) const {
+    return std::find(visited.begin(), visited.end(), state) != visited.end();
+  }
+};
+
+double set_rpm() { return settings().scenario.speed_rpm; }
+
+TEST(ClosedLoop, StartsFromStandstillLocksAndHoldsItsSpeed) {
+  for (const double angle : {0.0, 60.0, 120.0, 180.0, 240.0, 300.0}) {
+    Rig rig(angle);
+    rig.run_for(0.5);
+    EXPECT_EQ(rig.out.state, State::kRun) << angle;
+    EXPECT_FALSE(rig.was(State::kRest)) << angle;
+    EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm()) << angle;
+    // A commutation further off than 30 degrees would belong to another step.
+    EXPECT_LT(rig.worst_late, 30) << angle;
+    EXPECT_EQ(rig.plant.shoot_throughs(), 0u);
+  }
+}
+
+TEST(ClosedLoop, TakesALoadStepAndLeavesItAgain) {
+  Rig rig;
+  rig.run_for(0.5);
+  rig.plant.set_load_torque(design::load_step_torque(settings()));
+  rig.run_for(0.3);
+  EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm());
+  rig.plant.set_load_torque(0);
+  rig.run_for(0.4);
+  EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm());
+  EXPECT_EQ(rig.out.state, State::kRun);
+  EXPECT_FALSE(rig.was(State::kRest));
+  EXPECT_LT(rig.worst_late, 30);
+}
+
+TEST(ClosedLoop, ReversesThroughABrakeAndAFreshStart) {
+  Rig rig;
+  rig.run_for(0.5);
+  rig.in.command.reverse = true;
+  rig.run_for(1.0);
+  EXPECT_TRUE(rig.was(State::kSlowDown));
+  EXPECT_TRUE(rig.was(State::kBrake));
+  EXPECT_EQ(rig.out.state, State::kRun);
+  EXPECT_NEAR(rig.mean_rpm(0.1), -set_rpm(), 0.005 * set_rpm());
+}
+
+TEST(ClosedLoop, BrakesToAStop) {
+  Rig rig;
+  rig.run_for(0.5);
+  rig.in.command.brake_to_stop = true;
+  rig.in.command.run = false;
+  rig.run_for(0.8);
+  EXPECT_EQ(rig.out.state, State::kIdle);
+  EXPECT_NEAR(rig.rpm(), 0, 0.01 * set_rpm());
+}
+
+TEST(ClosedLoop, CatchesARotorThatAlreadyTurnsTheWantedWay) {
+  for (const bool reverse : {false, true}) {
+    Rig rig(100, reverse ? -2000 : 2000);
+    rig.in.command.reverse = reverse;
+    rig.run_for(0.3);
+    EXPECT_EQ(rig.out.state, State::kRun);
+    EXPECT_FALSE(rig.was(State::kSettle)) << "caught, not started";
+    // The first step is entered in its middle, 30 degrees after its ideal beginning.
+    EXPECT_LT(rig.worst_late, 31);
+  }
+}
+
+TEST(ClosedLoop, BrakesARotorThatTurnsTheOtherWayAndThenStarts) {
+  Rig rig(100, -2000);
+  rig.run_for(1.0);
+  EXPECT_TRUE(rig.was(State::kBrake));
+  EXPECT_EQ(rig.out.state, State::kRun);
+  EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm());
+}
+
+TEST(ClosedLoop, RunsOnHallSensorsToo) {
+  for (const bool reverse : {false, true}) {
+    Rig rig(20);
+    rig.in.words.source = Source::kHall;
+    rig.in.command.reverse = reverse;
+    rig.run_for(1.0);
+    EXPECT_EQ(rig.out.state, State::kRun);
+    EXPECT_FALSE(rig.was(State::kRest));
+    EXPECT_NEAR(rig.mean_rpm(0.1), reverse ? -set_rpm() : set_rpm(), 0.005 * set_rpm());
+  }
+}
+
+TEST(ClosedLoop, ARotorHeldFastIsNoLockAndEndsInAFault) {
+  Rig rig;
+  rig.plant.set_load_torque(100);  // N m, far above what the motor can
+  rig.run_for(5.5);  // four tries and their rests
+  EXPECT_EQ(rig.out.state, State::kFault);
+  EXPECT_EQ(int(rig.out.counts.retries.raw()), int(rig.in.words.start.retries.raw()) + 1);
+}
+
+// The control of all the above: a drive that never looks does not lock.
+TEST(ClosedLoop, WithoutSamplesNothingLocks) {
+  Rig rig;
+  rig.in.words.bemf.blanking = 1023;  // no clock between two edges of the PWM is left
+  rig.run_for(0.6);
+  EXPECT_FALSE(rig.was(State::kRun));
+}
+
+}  // namespace
+}  // namespace steplock
