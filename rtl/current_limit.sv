@@ -48,7 +48,7 @@ module current_limit (
       if (both_43) begin
         if (either_50) begin
           stuck <= 4'd0;
-        end else if ($signed(sum_46) < -5'sd1) begin
+        end else if (sum_46[4] && sum_46[3:0] != 4'd15) begin
           stuck <= 4'd15;
         end else begin
           stuck <= sum_46[3:0];

@@ -22,7 +22,7 @@ module gate_guard (
     output logic       wl_o  // phase W, low side
 );
   wire either_44 = fault_i || !enable_i;  // line 44
-  wire [7:0] dead = (dead_time_i < 8'd12) ? 8'd12 : dead_time_i;  // line 45
+  wire [7:0] dead = (dead_time_i[7:2] < 6'd3) ? 8'd12 : dead_time_i;  // line 45
 
   wire u_high;
   wire u_low;

@@ -157,7 +157,7 @@ module loop_filter (
     end else begin
       if (loop_i == Loop_kStop) begin
         stage <= Stage_kIdle;
-        x <= 34'd0;
+        x <= 34'sd0;
         y <= 30'd0;
       end else begin
         if (below_69) begin

@@ -63,15 +63,15 @@ module phase_detector (
     end else begin
       if (!(either_64 && either_65 && !either_66)) begin
         if (difference_67[17]) begin
-          if (difference_67 > 18'd229375) begin
+          if (difference_67[17:15] == 3'd7) begin
             error <= difference_67[15:0];
           end else begin
-            error <= 16'd32768;
+            error <= -16'sd32768;
           end
         end else if (difference_67[17:15] == 3'd0) begin
           error <= difference_67[15:0];
         end else begin
-          error <= 16'd32767;
+          error <= 16'sd32767;
         end
       end
       update <= !either_64 || !either_65 || either_66;

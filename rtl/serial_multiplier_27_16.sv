@@ -33,7 +33,7 @@ module serial_multiplier_27_16 (
       done <= 1'b0;
     end else begin
       if (start_i) begin
-        high <= 27'd0;
+        high <= 27'sd0;
         low <= b_i;
         left <= 5'd16;
       end else if (left == 5'd0) begin
@@ -50,7 +50,7 @@ module serial_multiplier_27_16 (
       if (start_i ? b_i[0] : low[1] && !(left == 5'd1 || dropping)) begin  // line 62
         addend <= a_i;
       end else begin
-        addend <= 27'd0;
+        addend <= 27'sd0;
       end
       dropping <= !start_i && choice;
       done <= !start_i && left == 5'd1 && !both;

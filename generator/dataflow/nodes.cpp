@@ -80,7 +80,23 @@ NodeId NodeBuilder::compare(Op op, NodeId a, NodeId b) {
   if (width(a) == 1 && is_constant(b) && (op == Op::kEq || op == Op::kNe)) {
     return (op == Op::kEq) == is_value(b, 1) ? a : unary_not(a);
   }
+  if (is_constant(b) && (op == Op::kEq || op == Op::kNe)) {
+    const NodeId equal = equals(a, b);
+    return op == Op::kEq ? equal : unary_not(equal);
+  }
   return add(op, 1, {a, b});
+}
+
+// Against a constant; a choice between constants is known by its condition.
+NodeId NodeBuilder::equals(NodeId a, NodeId b) {
+  if (is_constant(a)) return constant(1, nodes_[a].value == nodes_[b].value ? 1 : 0);
+  if (nodes_[a].op == Op::kMux) {
+    const auto in = nodes_[a].in;
+    if (is_constant(in[1]) || is_constant(in[2])) {
+      return mux(in[0], equals(in[1], b), equals(in[2], b));
+    }
+  }
+  return add(Op::kEq, 1, {a, b});
 }
 
 NodeId NodeBuilder::mux(NodeId condition, NodeId yes, NodeId no) {

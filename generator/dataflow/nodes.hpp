@@ -1,7 +1,7 @@
 // Makes nodes: equal ones once, operands before users, and none that a wire would do for.
 //
-//     mux(c, a, a)  ->  a          mux(c, 1, 0)  ->  c          slice(zext(x), 3, 0)  ->  slice(x,
-//     3, 0)
+//     mux(c, a, a)           ->  a               mux(c, 1, 0)      ->  c
+//     slice(zext(x), 3, 0)   ->  slice(x, 3, 0)  mux(c, 2, x) == 2 ->  c | x == 2
 //
 // Larger rewriting belongs to the passes of the back end.
 //
@@ -52,6 +52,7 @@ class NodeBuilder {
   NodeId add(Op op, unsigned width, std::vector<NodeId> in, unsigned index = 0, unsigned port = 0,
              unsigned low = 0);
   bool is_value(NodeId a, std::uint64_t value) const;
+  NodeId equals(NodeId a, NodeId b);
   NodeId shift_by(Op op, NodeId a, std::uint64_t amount);
 
   using Key = std::tuple<Op, unsigned, std::vector<NodeId>, unsigned, unsigned, unsigned>;

@@ -87,6 +87,23 @@ NodeId upper_bits(Rebuild& b, Op op, NodeId x, const APInt& power) {
   return b.binary(op, upper, b.zero(b.width(upper)));
 }
 
+// A comparison with a constant of up to four bits is one look-up table, and reads best whole.
+bool needs_carry(const APInt& c) { return c.getBitWidth() > 4; }
+
+// x < 2^k and x < -2^k, signed: the sign, and whether the bits above k are copies of it.
+NodeId signed_range(Rebuild& b, NodeId x, const APInt& power, bool below) {
+  const bool negative = power.isNegative();
+  const unsigned low = (negative ? -power : power).logBase2(), width = b.width(x);
+  const NodeId sign = b.slice(x, width - 1, 1), upper = b.slice(x, low, width - 1 - low);
+  const NodeId copies = b.value(negative ? APInt::getAllOnes(b.width(upper))
+                                         : APInt::getZero(b.width(upper)));
+  // Not below 2^k: positive, and some bit set.  Below -2^k: negative, and some bit clear.
+  if (below == negative)
+    return b.binary(Op::kAnd, negative ? sign : b.inverse(sign),
+                    b.binary(Op::kNe, upper, copies));
+  return b.binary(Op::kOr, negative ? b.inverse(sign) : sign, b.binary(Op::kEq, upper, copies));
+}
+
 // x < c or x <= c
 NodeId below_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   const bool is_signed = n.op == Op::kSlt || n.op == Op::kSle;
@@ -104,6 +121,11 @@ NodeId below_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   if (c == most) return b.binary(Op::kNe, x, b.value(most));
   if (is_signed && c.isZero()) return b.slice(x, c.getBitWidth() - 1, 1);
   if (!is_signed && c.isPowerOf2()) return upper_bits(b, Op::kEq, x, c);
+  if (!needs_carry(c)) return kNone;
+  if (is_signed && (c.isPowerOf2() || c.isNegatedPowerOf2())) return signed_range(b, x, c, true);
+  if (const unsigned low = c.countTrailingZeros(); low > 0)
+    return b.binary(n.op, b.slice(x, low, b.width(x) - low),
+                    b.value(c.extractBits(b.width(x) - low, low)));
   return kNone;
 }
 
@@ -124,6 +146,12 @@ NodeId above_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   if (c == least) return b.binary(Op::kNe, x, b.value(least));
   if (is_signed && c.isAllOnes()) return b.inverse(b.slice(x, c.getBitWidth() - 1, 1));
   if (!is_signed && (c + 1).isPowerOf2()) return upper_bits(b, Op::kNe, x, c + 1);
+  if (!needs_carry(c)) return kNone;
+  if (is_signed && ((c + 1).isPowerOf2() || (c + 1).isNegatedPowerOf2()))
+    return signed_range(b, x, c + 1, false);
+  if (const unsigned low = c.countTrailingOnes(); low > 0)
+    return b.binary(n.op, b.value(c.extractBits(b.width(x) - low, low)),
+                    b.slice(x, low, b.width(x) - low));
   return kNone;
 }
 

@@ -91,6 +91,26 @@ NodeId shared_operator(Rebuild& b, NodeId condition, NodeId then, NodeId otherwi
   return b.add(std::move(shared));
 }
 
+// Saturation: at the limit both arms are the same, so x < limit and x <= limit do equally well.
+// simplify_compares drops the lower zeros of the bound of x < c, and the lower ones of c < x: an even
+// limit belongs to the right of the comparison, an odd one to the left.
+NodeId saturated(Rebuild& b, const Node& n) {
+  const Node c = b.node(n.in[0]);
+  if (c.op != Op::kUlt && c.op != Op::kSlt) return kNone;
+  const APInt* limit = b.constant(n.in[2]);
+  const Node kept = b.node(n.in[1]);
+  const bool part = kept.op == Op::kSlice && kept.low == 0;
+  for (int i = 0; i < 2 && limit != nullptr; ++i) {
+    const APInt* bound = b.constant(c.in[i]);
+    const NodeId x = c.in[1 - i];
+    if (bound == nullptr || (n.in[1] != x && !(part && kept.in[0] == x))) continue;
+    const bool on_right = i == 1;
+    if ((*bound)[0] != on_right || bound->trunc(n.width) != *limit) continue;
+    return b.mux(b.binary(c.op, c.in[1], c.in[0]), n.in[2], n.in[1]);
+  }
+  return kNone;
+}
+
 // Conditions that were joined, and are told apart again by an arm.
 NodeId ordered(Rebuild& b, const Node& n) {
   const Node c = b.node(n.in[0]);
@@ -138,6 +158,7 @@ NodeId mux(Rebuild& b, const Node& n) {
     if (inner_then.in[1] == otherwise)
       return b.mux(b.binary(Op::kAnd, c, b.inverse(inner_then.in[0])), inner_then.in[2], otherwise);
   }
+  if (const NodeId r = saturated(b, n); r != kNone) return r;
   if (const NodeId r = ordered(b, n); r != kNone) return r;
   return shared_operator(b, c, then, otherwise);
 }

@@ -8,6 +8,7 @@
 //     c ? a : (d ? a : b)              =>  (c | d) ? a : b
 //     (c | d) ? (c ? a : b) : e        =>  c ? a : (d ? b : e)
 //     (c & d) ? a : (c ? b : e)        =>  c ? (d ? a : b) : e
+//     x < 7 ? x : 7, 0 < x ? x : 0     =>  7 < x ? 7 : x, x < 0 ? 0 : x
 //     c ? a + b : a + d                =>  a + (c ? b : d)            sums read once; also - * and compares
 //
 // Test: tests/generator/backend_pass_test.cpp

@@ -36,8 +36,8 @@ class Legaliser {
     for (unsigned i = 0; i < m_.instances.size(); ++i) write_cell(i);
     write_registers();
     for (std::size_t o = 0; o < m_.outputs.size(); ++o)
-      text_.assigns.emplace_back(names_.outputs[o], expressions_.use(m_.outputs[o].value,
-                                                    m_.outputs[o].leaf.enumeration));
+      text_.assigns.emplace_back(names_.outputs[o],
+                                 stored(m_.outputs[o].value, m_.outputs[o].leaf));
     for (const Expressions::Used& u : expressions_.used_enumerators()) {
       const Enumeration& e = m_.enumerations[u.enumeration];
       text_.constants.emplace_back(
@@ -194,6 +194,19 @@ class Legaliser {
     text_.items.emplace_back(std::move(c));
   }
 
+  // What goes into a leaf: constants are spelled as its enumerators, or with its sign.
+  Expr stored(NodeId value, const Leaf& leaf) {
+    Expr e = expressions_.use(value, leaf.enumeration);
+    if (leaf.is_signed) spell_signed(e);
+    return e;
+  }
+  static void spell_signed(Expr& e) {
+    if (e.is(Expr::Kind::kLiteral)) e.base = Expr::Base::kSignedDecimal;
+    if (!e.is(Expr::Kind::kConditional)) return;
+    spell_signed(e.operands[1]);
+    spell_signed(e.operands[2]);
+  }
+
   void write_registers() {
     for (std::size_t i = 0; i < m_.registers.size(); ++i) {
       const Register& r = m_.registers[i];
@@ -216,8 +229,7 @@ class Legaliser {
       if (s.then.empty() && s.otherwise.empty()) return {};
       return {std::move(s)};
     }
-    const int e = m_.registers[reg].leaf.enumeration;
-    return {{names_.registers[reg], expressions_.use(value, e), {}, {}, ""}};
+    return {{names_.registers[reg], stored(value, m_.registers[reg].leaf), {}, {}, ""}};
   }
 
   const Design& design_;

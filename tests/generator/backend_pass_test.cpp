@@ -194,6 +194,18 @@ TEST(Compare, ReachingAPowerOfTwoNeedsNoCarry) {
   EXPECT_EQ(optimised(std::move(c)), " x_i[7:2] != 6'd0");
 }
 
+TEST(Compare, SaturationLooksAtTheUpperBitsAlone) {
+  Build b("m");
+  const NodeId x = b.input("x", 10, true);
+  const NodeId most = b.constant(10, 127), least = b.constant(10, 0x380);
+  const NodeId low = b.slice(x, 7, 0);
+  const NodeId capped = b.mux(b.op(Op::kSlt, x, most), low, b.constant(8, 127));
+  b.output("y", b.mux(b.op(Op::kSlt, x, least), b.constant(8, 0x80), capped));
+  const std::string text = optimised(std::move(b));
+  EXPECT_EQ(text.find('<'), std::string::npos) << text;
+  EXPECT_NE(text.find("x_i[8:7] != 2'd3"), std::string::npos) << text;
+}
+
 TEST(Counters, ConditionBecomesTheClockEnable) {
   Build b("m");
   const NodeId c = b.input("c", 1), r = b.reg("r", 8, 0);
