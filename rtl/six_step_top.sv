@@ -62,6 +62,7 @@ module six_step_top (
     input  logic [15:0] words_speed_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
     input  logic [15:0] words_speed_ki_i,  // u0.16 per tick
     input  logic [15:0] words_speed_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
+    input  logic [15:0] words_speed_loaded_i,  // u4.12: the same, and of commutating the largest current
     input  logic [15:0] words_speed_minimum_i,
     input  logic [15:0] words_speed_maximum_i,
     input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
@@ -354,6 +355,7 @@ module six_step_top (
       .words_kp_i(words_speed_kp_i),
       .words_ki_i(words_speed_ki_i),
       .words_bemf_i(words_speed_bemf_i),
+      .words_loaded_i(words_speed_loaded_i),
       .words_minimum_i(words_speed_minimum_i),
       .words_maximum_i(words_speed_maximum_i),
       .words_duty_slew_i(words_speed_duty_slew_i),

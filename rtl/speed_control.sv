@@ -11,19 +11,20 @@ module speed_control (
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
     input  logic [13:0] period_i,  // clocks per PWM period
-    input  logic [15:0] slip_i,  // u1.15, above the back-EMF's duty
+    input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32
     input  logic [19:0] words_slew_i,  // u0.32 per tick
     input  logic [3:0]  words_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
     input  logic [15:0] words_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
     input  logic [15:0] words_ki_i,  // u0.16 per tick
     input  logic [15:0] words_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
+    input  logic [15:0] words_loaded_i,  // u4.12: the same, and of commutating the largest current
     input  logic [15:0] words_minimum_i,
     input  logic [15:0] words_maximum_i,
     input  logic [11:0] words_duty_slew_i,  // u1.15 per tick
     output logic [15:0] duty_o,  // u1.15
     output logic [13:0] on_clocks_o,  // clocks of on-time per period
-    output logic        slips_o  // in speed control: duty above the back-EMF's by more than slip
+    output logic        slips_o  // in speed control: more than slip above what the speed takes
 );
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
@@ -69,7 +70,7 @@ module speed_control (
   logic [15:0] choice_69;  // line 69
   always_comb begin
     case (stage)
-      Stage_kBemf: choice_69 = words_bemf_i;
+      Stage_kBemf: choice_69 = (mode_i == SpeedMode_kControl) ? words_loaded_i : words_bemf_i;
       Stage_kIntegral: choice_69 = words_ki_i;
       Stage_kProportional: choice_69 = words_kp_i;
       default: choice_69 = {2'd0, period_i};
@@ -115,24 +116,24 @@ module speed_control (
     endcase
   end
 
-  wire [20:0] base = {{3{integral[33]}}, integral[33:16]};  // line 112
-  wire [15:0] choice_126 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 126
-  wire either_126 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 126
-  wire [17:0] base_2 = either_126 ? integral[33:16] : {2'd0, choice_126};  // line 126
-  wire [20:0] base_3 = {{3{base_2[17]}}, base_2};  // line 126
-  wire [19:0] choice_116 =  // line 116
+  wire [20:0] base = {{3{integral[33]}}, integral[33:16]};  // line 113
+  wire [15:0] choice_127 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 127
+  wire either_127 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 127
+  wire [17:0] base_2 = either_127 ? integral[33:16] : {2'd0, choice_127};  // line 127
+  wire [20:0] base_3 = {{3{base_2[17]}}, base_2};  // line 127
+  wire [19:0] choice_117 =  // line 117
       (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 : multiplier_product[31:12];
   wire both = multiplier_done && !(stage == Stage_kIntegral || stage == Stage_kOnClocks);
-  wire [20:0] choice_4 = both ? base_3 + {choice_116[19], choice_116} : work;
-  wire [12:0] slew = ~{1'b0, words_duty_slew_i};  // line 190
-  wire [12:0] slew_2 =  // line 134
+  wire [20:0] choice_4 = both ? base_3 + {choice_117[19], choice_117} : work;
+  wire [12:0] slew = ~{1'b0, words_duty_slew_i};  // line 191
+  wire [12:0] slew_2 =  // line 135
       (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
       (stage == Stage_kDown) ? slew :
       13'd0;
-  wire [17:0] slew_3 = {{5{slew_2[12]}}, slew_2};  // line 134
-  wire [17:0] limit = slew_3 + {2'd0, duty};  // line 192
+  wire [17:0] slew_3 = {{5{slew_2[12]}}, slew_2};  // line 135
+  wire [17:0] limit = slew_3 + {2'd0, duty};  // line 193
 
-  logic [17:0] limit_2;  // line 134
+  logic [17:0] limit_2;  // line 135
   always_comb begin
     case (stage)
       Stage_kWholeLow, Stage_kLow: limit_2 = {2'd0, words_minimum_i};
@@ -141,28 +142,28 @@ module speed_control (
     endcase
   end
 
-  wire [20:0] wide_135 = {{3{limit_2[17]}}, limit_2};  // line 135
-  wire below_135 = $signed(work) < $signed(wide_135);  // line 135
+  wire [20:0] wide_136 = {{3{limit_2[17]}}, limit_2};  // line 136
+  wire below_136 = $signed(work) < $signed(wide_136);  // line 136
   wire both_76 =  // line 76
-      (stage == Stage_kWholeLow || stage == Stage_kLow || stage == Stage_kDown) && below_135;
+      (stage == Stage_kWholeLow || stage == Stage_kLow || stage == Stage_kDown) && below_136;
   wire either_76 = stage == Stage_kWholeHigh || stage == Stage_kHigh || stage == Stage_kUp;
-  wire both_76_2 = either_76 && $signed(wide_135) <= $signed(work);  // line 76
+  wire both_76_2 = either_76 && $signed(wide_136) <= $signed(work);  // line 76
 
   logic [20:0] work_next;
   always_comb begin
     case (stage)
       Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: work_next = choice_4;
       Stage_kWhole: work_next = base;
-      default: work_next = (both_76 || both_76_2) ? wide_135 : work;
+      default: work_next = (both_76 || both_76_2) ? wide_136 : work;
     endcase
   end
 
-  wire [25:0] goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 147
-  wire below_148 = $signed(reference) < $signed({2'd0, goal});  // line 148
-  wire at_most_150 = $signed({2'd0, goal}) <= $signed(reference);  // line 150
-  wire [20:0] slew_4 = {1'b0, words_slew_i} ^ {21{at_most_150}};  // line 150
-  wire [27:0] slew_5 = {{7{slew_4[20]}}, slew_4};  // line 150
-  wire both_2 = stage == Stage_kReach && (mode_i != SpeedMode_kControl || (below_148 ^ rises));
+  wire [25:0] goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 148
+  wire below_149 = $signed(reference) < $signed({2'd0, goal});  // line 149
+  wire at_most_151 = $signed({2'd0, goal}) <= $signed(reference);  // line 151
+  wire [20:0] slew_4 = {1'b0, words_slew_i} ^ {21{at_most_151}};  // line 151
+  wire [27:0] slew_5 = {{7{slew_4[20]}}, slew_4};  // line 151
+  wire both_2 = stage == Stage_kReach && (mode_i != SpeedMode_kControl || (below_149 ^ rises));
 
   logic [27:0] reference_next;
   logic rises_next;
@@ -174,7 +175,7 @@ module speed_control (
       end
       Stage_kSlew: begin
         reference_next = reference + slew_5;
-        rises_next = below_148;
+        rises_next = below_149;
       end
       default: begin
         reference_next = both_2 ? {2'd0, goal} : reference;
@@ -183,29 +184,29 @@ module speed_control (
     endcase
   end
 
-  wire choice_121 = multiplier_product[31] ? at_low : at_high || limited;  // line 121
-  wire both_3 = multiplier_done && stage == Stage_kIntegral && !choice_121;
+  wire choice_122 = multiplier_product[31] ? at_low : at_high || limited;  // line 122
+  wire both_3 = multiplier_done && stage == Stage_kIntegral && !choice_122;
   wire [33:0] choice_5 =
       both_3 ? integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]} : integral;
-  wire [33:0] joined_165 = {work[17:0], 16'd0};  // line 165
+  wire [33:0] joined_166 = {work[17:0], 16'd0};  // line 166
 
   logic [33:0] integral_next;
   always_comb begin
     case (stage)
       Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: integral_next = choice_5;
       Stage_kIdle: integral_next = integral;
-      Stage_kKeep: integral_next = (at_low || at_high) ? joined_165 : integral;
+      Stage_kKeep: integral_next = (at_low || at_high) ? joined_166 : integral;
       default: integral_next =
-          (stage == Stage_kDuty && mode_i != SpeedMode_kControl) ? joined_165 : integral;
+          (stage == Stage_kDuty && mode_i != SpeedMode_kControl) ? joined_166 : integral;
     endcase
   end
 
-  wire [15:0] part_168 = work[15:0];  // line 168
+  wire [15:0] part_169 = work[15:0];  // line 169
 
   logic [15:0] duty_next;
   always_comb begin
     case (stage)
-      Stage_kDuty: duty_next = part_168;
+      Stage_kDuty: duty_next = part_169;
       default: duty_next = duty;
     endcase
   end
@@ -213,7 +214,7 @@ module speed_control (
   logic slips_next;
   always_comb begin
     case (stage)
-      Stage_kSlip: slips_next = below_135;
+      Stage_kSlip: slips_next = below_136;
       Stage_kDuty: slips_next = mode_i == SpeedMode_kControl && slips;
       default: slips_next = slips;
     endcase

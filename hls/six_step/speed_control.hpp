@@ -5,7 +5,7 @@
 //     integral  += ki e >> shift        within [minimum, maximum]; frozen where it would wind up
 //     duty       = integral + (kp e >> shift)       within [minimum, maximum] and duty_slew
 //     on_clocks  = duty * period
-//     slips      = duty > slip + (bemf frequency >> shift)      more than the back-EMF explains
+//     slips      = duty > slip + (loaded frequency >> shift)    more than any right lock takes
 //
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
 // mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds
@@ -40,14 +40,14 @@ class SpeedControl {
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
     Clocks period = 0;                   // clocks per PWM period
-    Duty slip = 0;                       // u1.15, above the back-EMF's duty
+    Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;
   };
 
   struct Out {
     Duty duty = 0;         // u1.15
     Clocks on_clocks = 0;  // clocks of on-time per period
-    bool slips = false;    // in speed control: duty above the back-EMF's by more than slip
+    bool slips = false;    // in speed control: more than slip above what the speed takes
   };
 
   Out tick(const In& in) {
@@ -99,7 +99,8 @@ class SpeedControl {
 
   UInt<16> factor(const In& in) const {
     switch (stage_) {
-      case Stage::kBemf: return in.words.bemf;
+      case Stage::kBemf:
+        return in.mode == SpeedMode::kControl ? in.words.loaded : in.words.bemf;
       case Stage::kIntegral: return in.words.ki;
       case Stage::kProportional: return in.words.kp;
       default: return in.period;

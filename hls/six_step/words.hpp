@@ -86,6 +86,7 @@ struct SpeedWords {
   UInt<16> kp = 0;               // u4.12: duty per normalised speed error (s1.15 against u1.15)
   UInt<16> ki = 0;               // u0.16 per tick
   UInt<16> bemf = 0;             // u4.12: duty of mean voltage equal to the back-EMF, per speed
+  UInt<16> loaded = 0;           // u4.12: the same, and of commutating the largest current
   Duty minimum = 0;
   Duty maximum = 0;
   UInt<12> duty_slew = 0;        // u1.15 per tick

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceleration may cause
+constexpr double kSlipMargin = 1.5;    // of the duty that the limit's current takes
 
 // Back-EMF shape of phase u at an electrical angle, peak 1.
 double shape_at(const MotorSection& m, double degrees) {
@@ -191,6 +192,9 @@ void set_speed(const Settings& s, Design& d) {
   if (v.kp_duty_per_rpm) p.kp = *v.kp_duty_per_rpm * per_rpm;
   if (v.ki_duty_per_rpm_s) p.ki = *v.ki_duty_per_rpm_s * per_rpm;
   p.bemf = m.k_e / bus / steps;
+  // Each step builds up the current of two phases in series anew, which takes volt-seconds.
+  const double commutation = 2 * (s.motor.inductance_h - s.motor.mutual_h) * s.sensors.limit_a;
+  p.loaded = p.bemf + kSlipMargin * commutation / bus;
 
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;
@@ -208,7 +212,7 @@ void set_protection(const Settings& s, Design& d) {
   p.misses = q.misses;
   p.stall = q.stall_rpm ? steps_per_second(s, *q.stall_rpm) : 0.4 * d.parameters.start.hand_over;
   p.slip =
-      q.slip_duty.value_or(std::min(2.0, 1.5 * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
+      q.slip_duty.value_or(std::min(2.0, kSlipMargin * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
   p.freewheel = q.freewheel_deg / 60;
   p.wrong_lock = q.wrong_lock_s;
   p.over_current = q.over_current;

@@ -64,7 +64,8 @@ struct SpeedParameters {
   double slew = 0;    // steps/s^2
   double kp = 0;      // duty per (step/s)
   double ki = 0;      // duty per (step/s) per s
-  double bemf = 0;    // duty per (step/s)
+  double bemf = 0;    // duty per (step/s), of the back-EMF
+  double loaded = 0;  // duty per (step/s), of back-EMF and commutation of the limit's current
   double minimum = 0, maximum = 1;
   double duty_slew = 0;  // 1/s
 };

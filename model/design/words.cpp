@@ -88,6 +88,7 @@ SpeedWords speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, 
   w.kp = word("speed.kp", "1/(step/s)", p.kp, kDuty / normalised / 4096, 16);
   w.ki = word("speed.ki", "1/step", p.ki, kDuty / normalised / 65536 / tick, 16);
   w.bemf = word("speed.bemf", "1/(step/s)", p.bemf, kDuty / normalised / 4096, 16);
+  w.loaded = word("speed.loaded", "1/(step/s)", p.loaded, kDuty / normalised / 4096, 16);
   w.minimum = word("speed.minimum", "", p.minimum, kDuty, 16, kDutyMost);
   w.maximum = word("speed.maximum", "", p.maximum, kDuty, 16, kDutyMost);
   w.duty_slew = word("speed.duty_slew", "1/s", p.duty_slew, kDuty / tick, 12);

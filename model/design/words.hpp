@@ -9,7 +9,7 @@
 //     loop ki, kp             u2.14; per second times `scale`, chosen so that kp fills its word;
 //                             the filter reads scale without its lowest four bits, pole (u1.15)
 //                             without its lowest one
-//     speed kp, bemf          u4.12 and ki u0.16 per tick, per frequency >> shift
+//     speed kp, bemf, loaded          u4.12 and ki u0.16 per tick, per frequency >> shift
 //
 // Doc: docs/design.md   Test: tests/model/design/register_words_test.cpp
 #pragma once
@@ -48,7 +48,7 @@ struct StartWords {
   Word rest = 0, retries = 0;
 };
 struct SpeedWords {
-  Word target = 0, slew = 0, shift = 0, kp = 0, ki = 0, bemf = 0;
+  Word target = 0, slew = 0, shift = 0, kp = 0, ki = 0, bemf = 0, loaded = 0;
   Word minimum = 0, maximum = 0, duty_slew = 0;
 };
 struct ProtectionWords {

@@ -87,7 +87,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command) {
                       .hall_illegal = decoder_.illegal(),
                       .fault_pin = pins.fault,
                       .frequency = filter_.frequency(),
-                      .slip = speed_.duty() - speed_.bemf_duty(filter_.frequency()),
+                      .slip = speed_.duty() - speed_.loaded_duty(filter_.frequency()),
                       .freewheel = vco_.commutated() ? freewheel : bemf_.freewheel(),
                       .stuck = limit_.stuck()});
   sequence_.update({.tick = pwm_.tick(),

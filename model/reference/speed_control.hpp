@@ -17,6 +17,7 @@ class SpeedControl {
   SpeedControl(const design::SpeedParameters& p, double tick) : p_(p), tick_(tick) {}
 
   double bemf_duty(double f) const { return p_.bemf * f; }
+  double loaded_duty(double f) const { return p_.loaded * f; }
 
   // Not in control: what the start sequence asks for.
   void follow(double duty, double integral, double f) {

@@ -38,7 +38,7 @@ Words hls_words(const design::Words& d) {
                     .retries = d.start.retries},
           .speed = {.target = d.speed.target, .slew = d.speed.slew, .shift = d.speed.shift,
                     .kp = d.speed.kp, .ki = d.speed.ki, .bemf = d.speed.bemf,
-                    .minimum = d.speed.minimum, .maximum = d.speed.maximum,
+                    .loaded = d.speed.loaded, .minimum = d.speed.minimum, .maximum = d.speed.maximum,
                     .duty_slew = d.speed.duty_slew},
           .protection = {.misses = d.protection.misses, .stall = d.protection.stall,
                          .slip = d.protection.slip, .freewheel = d.protection.freewheel,

@@ -17,7 +17,7 @@ SpeedControl::In typical() {
   in.words.slew = 1 << 19;
   in.words.kp = 2 << 12;
   in.words.ki = 6554;  // a tenth per tick
-  in.words.bemf = 1 << 12;
+  in.words.bemf = in.words.loaded = 1 << 12;
   in.words.maximum = 0x8000;
   in.words.duty_slew = 4095;
   return in;
@@ -110,6 +110,8 @@ TEST(SpeedControl, SlipsWhenTheDutyIsMoreThanTheBackEmfExplains) {
   EXPECT_FALSE(update(dut, in).slips);
   in.slip = 1000;
   EXPECT_TRUE(update(dut, in).slips);
+  in.words.loaded = 0x1480;  // 9/32 of the speed more, for commutation: 2250
+  EXPECT_FALSE(update(dut, in).slips);
   in.mode = SpeedMode::kFixed;  // only a lock can slip
   EXPECT_FALSE(update(dut, in).slips);
 }
