@@ -35,6 +35,7 @@ void check_ranges(Findings& found, const Settings& s) {
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (value) check_range(found, key, *value);
     } else if constexpr (std::is_same_v<Value, std::vector<double>> ||
+                         std::is_same_v<Value, std::array<double, 2>> ||
                          std::is_same_v<Value, std::array<double, 3>>) {
       for (const double v : value) check_range(found, key, v);
     } else if constexpr (std::is_same_v<Value, std::string>) {
@@ -145,6 +146,23 @@ void check_scenario(Findings& found, const Settings& s) {
   }
 }
 
+void check_envelope(Findings& found, const Settings& s) {
+  const auto& v = s.envelope;
+  for (const auto& [name, range] :
+       {std::pair{"inertia", v.inertia}, std::pair{"bus", v.bus},
+        std::pair{"resistance", v.resistance}, std::pair{"inductance", v.inductance},
+        std::pair{"flux", v.flux}, std::pair{"offset", v.offset}, std::pair{"noise", v.noise},
+        std::pair{"delay", v.delay}, std::pair{"speed", v.speed}}) {
+    if (range[0] > range[1]) {
+      found.add("envelope.", name, " is from ", range[0], " to ", range[1],
+                "; must not fall: write the lower end first");
+    }
+  }
+  if (v.load.empty() && v.fan == 0) {
+    found.add("envelope.load is empty, and there is no fan; must name one load, 0 for none");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> problems(const Settings& s) {
@@ -152,6 +170,7 @@ std::vector<std::string> problems(const Settings& s) {
   check_ranges(found, s);
   check_assumed(found, s);
   check_scenario(found, s);
+  check_envelope(found, s);
   if (!found.lines.empty()) return found.lines;  // the rest divides by what may be zero
   check_control(found, s);
   const Design d = design_drive(s);

@@ -136,6 +136,19 @@ struct ScenarioSection {
   bool reverse = false, brake_to_stop = true;
 };
 
+// Where the drive must start and hold: what a sweep draws its runs from.  Ranges are factors of the
+// file's own values, but for speed and load, which are fractions.
+struct EnvelopeSection {
+  std::vector<double> load = {0, 0.25, 0.5};
+  double fan = 0.5;
+  std::array<double, 2> inertia = {0.5, 20}, bus = {0.8, 1.2};
+  std::array<double, 2> resistance = {0.8, 1.2}, inductance = {0.8, 1.2}, flux = {0.8, 1.2};
+  std::array<double, 2> offset = {0, 1.5}, noise = {0, 2}, delay = {0.5, 2};
+  double spinning = 0.25;
+  std::array<double, 2> speed = {-1, 1};
+  double weight = 1;
+};
+
 struct Settings {
   DriveSection drive;
   MotorSection motor;
@@ -149,6 +162,7 @@ struct Settings {
   SpeedSection speed;
   ProtectionSection protection;
   ScenarioSection scenario;
+  EnvelopeSection envelope;
 };
 
 }  // namespace steplock::design

@@ -4,7 +4,8 @@
 //     for_each_key(settings, [](const Key& key, auto& value) { ... });
 //
 // `value` is one of double, int, bool, std::string, an enum (its words: enum_words(value)),
-// std::vector<double>, std::vector<std::string>, std::array<double, 3>, std::optional<double>.
+// std::vector<double>, std::vector<std::string>, std::array<double, 2 or 3>,
+// std::optional<double>.
 // A range holds for numbers, and for each element of a list; a required key has no default.
 //
 // Doc: docs/design.md   Test: tests/model/design/settings_test.cpp
@@ -216,6 +217,23 @@ void for_each_key(S& s, Visitor&& visit) {
   k("stop_s", n.stop_s, "s", "when `run` falls", 0, 100);
   k("reverse", n.reverse, "", "starts in reverse direction");
   k("brake_to_stop", n.brake_to_stop, "", "stop by braking, else coast");
+
+  section = "envelope";
+  auto& v = s.envelope;
+  k("load", v.load, "", "dry loads, one is drawn: parts of the torque of the rated current", 0, 2);
+  k("fan", v.fan, "", "one more of the loads: a fan that takes this part at set speed; 0: none", 0,
+    2);
+  k("inertia", v.inertia, "", "factor of rotor and load together, drawn evenly by ratio", 0.01, 1e3);
+  k("bus", v.bus, "", "factor of inverter.bus_v", 0.1, 3);
+  k("resistance", v.resistance, "", "factor of motor.resistance_ohm", 0.1, 10);
+  k("inductance", v.inductance, "", "factor of motor.inductance_h and mutual_h", 0.1, 10);
+  k("flux", v.flux, "", "factor of motor.flux_vs, so of K_e and of K_t", 0.1, 3);
+  k("offset", v.offset, "", "factor of the file's greatest comparator offset, either sign", 0, 20);
+  k("noise", v.noise, "", "factor of sensors.comparator_noise_v", 0, 20);
+  k("delay", v.delay, "", "factor of sensors.comparator_delay_s", 0, 20);
+  k("spinning", v.spinning, "", "part of the runs in which the rotor turns when they begin", 0, 1);
+  k("speed", v.speed, "", "of that rotor, parts of the set speed; negative is reverse", -3, 3);
+  k("weight", v.weight, "", "share of this drive in a sweep over several", 0.001, 1000);
 }
 
 }  // namespace steplock::design

@@ -18,6 +18,8 @@ namespace steplock {
 enum ExitCode { kWell = 0, kFailed = 1, kBadInput = 2, kBroken = 3, kInterrupted = 130 };
 
 void add_run_command(CLI::App&, int& exit_code);
+void add_sweep_command(CLI::App&, int& exit_code);
+void add_merge_command(CLI::App&, int& exit_code);
 void add_compare_command(CLI::App&, int& exit_code);
 void add_design_command(CLI::App&, int& exit_code);
 void add_plant_command(CLI::App&, int& exit_code);

@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   int exit_code = kWell;
   add_run_command(app, exit_code);
+  add_sweep_command(app, exit_code);
+  add_merge_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_design_command(app, exit_code);
   add_plant_command(app, exit_code);

@@ -10,6 +10,8 @@
 #include "testbench/run/check.hpp"
 #include "testbench/run/summary.hpp"
 #include "testbench/run/trace_writer.hpp"
+#include "testbench/sweep/drawn_run.hpp"
+#include "testbench/sweep/row.hpp"
 
 namespace steplock {
 namespace {
@@ -20,17 +22,78 @@ struct Arguments {
   bool json = false, trace = false;
   std::optional<double> angle_deg;
   std::optional<int> seed;
+  std::optional<std::uint64_t> replay;
 };
 
+namespace fs = std::filesystem;
+
+std::string stem(const Arguments& arguments) { return fs::path(arguments.file).stem().string(); }
+
+fs::path make_folder(const Arguments& arguments) {
+  const fs::path out = arguments.out.empty()
+                           ? fs::path("out") / (stem(arguments) + "-" + name_of(arguments.engine))
+                           : fs::path(arguments.out);
+  fs::create_directories(out);
+  return out;
+}
+
+void print_files(const ReportFiles& files, bool json) {
+  for (const auto& path : files.paths) {
+    if (!json) fmt::print("  wrote {}\n", path.string());
+  }
+  for (const std::string& warning : files.warnings) fmt::print(stderr, "steplock: {}\n", warning);
+}
+
+// Column by column, as a line of runs.csv would be.
+void print_row(const Row& row, bool json) {
+  nlohmann::ordered_json j;
+  std::string text = csv_line(row);
+  for_each_column(row, [&](const char* name, const auto&) {
+    const std::size_t comma = text.find(',');
+    j[name] = text.substr(0, comma);
+    text.erase(0, comma == text.npos ? comma : comma + 1);
+  });
+  for (const auto& [name, value] : j.items()) {
+    if (!json) fmt::print("  {:<16}{}\n", name, value.get<std::string>());
+  }
+  if (json) fmt::print("{}\n", j.dump(2));
+}
+
+// One run of a sweep alone: once to know how long it takes, once with everything written down.
+int replay(const Arguments& arguments) {
+  DriveFile file = open_drive_file(arguments.file);
+  const fs::path out = make_folder(arguments);
+  DrawnRun run = drawn_run(file.settings, {*arguments.replay});
+  Interrupt interrupt;
+  const auto go_on = [&] { return !interrupt.asked(); };
+  DrawnResult result = simulate(run, {.engine = arguments.engine, .go_on = go_on});
+  if (result.stopped) return kInterrupted;
+  std::unique_ptr<TraceWriter> trace;
+  if (arguments.trace) {
+    trace = std::make_unique<TraceWriter>((out / "wave.fst").string(), run.settings.motor.pole_pairs);
+  }
+  Record record;
+  result = simulate(run, {.engine = arguments.engine, .trace = trace.get(), .record = &record,
+                          .record_s = result.findings.end_s, .go_on = go_on});
+  if (result.stopped) return kInterrupted;
+  trace.reset();
+  file.settings = run.settings;
+  file.settings.scenario.duration_s = result.findings.end_s;
+  const RunOptions options{.engine = arguments.engine,
+                           .angle_deg = run.settings.scenario.start_angle_deg};
+  const ReportFiles files = write_report(out, file, summarise(file.settings, options, record), record,
+                                         arguments.trace);
+  print_row({.index = 0, .drive = stem(arguments), .seed = run.seed.value, .outside = run.seed.outside(),
+             .rtl = "", .conditions = run.conditions, .findings = result.findings}, arguments.json);
+  print_files(files, arguments.json);
+  return result.findings.outcome == Outcome::kStarted ? kWell : kFailed;
+}
+
 int run(const Arguments& arguments) {
+  if (arguments.replay) return replay(arguments);
   DriveFile file = open_drive_file(arguments.file);
   if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
-  const std::filesystem::path out =
-      arguments.out.empty() ? std::filesystem::path("out") /
-                                  (std::filesystem::path(arguments.file).stem().string() + "-" +
-                                   name_of(arguments.engine))
-                            : std::filesystem::path(arguments.out);
-  std::filesystem::create_directories(out);
+  const fs::path out = make_folder(arguments);
 
   RunOptions options{.engine = arguments.engine,
                      .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg)};
@@ -58,9 +121,8 @@ int run(const Arguments& arguments) {
     fmt::print("{}\n", to_json(summary).dump(2));
   } else {
     fmt::print("{}", to_text(summary));
-    for (const auto& path : files.paths) fmt::print("  wrote {}\n", path.string());
   }
-  for (const std::string& warning : files.warnings) fmt::print(stderr, "steplock: {}\n", warning);
+  print_files(files, arguments.json);
   if (summary.interrupted) return kInterrupted;
   return summary.failures().empty() ? kWell : kFailed;
 }
@@ -87,6 +149,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "electrical degrees of the rotor at the start (default: the file's)");
   command->add_option("--seed", arguments->seed, "of all noise (default: the file's)")
       ->check(CLI::NonNegativeNumber);
+  command->add_option("--replay", arguments->replay,
+                      "seed of one run of a sweep, from its runs.csv: that run alone, instead of the "
+                      "file's scenario");
   command->footer("Example: steplock run drives/amano2003.toml --engine fixed --angle 60 --json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

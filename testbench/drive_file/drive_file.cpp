@@ -192,12 +192,14 @@ class Loader {
     say(node, "{} is {}; write one of {}", where_, kind_of(node), all);
   }
 
-  void read(const Key& key, const toml::node& node, std::array<double, 3>& value) {
-    if (!node.is_array() || node.as_array()->size() != 3) {
-      say(node, "{} is {}; give a list of three, one per phase", where_, kind_of(node));
+  template <std::size_t N>
+  void read(const Key& key, const toml::node& node, std::array<double, N>& value) {
+    if (!node.is_array() || node.as_array()->size() != N) {
+      say(node, "{} is {}; give a list of {}", where_, kind_of(node),
+          N == 3 ? "three, one per phase" : "two: from, to");
       return;
     }
-    for (std::size_t i = 0; i < 3; ++i) read(key, *node.as_array()->get(i), value[i]);
+    for (std::size_t i = 0; i < N; ++i) read(key, *node.as_array()->get(i), value[i]);
   }
 
   void read(const Key& key, const toml::node& node, std::vector<double>& value) {
@@ -205,6 +207,7 @@ class Loader {
       say(node, "{} is {}; give a list of numbers", where_, kind_of(node));
       return;
     }
+    value.clear();  // of a default
     for (const toml::node& element : *node.as_array()) read(key, element, value.emplace_back());
   }
 

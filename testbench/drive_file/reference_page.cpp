@@ -1,5 +1,6 @@
 // Prints docs/drive_file.md from the table of keys.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/drive_file.hpp"
@@ -15,9 +16,11 @@ std::string cell(const std::optional<double>& x) { return x ? cell(*x) : "worked
 std::string cell(const std::array<double, 3>& x) {
   return fmt::format("[{:g}, {:g}, {:g}]", x[0], x[1], x[2]);
 }
+std::string cell(const std::array<double, 2>& x) { return fmt::format("[{:g}, {:g}]", x[0], x[1]); }
 template <class T>
-std::string cell(const std::vector<T>&) {
-  return "empty";
+std::string cell(const std::vector<T>& x) {
+  if (x.empty()) return "empty";
+  return fmt::format("[{}]", fmt::join(x, ", "));
 }
 template <class E>
   requires std::is_enum_v<E>

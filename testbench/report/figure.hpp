@@ -19,6 +19,7 @@ struct Curve {
   std::vector<Point> points = {};
   double width = 1.4;
   bool steps = false;         // holds each value until the next
+  bool dots = false;          // points, not joined
 };
 
 struct Panel {

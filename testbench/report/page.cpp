@@ -60,6 +60,15 @@ std::string all_numbers(const Summary& s) {
 
 }  // namespace
 
+std::string html_page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{} - Steplock</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}"
+      "</main>\n</body>\n</html>\n",
+      title, kStyle, body);
+}
+
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -78,13 +87,10 @@ std::string report_page(const design::Settings& s, const Summary& sum, const Rec
                         const std::vector<PageFigure>& figures) {
   const auto failures = sum.failures();
   std::string page = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0} - Steplock</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n"
-      "<h1>{0}<span class=\"verdict {2}\">{3}</span></h1>\n"
-      "<p class=\"sub\">Sensorless six-step drive in co-simulation: engine {4}, rotor at {5:g} "
-      "electrical degrees, {6:g} s at {7:g} MHz.</p>\n",
-      escaped(s.drive.name), kStyle, failures.empty() ? "well" : "failed",
+      "<h1>{}<span class=\"verdict {}\">{}</span></h1>\n"
+      "<p class=\"sub\">Sensorless six-step drive in co-simulation: engine {}, rotor at {:g} "
+      "electrical degrees, {:g} s at {:g} MHz.</p>\n",
+      escaped(s.drive.name), failures.empty() ? "well" : "failed",
       failures.empty() ? "passed" : "failed", sum.engine, sum.angle_deg, sum.simulated_s,
       s.control.clock_hz / 1e6);
   if (!failures.empty()) {
@@ -127,7 +133,7 @@ std::string report_page(const design::Settings& s, const Summary& sum, const Rec
     for (const std::string& a : s.drive.assumed) page += fmt::format("<li>{}</li>\n", escaped(a));
     page += "</ul>\n";
   }
-  return page + "</div>\n</main>\n</body>\n</html>\n";
+  return html_page(escaped(s.drive.name), page + "</div>\n");
 }
 
 }  // namespace steplock

@@ -18,6 +18,9 @@ struct PageFigure {
 std::string report_page(const design::Settings&, const Summary&, const Record&,
                         const std::vector<PageFigure>&);
 
+// Title and body in the frame and style that all pages share.
+std::string html_page(const std::string& title, const std::string& body);
+
 // The text as HTML shows it.
 std::string escaped(const std::string&);
 

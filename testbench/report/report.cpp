@@ -11,8 +11,6 @@
 #include "testbench/run/trace_writer.hpp"
 
 namespace steplock {
-namespace {
-
 namespace fs = std::filesystem;
 
 void write_file(const fs::path& path, const std::string& text) {
@@ -22,7 +20,6 @@ void write_file(const fs::path& path, const std::string& text) {
   }
 }
 
-// Without the XML prologue, which has no place inside a page.
 std::string inline_svg(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
@@ -31,8 +28,6 @@ std::string inline_svg(const fs::path& path) {
   const std::size_t start = all.find("<svg");
   return start == all.npos ? "" : all.substr(start);
 }
-
-}  // namespace
 
 ReportFiles write_report(const fs::path& directory, const DriveFile& file, const Summary& summary,
                          const Record& record, bool traced) {

@@ -22,4 +22,9 @@ struct ReportFiles {
 ReportFiles write_report(const std::filesystem::path& directory, const DriveFile&, const Summary&,
                          const Record&, bool traced);
 
+// Throws std::runtime_error if it cannot be written.
+void write_file(const std::filesystem::path&, const std::string& text);
+// Of a drawn figure, without the XML prologue, which has no place inside a page.
+std::string inline_svg(const std::filesystem::path&);
+
 }  // namespace steplock

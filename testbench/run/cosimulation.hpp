@@ -23,10 +23,11 @@
 
 namespace steplock {
 
-template <class Engine>
+// `Recording` is a Recorder, or has its calls.
+template <class Engine, class Recording = Recorder>
 class Cosimulation {
  public:
-  Cosimulation(Engine& engine, plant::Plant& plant, const Timeline& timeline, Recorder& recorder,
+  Cosimulation(Engine& engine, plant::Plant& plant, const Timeline& timeline, Recording& recorder,
                double clock_hz)
       : engine_(engine), plant_(plant), timeline_(timeline), recorder_(recorder),
         clock_hz_(clock_hz) {}
@@ -111,7 +112,7 @@ class Cosimulation {
   Engine& engine_;
   plant::Plant& plant_;
   const Timeline& timeline_;
-  Recorder& recorder_;
+  Recording& recorder_;
   double clock_hz_;
   std::uint64_t clock_ = 0, visit_ = 0, sample_ = 0;
   std::size_t next_event_ = 0;

@@ -47,7 +47,7 @@ std::string write(const fs::path& path, const std::string& text) {
 
 TEST(Command, HelpOfEverySubCommandHasAnExample) {
   EXPECT_EQ(steplock("--help").exit_code, 0);
-  for (const char* name : {"run", "compare", "design", "plant", "keys"}) {
+  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys"}) {
     const Result r = steplock(std::string(name) + " --help");
     EXPECT_EQ(r.exit_code, 0) << name;
     EXPECT_NE(r.output.find("Example: steplock " + std::string(name)), r.output.npos) << r.output;
@@ -111,6 +111,48 @@ TEST(Command, DesignPrintsEveryWordAsTextAndAsJson) {
   for (const auto& word : j["words"]) {
     EXPECT_NE(text.output.find(word["name"].get<std::string>()), text.output.npos);
   }
+}
+
+TEST(Command, ASweepWritesWhatItPrintsAndReplaysItsRuns) {
+  const fs::path out = fresh("sweep"), again = fresh("replay");
+  fs::remove_all(out);
+  const std::string sweep = "sweep " + kDrive + " --runs 2 --seed 3 --rtl 0 --out " + out.string();
+  const Result r = steplock(sweep + " --json", false);
+  EXPECT_LE(r.exit_code, 1);  // whatever became of these two
+  std::ostringstream file;
+  file << std::ifstream(out / "sweep.json").rdbuf();
+  EXPECT_EQ(r.output, file.str());
+  const auto j = nlohmann::json::parse(r.output);
+  EXPECT_EQ(j["runs"], 2);
+  for (const char* name : {"runs.csv", "setup.json", "sweep.html", "lock_time.svg"}) {
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+  }
+  EXPECT_EQ(steplock(sweep).exit_code, 2) << "a folder with runs is not overwritten";
+  EXPECT_LE(steplock(sweep + " --resume").exit_code, 1);
+
+  std::ifstream csv(out / "runs.csv");
+  std::string header, line;
+  std::getline(csv, header);
+  std::getline(csv, line);
+  const auto cell = [](const std::string& text, int k) {
+    std::istringstream in(text);
+    std::string value;
+    for (; k >= 0; --k) std::getline(in, value, ',');
+    return value;
+  };
+  const Result one = steplock("run " + kDrive + " --engine fixed --trace --json --out " + again.string() +
+                              " --replay " + cell(line, 2), false);
+  const auto row = nlohmann::json::parse(one.output);
+  for (int k = 2; k < 28; ++k) EXPECT_EQ(row[cell(header, k)], cell(line, k)) << cell(header, k);
+  EXPECT_TRUE(fs::exists(again / "wave.fst"));
+}
+
+TEST(Command, ABadShardOrASecondDriveOfANameIsExitCodeTwo) {
+  for (const char* shard : {"2/2", "1", "a/b", "0/0", "-1/2"}) {
+    EXPECT_EQ(steplock("sweep " + kDrive + " --shard=" + shard).exit_code, 2) << shard;
+  }
+  EXPECT_EQ(steplock("sweep " + kDrive + " " + kDrive).exit_code, 2);
+  EXPECT_EQ(steplock("merge /nowhere --out " + fresh("merge").string()).exit_code, 2);
 }
 
 // One gate pair on at standstill, rotor held by friction: i = V/R (1 - exp(-t R/L)), two phases.

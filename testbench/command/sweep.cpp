@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "testbench/command/command.hpp"
+#include "testbench/command/terminal.hpp"
+#include "testbench/run/check.hpp"
+#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep/sweep.hpp"
+
+namespace steplock {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string out, shard = "0/1";
+  SweepKind kind;
+  std::uint64_t runs = 100;
+  int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool resume = false, json = false;
+};
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto [slash, error] = std::from_chars(text.data(), end, shard.index);
+  bool good = error == std::errc() && slash != end && *slash == '/';
+  if (good) {
+    const auto [rest, wrong] = std::from_chars(slash + 1, end, shard.count);
+    good = wrong == std::errc() && rest == end && shard.index < shard.count;
+  }
+  if (!good) throw BadInput(fmt::format("--shard is {}; write i/n with i from 0 to n - 1, such as 0/4", text));
+  return shard;
+}
+
+// Prints what the folder now holds and returns the exit code.
+int conclude(const SweepSetup& setup, const SweepEnd& end, const fs::path& folder, bool json, bool whole) {
+  for (const std::string& warning : write_sweep_report(setup, end.rows, folder)) {
+    fmt::print(stderr, "steplock: {}\n", warning);
+  }
+  if (json) {
+    fmt::print("{}\n", sweep_json(setup, end.rows).dump(2));
+  } else {
+    fmt::print("{}  wrote {}\n", sweep_text(setup, end.rows), (folder / "sweep.html").string());
+  }
+  if (end.interrupted) return kInterrupted;
+  // A shard passes without the others' runs.
+  SweepSetup present = setup;
+  if (!whole) present.runs = end.rows.size();
+  return passed(present, end.rows) ? kWell : kFailed;
+}
+
+int run_sweep(const Arguments& arguments) {
+  const Shard shard = parse_shard(arguments.shard);
+  std::vector<DriveFile> files;
+  for (const std::string& path : arguments.files) files.push_back(open_drive_file(path));
+  const SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
+  const fs::path folder = arguments.out.empty() ? fs::path("out/sweep") : fs::path(arguments.out);
+  SweepEnd end;
+  const auto began = std::chrono::steady_clock::now();
+  {
+    Interrupt interrupt;
+    ProgressBar bar("sweep");
+    end = sweep(setup, files,
+                {.shard = shard, .jobs = arguments.jobs, .resume = arguments.resume,
+                 .progress = [&](std::uint64_t done, std::uint64_t all) {
+                   bar.show(all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1,
+                            fmt::format(" {}/{}", done, all));
+                   return !interrupt.asked();
+                 }},
+                folder);
+  }
+  const double wall =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  fmt::print(stderr, "{} runs in {:.1f} s with {} jobs: {:.2f} runs per second\n", end.done, wall,
+             arguments.jobs, static_cast<double>(end.done) / wall);
+  return conclude(setup, end, folder, arguments.json, shard.count == 1);
+}
+
+int run_merge(const std::vector<std::string>& parts, const std::string& out, bool json) {
+  SweepSetup setup;
+  const std::vector<fs::path> folders(parts.begin(), parts.end());
+  const SweepEnd end = merge_sweeps(folders, out, setup);
+  return conclude(setup, end, out, json, true);
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app, int& exit_code) {
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "sweep", "Simulate many runs, drawn at random from the drives' envelopes, and count.");
+  command->add_option("FILE", a->files, "drive files")->required();
+  command->add_option("--runs", a->runs, "runs in total (default 100)")->check(CLI::Range(1, 100000000));
+  command->add_option("--seed", a->kind.seed, "of the sweep (default 1)");
+  command->add_option("--jobs", a->jobs, "processes (default: as many as cores)")->check(CLI::Range(1, 4096));
+  command->add_option("--shard", a->shard, "i/n: only every n-th run, i from 0 to n - 1; see merge");
+  command->add_option("--out", a->out, "folder (default out/sweep)");
+  command->add_flag("--resume", a->resume, "do only the runs that the folder does not hold");
+  command->add_flag("--json", a->json, "print sweep.json on standard output");
+  const std::map<std::string, Matrix> matrices = {{"start", Matrix::kStart}};
+  command->add_option("--matrix", a->kind.matrix, "start (the default)")
+      ->transform(CLI::CheckedTransformer(matrices, CLI::ignore_case));
+  command->add_option("--outside", a->kind.outside, "part of the runs drawn outside the envelope (default 0)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--rtl", a->kind.rtl, "part of the runs repeated on the RTL (default 0.01)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->footer("Example: steplock sweep drives/*.toml --runs 1000 --seed 7 --out out/starts");
+  command->callback([a, &exit_code] { exit_code = run_sweep(*a); });
+}
+
+void add_merge_command(CLI::App& app, int& exit_code) {
+  struct Merge {
+    std::vector<std::string> parts;
+    std::string out;
+    bool json = false;
+  };
+  auto a = std::make_shared<Merge>();
+  CLI::App* command = app.add_subcommand("merge", "Put the shards of a sweep together.");
+  command->add_option("DIR", a->parts, "folders of the shards")->required();
+  command->add_option("--out", a->out, "folder of the whole")->required();
+  command->add_flag("--json", a->json, "print sweep.json on standard output");
+  command->footer("Example: steplock merge out/shard0 out/shard1 --out out/whole");
+  command->callback([a, &exit_code] { exit_code = run_merge(a->parts, a->out, a->json); });
+}
+
+}  // namespace steplock

@@ -1,0 +1,115 @@
+#include "testbench/sweep/drawn_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "model/design/design.hpp"
+#include "model/design/words.hpp"
+#include "testbench/compare/paired_engines.hpp"
+#include "testbench/engine/fixed.hpp"
+#include "testbench/engine/float.hpp"
+#include "testbench/engine/rtl.hpp"
+#include "testbench/engine/words.hpp"
+#include "testbench/run/drive_loop.hpp"
+
+namespace steplock {
+namespace {
+
+// Twice the longest way to a latched fault or to set speed that the words allow, with brakes on a
+// heavy rotor; then a bounded drive has decided itself.
+double longest(const design::Settings& s, const design::Parameters& p) {
+  const auto& t = p.start;
+  const double ramp = 2 * t.hand_over / t.ramp;
+  const double once = t.observe + t.settle + t.reset + ramp + t.pull_in + t.rest;
+  const double brakes = t.slow_down + 20 * (t.brake + t.observe);
+  return s.scenario.run_s + 2 * ((1 + t.retries) * once + brakes + 10 * p.speed.target / p.speed.slew);
+}
+
+Timeline start_timeline(const design::Settings& s, double limit_s) {
+  design::Settings only_start = s;
+  only_start.scenario.duration_s = limit_s;
+  return timeline(only_start);
+}
+
+template <class Engine>
+DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOptions& options) {
+  const design::Settings& s = run.settings;
+  const design::ScenarioSection& n = s.scenario;
+  const Timeline events = start_timeline(s, run.limit_s);
+  plant::Plant plant(plant_parameters(s), initial_state(s, n.start_angle_deg));
+
+  std::optional<Recorder> recorder;
+  if (options.record != nullptr || options.trace != nullptr) {
+    RecorderSettings settings = recorder_settings(s, events);
+    settings.steady_end_s = settings.duration_s = options.record_s > 0 ? options.record_s : run.limit_s;
+    recorder.emplace(settings, options.trace);
+  }
+  Witness witness({.run_s = n.run_s,
+                   .set_rpm = n.speed_rpm * (n.reverse ? -1 : 1),
+                   .pole_pairs = s.motor.pole_pairs,
+                   .advance_deg = s.loop.advance_deg,
+                   .at_rest = n.start_speed_rpm == 0},
+                  recorder ? &*recorder : nullptr);
+  Cosimulation simulation(engine, plant, events, witness, s.control.clock_hz);
+  const auto began = std::chrono::steady_clock::now();
+  DrawnResult result;
+  // Whole tenths of a millisecond, so that a run ends at the same clock whoever watches it.
+  const auto chunk = static_cast<std::uint64_t>(1e-4 * s.control.clock_hz);
+  while (simulation.clock() < events.clocks && !witness.decided() && !result.stopped) {
+    simulation.run_until(std::min(events.clocks, simulation.clock() + chunk));
+    result.stopped = options.go_on && !options.go_on();
+  }
+  result.findings = witness.findings();
+  if (options.record != nullptr) {
+    *options.record = recorder->take();
+    Record& r = *options.record;
+    r.clocks = simulation.clock();
+    r.simulated_s = static_cast<double>(r.clocks) / s.control.clock_hz;
+    r.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    r.shoot_throughs = plant.shoot_throughs();
+  }
+  return result;
+}
+
+}  // namespace
+
+DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
+  DrawnRun run;
+  run.seed = seed;
+  run.conditions = draw_conditions(file, seed);
+  run.settings = settings_under(file, run.conditions, seed);
+  run.parameters = design::design_drive(file).parameters;
+  run.words = hls_words(design::quantise(run.parameters, file.control.clock_hz).words);
+  run.limit_s = longest(file, run.parameters);
+  return run;
+}
+
+DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) {
+  const double clock_hz = run.settings.control.clock_hz;
+  if (options.rtl_beside) {
+    LockstepEngine engine(run.words, clock_hz);
+    DrawnResult result = simulate_with(engine, run, options);
+    result.rtl_agrees = engine.differing_clocks() == 0;
+    if (!result.rtl_agrees) {
+      result.rtl_difference = fmt::format("{} at clock {}", engine.first_port(), engine.first_clock());
+    }
+    return result;
+  }
+  switch (options.engine) {
+    case EngineKind::kFloat: {
+      FloatEngine engine(run.parameters, clock_hz);
+      return simulate_with(engine, run, options);
+    }
+    case EngineKind::kRtl: {
+      RtlEngine engine(run.words, clock_hz);
+      return simulate_with(engine, run, options);
+    }
+    default: {
+      FixedEngine engine(run.words, clock_hz);
+      return simulate_with(engine, run, options);
+    }
+  }
+}
+
+}  // namespace steplock

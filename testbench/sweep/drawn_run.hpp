@@ -1,0 +1,48 @@
+// One run of a sweep: drawn by its seed, simulated until its outcome is clear.
+//
+// The words are those of the drive file, the plant is the drawn one.  simulate() with the RTL beside
+// the blocks tells whether every output agreed on every clock.
+//
+// Doc: docs/sweep.md   Test: tests/testbench/sweep_test.cpp
+#pragma once
+
+#include <functional>
+
+#include "hls/six_step/words.hpp"
+#include "model/design/parameters.hpp"
+#include "testbench/run/run_drive.hpp"
+#include "testbench/sweep/conditions.hpp"
+#include "testbench/sweep/witness.hpp"
+
+namespace steplock {
+
+struct DrawnRun {
+  RunSeed seed;
+  Conditions conditions;
+  design::Settings settings;        // of the plant: the drawn ones
+  design::Parameters parameters;    // of the drive: the file's
+  Words words;                      // of the drive: the file's
+  double limit_s = 0;               // the run is over then, whatever became of it
+};
+
+DrawnRun drawn_run(const design::Settings& file, RunSeed);
+
+struct DrawnResult {
+  Findings findings;
+  bool stopped = false;         // by go_on(): the findings mean nothing
+  bool rtl_agrees = true;       // if it was beside
+  std::string rtl_difference;   // where, if not
+};
+
+struct SimulateOptions {
+  EngineKind engine = EngineKind::kFixed;
+  bool rtl_beside = false;                    // kFixed only
+  TraceWriter* trace = nullptr;
+  Record* record = nullptr;                   // filled if given
+  double record_s = 0;                        // length of the record, if known
+  std::function<bool()> go_on = {};           // asked now and then
+};
+
+DrawnResult simulate(const DrawnRun&, const SimulateOptions& = {});
+
+}  // namespace steplock

@@ -1,0 +1,149 @@
+#include "testbench/sweep/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace steplock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Rows = std::vector<const Row*>;
+
+std::size_t count(const Rows& rows, Outcome o) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(rows, [&](const Row* r) { return r->findings.outcome == o; }));
+}
+
+Json outcomes(const Rows& rows) {
+  return {{"runs", rows.size()},
+          {"started", count(rows, Outcome::kStarted)},
+          {"latched", count(rows, Outcome::kLatched)},
+          {"silent_step_outs", count(rows, Outcome::kSilentStepOut)},
+          {"unfinished", count(rows, Outcome::kUnfinished)}};
+}
+
+Json spread(std::vector<double> values) {
+  if (values.empty()) return {{"min", nullptr}, {"median", nullptr}, {"max", nullptr}};
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  const double median = (values[(n - 1) / 2] + values[n / 2]) / 2;
+  return {{"min", values.front()}, {"median", median}, {"max", values.back()}};
+}
+
+Json spread_of(const Rows& rows, const std::function<std::optional<double>(const Row&)>& value) {
+  std::vector<double> values;
+  for (const Row* r : rows) {
+    if (const auto x = value(*r)) values.push_back(*x);
+  }
+  return spread(std::move(values));
+}
+
+std::optional<double> if_started(const Row& r, const std::optional<double>& x) {
+  return r.findings.outcome == Outcome::kStarted ? x : std::nullopt;
+}
+
+void add_spreads(Json& j, const Rows& rows) {
+  j["lock_time_s"] = spread_of(rows, [](const Row& r) { return if_started(r, r.findings.lock_time_s); });
+  j["speed_time_s"] = spread_of(rows, [](const Row& r) { return if_started(r, r.findings.speed_time_s); });
+  j["peak_current_a"] =
+      spread_of(rows, [](const Row& r) { return std::optional(r.findings.peak_current_a); });
+  j["kick_deg"] = spread_of(rows, [](const Row& r) { return r.findings.kick_deg; });
+}
+
+Rows select(const std::vector<Row>& rows, const std::function<bool(const Row&)>& wanted) {
+  Rows some;
+  for (const Row& r : rows) {
+    if (wanted(r)) some.push_back(&r);
+  }
+  return some;
+}
+
+std::size_t with_retries(const Rows& rows) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      rows, [](const Row* r) { return r->findings.outcome == Outcome::kStarted && r->findings.retries > 0; }));
+}
+
+}  // namespace
+
+std::vector<const Row*> failures(const std::vector<Row>& rows) {
+  return select(rows, [](const Row& r) {
+    const Outcome o = r.findings.outcome;
+    return o != Outcome::kStarted && !(r.outside && o == Outcome::kLatched);
+  });
+}
+
+bool passed(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const bool rtl = std::ranges::all_of(rows, [](const Row& r) { return r.rtl.empty() || r.rtl == "equal"; });
+  return rows.size() == setup.runs && rtl && failures(rows).empty();
+}
+
+Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const Rows all = select(rows, [](const Row&) { return true; });
+  const Rows inside = select(rows, [](const Row& r) { return !r.outside; });
+  const Rows outside = select(rows, [](const Row& r) { return r.outside; });
+  const Rows on_rtl = select(rows, [](const Row& r) { return !r.rtl.empty(); });
+  Json j = Json::parse(setup_text(setup));
+  j.erase("runs");
+  j["planned"] = setup.runs;
+  j.update(outcomes(all));
+  j["outside_envelope"] = outside.size();
+  j["passed"] = passed(setup, rows);
+  j["inside"] = outcomes(inside);
+  j["inside"]["started_after_retries"] = with_retries(inside);
+  j["outside_of_envelope"] = outcomes(outside);
+  add_spreads(j, inside);
+  j["rtl_repeats"] = on_rtl.size();
+  j["rtl_differing"] = std::ranges::count_if(on_rtl, [](const Row* r) { return r->rtl != "equal"; });
+  j["per_drive"] = Json::object();
+  for (const SweepDrive& d : setup.drives) {
+    const Rows mine = select(rows, [&](const Row& r) { return !r.outside && r.drive == d.name; });
+    Json& part = j["per_drive"][d.name] = outcomes(mine);
+    part["started_after_retries"] = with_retries(mine);
+    add_spreads(part, mine);
+  }
+  j["failures"] = Json::array();
+  for (const Row* r : failures(rows)) {
+    j["failures"].push_back({{"drive", r->drive}, {"seed", r->seed}, {"outside", r->outside},
+                             {"outcome", name_of(r->findings.outcome)},
+                             {"reason", name_of(r->findings.reason)}});
+  }
+  return j;
+}
+
+std::string sweep_text(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const Json j = sweep_json(setup, rows);
+  const auto cell = [](const Json& x) { return x.is_null() ? "-" : fmt::format("{:.4g}", x.get<double>()); };
+  std::string t = fmt::format("{:<18}{:>7}{:>9}{:>9}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", "inside", "runs",
+                              "started", "retried", "latched", "silent", "unfinished", "lock med, s",
+                              "lock max, s", "kick max,deg", "peak max, A");
+  const auto line = [&](const std::string& name, const Json& p, const Json& spreads) {
+    t += fmt::format("{:<18}{:>7}{:>9}{:>9}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", name,
+                     p["runs"].get<int>(), p["started"].get<int>(), p["started_after_retries"].get<int>(),
+                     p["latched"].get<int>(), p["silent_step_outs"].get<int>(), p["unfinished"].get<int>(),
+                     cell(spreads["lock_time_s"]["median"]), cell(spreads["lock_time_s"]["max"]),
+                     cell(spreads["kick_deg"]["max"]), cell(spreads["peak_current_a"]["max"]));
+  };
+  for (const auto& [name, part] : j["per_drive"].items()) line(name, part, part);
+  if (setup.drives.size() > 1) line("all", j["inside"], j);
+  if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
+    t += fmt::format("outside the envelope: {} runs, {} started, {} latched, {} silent, {} unfinished\n",
+                     o["runs"].get<int>(), o["started"].get<int>(), o["latched"].get<int>(),
+                     o["silent_step_outs"].get<int>(), o["unfinished"].get<int>());
+  }
+  t += fmt::format("repeated on the RTL: {}, {} of them differ\n", j["rtl_repeats"].get<int>(),
+                   j["rtl_differing"].get<int>());
+  if (rows.size() != setup.runs) t += fmt::format("{} of {} runs are missing\n", setup.runs - rows.size(), setup.runs);
+  constexpr std::size_t kMost = 12;
+  const auto failed = failures(rows);
+  for (std::size_t k = 0; k < std::min(kMost, failed.size()); ++k) {
+    const Row& r = *failed[k];
+    t += fmt::format("  FAILED: {} --replay {}: {} ({})\n", r.drive, r.seed, name_of(r.findings.outcome),
+                     name_of(r.findings.reason));
+  }
+  if (failed.size() > kMost) t += fmt::format("  and {} more, in sweep.json\n", failed.size() - kMost);
+  return t;
+}
+
+}  // namespace steplock

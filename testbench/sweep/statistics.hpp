@@ -1,0 +1,34 @@
+// The statistics of a sweep, as sweep.json and as text; and the page with plots.
+//
+//     runs = started + latched + silent_step_outs + unfinished, all of them and per part:
+//     inside and outside the envelope, per drive.  Times, currents and kicks are min, median, max;
+//     lock times of the runs that started, kicks of those whose rotor was at rest.
+//
+// Nothing here depends on the machine or on how the sweep was cut.
+//
+// Doc: docs/sweep.md   Test: tests/testbench/sweep_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "testbench/sweep/row.hpp"
+#include "testbench/sweep/setup.hpp"
+
+namespace steplock {
+
+nlohmann::ordered_json sweep_json(const SweepSetup&, const std::vector<Row>&);
+std::string sweep_text(const SweepSetup&, const std::vector<Row>&);  // for a terminal
+
+// Runs inside the envelope that did not start, and runs outside it that did not end as they must.
+std::vector<const Row*> failures(const std::vector<Row>&);
+// Every run is here, none failed, and the RTL agreed wherever it was asked.
+bool passed(const SweepSetup&, const std::vector<Row>&);
+
+// sweep.json, sweep.html and its figures; returns warnings.
+std::vector<std::string> write_sweep_report(const SweepSetup&, const std::vector<Row>&,
+                                            const std::filesystem::path& folder);
+
+}  // namespace steplock

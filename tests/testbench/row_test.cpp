@@ -1,0 +1,70 @@
+// A run as a line of text, and back.
+#include "testbench/sweep/row.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "testbench/drive_file/drive_file.hpp"
+
+namespace steplock {
+namespace {
+
+Row sample_row() {
+  Row row{.index = 41, .drive = "servo", .seed = kSeedEnd - 1, .outside = true, .rtl = "equal",
+          .conditions = {}, .findings = {}};
+  row.conditions.inertia = 1.0 / 3;
+  row.conditions.offset_v_v = -0.0123456789;
+  row.findings.outcome = Outcome::kSilentStepOut;
+  row.findings.reason = Reason::kWrongLock;
+  row.findings.lock_time_s = 0.25;
+  row.findings.slips = 3;
+  return row;
+}
+
+std::string message(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const BadInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Row, IsTheSameTextAfterReading) {
+  const std::string text = csv_line(sample_row());
+  EXPECT_EQ(csv_line(parse_csv_line(text, "x", 1)), text);
+  const Row row = parse_csv_line(text, "x", 1);
+  EXPECT_EQ(row.seed, kSeedEnd - 1);
+  EXPECT_EQ(row.findings.outcome, Outcome::kSilentStepOut);
+  EXPECT_EQ(row.findings.reason, Reason::kWrongLock);
+  EXPECT_FALSE(row.findings.kick_deg);
+  EXPECT_NEAR(row.conditions.inertia, 1.0 / 3, 1e-7);
+}
+
+TEST(Row, HasAsManyCellsAsTheHeader) {
+  const std::string header = csv_header(), line = csv_line(sample_row());
+  EXPECT_EQ(std::ranges::count(header, ','), std::ranges::count(line, ','));
+}
+
+TEST(Row, ABadCellIsRefusedWithItsLine) {
+  std::string text = csv_line(sample_row());
+  EXPECT_EQ(message([&] { parse_csv_line("x" + text, "runs.csv", 7); }).substr(0, 23),
+            "runs.csv:7: index is \"x");
+  EXPECT_NE(message([&] { parse_csv_line(text + ",1", "runs.csv", 7); }), "");
+  EXPECT_NE(message([&] { parse_csv_line("1,2", "runs.csv", 7); }), "");
+}
+
+TEST(Row, AHalfWrittenLastLineIsDropped) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "steplock_half.csv";
+  const std::string line = csv_line(sample_row());
+  std::ofstream(path) << csv_header() << '\n' << line << '\n' << line.substr(0, 30);
+  EXPECT_EQ(read_rows(path.string()).size(), 1u);
+  std::ofstream(path) << "index,drive\n" << line << '\n';
+  EXPECT_NE(message([&] { read_rows(path.string()); }).find(":1: these are not the columns"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace steplock

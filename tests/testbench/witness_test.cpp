@@ -1,0 +1,157 @@
+// The outcome of a run, told from the rotor's true angle: each kind, made by hand.
+#include "testbench/sweep/witness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace steplock {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Watch watch(State state, int step, Reason reason = Reason::kNone) {
+  return {static_cast<std::uint32_t>(step) << Watch::kStep |
+          static_cast<std::uint32_t>(state) << Watch::kState |
+          static_cast<std::uint32_t>(reason) << Watch::kReason};
+}
+
+// A rotor and a drive that turn as told: 600 rpm, one pole pair, so 100 ms per electrical turn and
+// 60 steps a second.
+class Story {
+ public:
+  explicit Story(bool at_rest = true)
+      : witness_({.run_s = 0.1, .set_rpm = 600, .pole_pairs = 1, .advance_deg = 0, .at_rest = at_rest}) {
+    state_.electrical_angle = 30 * kPi / 180;
+    witness_.sample(state_, was_, {}, 0);
+  }
+  void enter(State state, Reason reason = Reason::kNone) { change(watch(state, was_.step(), reason)); }
+  // Steps the drive, and turns the rotor by so many degrees meanwhile.
+  void step(int count, double rotor_deg = 60) {
+    for (int k = 0; k < count && !witness_.decided(); ++k) {
+      state_.time += 1.0 / 60;
+      state_.electrical_angle += rotor_deg * kPi / 180;
+      change(watch(was_.state(), (was_.step() + 1) % 6, was_.reason()));
+      if (state_.time >= witness_.next_sample()) witness_.sample(state_, was_, view_, 0);
+    }
+  }
+  void wait(double s) {
+    for (const double end = state_.time + s; state_.time < end; state_.time += 0.01) {
+      if (state_.time >= witness_.next_sample()) witness_.sample(state_, was_, view_, 0);
+    }
+  }
+  void current(double amps) { state_.current = {amps, -amps, 0}; }
+  void turn_back(double deg) { state_.electrical_angle -= deg * kPi / 180; }
+  const Findings& findings() const { return witness_.findings(); }
+
+ private:
+  void change(Watch now) {
+    witness_.changed(state_, was_, now, {}, 0);
+    was_ = now;
+  }
+  Witness witness_;
+  plant::State state_;
+  Watch was_ = watch(State::kIdle, 0);
+  DriveView view_{.steps_per_second = 60};
+};
+
+TEST(Witness, ALockHeldAtSetSpeedHasStarted) {
+  Story story;
+  story.enter(State::kPullIn);
+  story.step(60);
+  story.enter(State::kRun);
+  story.step(6 * 40);
+  EXPECT_EQ(story.findings().outcome, Outcome::kStarted);
+  EXPECT_NEAR(*story.findings().lock_time_s, 1.0 - 0.1, 1e-9);
+  // 24 electrical turns held; looks come once a turn, by rounding a step later.
+  EXPECT_NEAR(story.findings().end_s, 1.0 + 2.4, 0.12);
+  EXPECT_EQ(story.findings().slips, 0u);
+  EXPECT_EQ(*story.findings().kick_deg, 0);
+}
+
+TEST(Witness, ALockAtAnotherSpeedNeverStarts) {
+  Story story;
+  story.enter(State::kRun);
+  story.step(6 * 60, 56);  // falls behind, too: slips
+  EXPECT_NE(story.findings().outcome, Outcome::kStarted);
+}
+
+TEST(Witness, AClaimOfLockOnARotorThatStandsIsASilentStepOut) {
+  Story story;
+  story.enter(State::kRun);
+  story.step(6 * 20, 0);
+  EXPECT_EQ(story.findings().outcome, Outcome::kSilentStepOut);
+  EXPECT_GT(story.findings().slips, 0u);
+  // The drive had kNoticeTime to notice; looks come once in 0.1 s.
+  EXPECT_NEAR(story.findings().end_s, Witness::kNoticeTime, 0.25);
+}
+
+// Hall sensors that never change cause no commutation: only the speed tells.
+TEST(Witness, AClaimOfLockWithoutCommutationsOnARotorThatStandsIsSilentToo) {
+  Story story;
+  story.enter(State::kRun);
+  story.wait(2);
+  EXPECT_EQ(story.findings().outcome, Outcome::kSilentStepOut);
+  EXPECT_EQ(story.findings().slips, 0u);
+}
+
+TEST(Witness, ASlipThatTheDriveNoticesIsATryThatFailed) {
+  Story story;
+  story.enter(State::kRun);
+  story.step(12, 0);
+  story.enter(State::kRest, Reason::kStepOut);
+  story.step(6, 0);
+  story.enter(State::kPullIn);
+  story.step(6);
+  story.enter(State::kRun);
+  story.step(6 * 40);
+  EXPECT_EQ(story.findings().outcome, Outcome::kStarted);
+  EXPECT_EQ(story.findings().retries, 1);
+  EXPECT_EQ(story.findings().lost_locks, 1);
+  EXPECT_EQ(story.findings().reason, Reason::kStepOut);
+  EXPECT_GT(story.findings().slips, 0u);
+}
+
+TEST(Witness, ALatchedFaultEndsTheRunWithItsReason) {
+  Story story;
+  story.enter(State::kPullIn);
+  story.step(6);
+  story.enter(State::kFault, Reason::kNoLock);
+  EXPECT_EQ(story.findings().outcome, Outcome::kLatched);
+  EXPECT_EQ(story.findings().reason, Reason::kNoLock);
+  EXPECT_FALSE(story.findings().lock_time_s);
+}
+
+TEST(Witness, ARunThatDecidesNothingIsUnfinished) {
+  Story story;
+  story.enter(State::kAccelerate);
+  story.step(600);
+  EXPECT_EQ(story.findings().outcome, Outcome::kUnfinished);
+}
+
+TEST(Witness, TheKickIsTheFarthestWayBackFromRest) {
+  Story story;
+  story.enter(State::kReset);
+  story.turn_back(47);
+  story.step(1, 0);
+  story.step(30);
+  EXPECT_NEAR(*story.findings().kick_deg, 47, 1e-9);
+  Story spinning(false);
+  spinning.step(3, -60);
+  EXPECT_FALSE(spinning.findings().kick_deg);
+}
+
+TEST(Witness, ThePeakIsTheLargestOfAnyPhaseEitherWay) {
+  Story story;
+  story.current(3);
+  story.step(1);
+  story.current(-7);
+  story.step(1);
+  story.current(1);
+  story.step(1);
+  EXPECT_EQ(story.findings().peak_current_a, 7);
+}
+
+}  // namespace
+}  // namespace steplock
