@@ -59,7 +59,7 @@ NoiseGains noise_gains(const Response& open_loop, double interval) {
   return g;
 }
 
-Budget error_budget(const Settings& s, const Design& d, const Words& w) {
+Budget error_budget(const Settings& s, const Design& d, const Words& w, double apart_s) {
   const Parameters& p = d.parameters;
   const double f = p.speed.target;
   const int steps = p.loop.detector == Detector::kEveryStep ? 1 : 6;
@@ -79,7 +79,7 @@ Budget error_budget(const Settings& s, const Design& d, const Words& w) {
   const double place = std::sqrt(variance);
 
   const auto row = [](const char* name, const char* unit, double rms, double bias) {
-    return BudgetRow{name, unit, rms, bias + kSigmas * rms};
+    return BudgetRow{name, unit, rms, bias + kSigmas * rms, bias};
   };
   const double hertz = std::ldexp(s.control.clock_hz, -32 - p.loop.divide);
   const double speed_step = std::ldexp(hertz, int(w.speed.shift));
@@ -90,10 +90,15 @@ Budget error_budget(const Settings& s, const Design& d, const Words& w) {
   // The frequency changes by this much of a step per interval.
   const double f_rms = place * std::sqrt(g.frequency) / interval;
   b.frequency = row("momentary speed", "rpm", rpm_of(s, f_rms), rpm_of(s, speed_step));
-  b.mean_speed = {"mean speed", "rpm", rpm_of(s, speed_step) / std::sqrt(12.0),
-                  rpm_of(s, speed_step + hertz)};
+  const double mean_bias = rpm_of(s, speed_step + hertz);
+  b.mean_speed = {"mean speed", "rpm", rpm_of(s, speed_step) / std::sqrt(12.0), mean_bias, mean_bias};
   const double clocks = s.control.clock_hz * p.pwm.period;
-  b.duty = row("duty", "", p.speed.kp * f_rms, 1 / clocks + 1.0 / 32768);
+  // Each tick, or each new frequency if they are rarer, adds an independent error to the integral; what
+  // rounding of target and frequency (one's complement) adds has a sign.
+  const double look = std::max(p.pwm.tick(), interval);
+  const double wander = p.speed.ki * f_rms * std::sqrt(apart_s * look);
+  const double drift = p.speed.ki * 1.5 * hertz * apart_s;
+  b.duty = row("duty", "1", std::hypot(p.speed.kp * f_rms, wander), 1 / clocks + 1.0 / 32768 + drift);
   return b;
 }
 

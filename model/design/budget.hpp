@@ -7,13 +7,16 @@
 //     var(phase)  = var(place) * mean |H / (1 + H)|^2     the VCO's phase, hence each commutation
 //     var(error)  = var(place) * mean |1 / (1 + H)|^2     what the phase detector shows
 //     var(freq)   = var(place) * mean |(z - 1) H / (1 + H)|^2, per crossing interval
-//     duty        : kp * frequency, and one clock of the PWM period
+//     duty        : kp * frequency, and one clock of the PWM period; drives whose duty acts on nothing
+//                   also part at random, by ki * frequency per look at it (`apart`)
 //     mean speed  : one step of the speed control's input (frequency >> shift)
 //
 // A bound is what bias leaves plus six standard deviations.
 //
 // Doc: docs/design.md   Test: tests/model/design/error_budget_test.cpp
 #pragma once
+
+#include <algorithm>
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
@@ -23,6 +26,8 @@ namespace steplock::design {
 struct BudgetRow {
   std::string name, unit;
   double rms = 0, bound = 0;
+  double bias = 0;  // the part of the bound that does not scatter
+  double rms_allowed() const { return std::min(bound, bias + rms); }
 };
 
 struct Budget {
@@ -38,7 +43,9 @@ struct Budget {
   }
 };
 
-Budget error_budget(const Settings&, const Design&, const Words&);
+// `apart_s`: how long nothing has held the two integrals of speed control together.  That is no time for
+// two drives with a motor each, and all its time for a reference that looks over a drive's shoulder.
+Budget error_budget(const Settings&, const Design&, const Words&, double apart_s = 0);
 
 // Means over all frequencies of a loop that is sampled once per `interval`.
 struct NoiseGains {

@@ -134,15 +134,24 @@ void check_start(Findings& found, const Settings& s, const Design& d) {
 
 void check_scenario(Findings& found, const Settings& s) {
   const auto& n = s.scenario;
-  for (const auto& [name, time] :
-       {std::pair{"load_step_s", n.load_step_s}, std::pair{"load_off_s", n.load_off_s},
-        std::pair{"reverse_s", n.reverse_s}, std::pair{"stop_s", n.stop_s}}) {
-    if (time && (*time < n.run_s || *time > n.duration_s)) {
-      found.add("scenario.", name, " is ", *time, " s; must lie between run_s and duration_s");
+  const auto between = [&](const char* name, const std::optional<double>& time, const char* before,
+                           double least) {
+    if (time && *time <= least) {
+      found.add("scenario.", name, " is ", *time, " s; must come after ", before, ", ", least, " s");
+    } else if (time && *time >= n.duration_s) {
+      found.add("scenario.", name, " is ", *time, " s; must come before duration_s, ", n.duration_s,
+                " s");
     }
+  };
+  if (n.run_s >= n.duration_s) {
+    found.add("scenario.run_s is ", n.run_s, " s; must come before duration_s, ", n.duration_s, " s");
   }
-  if (n.load_step_s && n.load_off_s && *n.load_off_s <= *n.load_step_s) {
-    found.add("scenario.load_off_s is ", *n.load_off_s, " s; must be after load_step_s");
+  between("load_step_s", n.load_step_s, "run_s", n.run_s);
+  between("load_off_s", n.load_off_s, "load_step_s", n.load_step_s.value_or(n.run_s));
+  between("reverse_s", n.reverse_s, "run_s", n.run_s);
+  between("stop_s", n.stop_s, "run_s", n.run_s);
+  if (n.load_off_s && !n.load_step_s) {
+    found.add("scenario.load_off_s is set without load_step_s; add load_step_s");
   }
 }
 

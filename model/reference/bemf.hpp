@@ -11,7 +11,6 @@
 #pragma once
 
 #include "model/reference/commutation.hpp"
-#include "model/reference/oscillator.hpp"
 
 namespace steplock::reference {
 
@@ -21,21 +20,21 @@ class Bemf {
  public:
   explicit Bemf(const design::BemfParameters& p) : p_(p) {}
 
-  // `active`: the drive is being commutated; else nothing is sampled.
-  void update(double t, const Pins& pins, const Oscillator& vco, bool reverse, bool chop,
-              bool active) {
+  // `active`: the drive is being commutated; else nothing is sampled.  `phase`: turns of the step.
+  void update(double t, const Pins& pins, Bridge bridge, double phase, bool reverse, bool active) {
     crossing_ = false;
-    if (vco.commutated() || !active) {
+    const bool commutated = bridge.step != bridge_.step;
+    if (commutated || !active) {
       counter_ = p_.samples;
       before_seen_ = done_ = false;
       freewheel_ = 0;
     }
-    if (vco.commutated() || chop != chop_ || !active) valid_from_ = t + p_.blanking;
-    chop_ = chop;
+    if (commutated || bridge.chop != bridge_.chop || !active) valid_from_ = t + p_.blanking;
+    bridge_ = bridge;
     active_ = active && !done_ &&
               (p_.sampling == design::Sampling::kBoth ||
-               chop == (p_.sampling == design::Sampling::kOnTime));
-    if (t >= next()) take(t, pins, vco, reverse);
+               bridge.chop == (p_.sampling == design::Sampling::kOnTime));
+    if (t >= next()) take(t, pins, phase, reverse);
   }
   double next() const {
     return active_ ? std::max(valid_from_, sampled_ + p_.sample_every) : kNever;
@@ -47,11 +46,10 @@ class Bemf {
   double freewheel() const { return freewheel_; }  // turns of the step, once before_seen
 
  private:
-  void take(double t, const Pins& pins, const Oscillator& vco, bool reverse) {
+  void take(double t, const Pins& pins, double phase, bool reverse) {
     sampled_ = t;
-    const bool level = pins.comparator[kFloating[vco.step()]];
-    const bool after = level == crossing_rises(vco.step(), reverse);
-    const double phase = vco.phase(t);
+    const bool level = pins.comparator[kFloating[bridge_.step]];
+    const bool after = level == crossing_rises(bridge_.step, reverse);
     if (after) {
       if (counter_ == 0) first_after_ = phase;
       if (counter_ < p_.samples) ++counter_;
@@ -73,7 +71,8 @@ class Bemf {
   double valid_from_ = 0, sampled_ = -kNever;
   double last_before_ = 0, first_after_ = 0, place_ = 0, freewheel_ = 0;
   int counter_ = 0;
-  bool chop_ = false, active_ = false, before_seen_ = false, done_ = false, crossing_ = false;
+  Bridge bridge_ = {.step = -1};  // so that the first step begins like any other
+  bool active_ = false, before_seen_ = false, done_ = false, crossing_ = false;
 };
 
 }  // namespace steplock::reference

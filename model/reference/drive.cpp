@@ -42,7 +42,8 @@ Mode Drive::mode() const {
   }
 }
 
-Output Drive::update(double t, const Pins& pins, const Command& command) {
+Output Drive::update(double t, const Pins& pins, const Command& command,
+                     const std::optional<Bridge>& bridge) {
   assert(t <= next_ * (1 + 1e-12));
   pwm_.update(t);
   limit_.update(t, pwm_.on(), pins.limit);
@@ -50,8 +51,8 @@ Output Drive::update(double t, const Pins& pins, const Command& command) {
   const bool before_seen = bemf_.before_seen();
   const double freewheel = bemf_.freewheel();
   vco_.update(t, sequence_.reverse());
-  bemf_.update(t, pins, vco_, sequence_.reverse(), limit_.on(),
-               commutating() && p_.source == design::Source::kBemf);
+  bemf_.update(t, pins, bridge.value_or(Bridge{vco_.step(), limit_.on()}), vco_.phase(t),
+               sequence_.reverse(), commutating() && p_.source == design::Source::kBemf);
 
   // Phase detector: the step that ended is the one before the present one.
   const int ended = (vco_.step() + (sequence_.reverse() ? 1 : 5)) % 6;
@@ -187,6 +188,17 @@ void Drive::enter_state(double t) {
       if (!commutating()) vco_.stop(t);
       break;
   }
+}
+
+void Drive::join(double t, const Joined& other) {
+  sequence_.join(other.reverse);
+  filter_.join(other.frequency, other.phase_error);
+  vco_.set_frequency(t, other.frequency);
+  vco_.load(t, other.step, other.step_phase);
+  detector_.restart(other.phase_error);
+  speed_.join(other.duty, target_, other.frequency);
+  pwm_.set_duty(other.duty);
+  next_ = std::min(next_, vco_.next());
 }
 
 void Drive::on_tick(double t) {

@@ -17,7 +17,10 @@
 // Doc: docs/theory.md   Test: tests/model/reference/
 #pragma once
 
+#include <optional>
+
 #include "model/reference/bemf.hpp"
+#include "model/reference/oscillator.hpp"
 #include "model/reference/phase_locked_loop.hpp"
 #include "model/reference/protection.hpp"
 #include "model/reference/sector_decoder.hpp"
@@ -31,7 +34,19 @@ class Drive {
   explicit Drive(const design::Parameters&);
 
   double next_event() const { return next_; }
-  Output update(double t, const Pins&, const Command&);
+  // `bridge`: what it does, if another drive holds it and this one only looks on.
+  Output update(double t, const Pins&, const Command&, const std::optional<Bridge>& bridge = {});
+
+  // Where another drive stands that is locked at its set speed.
+  struct Joined {
+    int step = 0;
+    double step_phase = 0, phase_error = 0;  // turns of a step
+    double frequency = 0;                    // steps/s
+    double duty = 0;
+    bool reverse = false;
+  };
+  // Be there too, from t on, as if it had been so for long.
+  void join(double t, const Joined&);
 
   // The speed may be set at any time.
   void set_target(double steps_per_second) { target_ = steps_per_second; }

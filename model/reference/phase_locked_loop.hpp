@@ -46,7 +46,8 @@ class PhaseDetector {
       good_ = std::abs(error_) < in.window;
     }
   }
-  void restart() { found_ = true, error_ = 0; }  // a step entered in its middle is not a miss
+  // A step entered in its middle is not a miss.
+  void restart(double error = 0) { found_ = true, error_ = error; }
 
   double error() const { return error_; }
   bool updated() const { return updated_; }
@@ -69,6 +70,14 @@ class LoopFilter {
   explicit LoopFilter(const design::LoopParameters& p) : p_(p) {}
 
   void load(double f) { mean_ = f_ = f; }
+
+  // Run for long, and now at this frequency with this error.
+  void join(double f, double error) {
+    const double e = compensated_at(error, f);
+    const double gained = p_.form == design::LoopForm::kPerStep ? e * f : e;
+    mean_ = std::clamp(f - p_.proportional * gained, p_.minimum, p_.maximum);
+    f_ = f;
+  }
 
   // One crossing, coefficients per step.
   void step(double error) {
@@ -96,7 +105,8 @@ class LoopFilter {
   double frequency() const { return f_; }
 
  private:
-  double compensated(double error) const { return error + p_.delay * f_; }
+  double compensated_at(double error, double f) const { return error + p_.delay * f; }
+  double compensated(double error) const { return compensated_at(error, f_); }
   void integrate(double amount) {
     const bool winds_up = (amount > 0 && f_ >= p_.maximum) || (amount < 0 && f_ <= p_.minimum);
     if (!winds_up) mean_ = std::clamp(mean_ + amount, p_.minimum, p_.maximum);

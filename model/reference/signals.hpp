@@ -14,6 +14,13 @@ struct Pins {
   std::array<bool, 3> hall = {};
 };
 
+// What the bridge does to the terminals, as the comparator logic has to know it.
+struct Bridge {
+  int step = 0;
+  bool chop = false;  // the chopped gate is meant to be on
+  bool operator==(const Bridge&) const = default;
+};
+
 struct Command {
   bool configured = true, run = false, reverse = false, brake_to_stop = false, clear_fault = false;
 };

@@ -25,6 +25,10 @@ class SpeedControl {
     integral_ = integral;
     reference_ = f;
   }
+  // In control for long: at the target, and this duty at this frequency.
+  void join(double duty, double target, double f) {
+    follow(duty, std::clamp(duty - p_.kp * (target - f), p_.minimum, p_.maximum), target);
+  }
   void tick(double target, double f, bool limited) {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, move);

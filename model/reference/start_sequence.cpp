@@ -15,6 +15,13 @@ void StartSequence::enter(State s) {
   entered_ = true;
 }
 
+void StartSequence::join(bool reverse) {
+  enter(State::kRun);
+  entered_ = false;  // nothing to prepare: the drive runs already
+  reverse_ = reverse;
+  stopping_ = false;
+}
+
 bool StartSequence::time_is_up(double seconds) const {
   return ticks_ >= std::lround(seconds / tick_);
 }

@@ -31,6 +31,8 @@ class StartSequence {
   };
   void update(const In&);
 
+  void join(bool reverse);  // straight to kRun
+
   State state() const { return state_; }
   Reason reason() const { return reason_; }
   bool reverse() const { return reverse_; }

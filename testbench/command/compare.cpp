@@ -2,18 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
+#include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 
 namespace steplock {
 namespace {
 
 struct Arguments {
-  std::string file;
-  bool json = false;
+  std::string file, out;
+  bool json = false, no_lockstep = false;
   std::optional<double> angle_deg;
 };
 
@@ -27,14 +29,20 @@ int compare(const Arguments& arguments) {
     result = compare_engines(
         file.settings,
         {.angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg),
+         .lockstep = !arguments.no_lockstep,
          .progress = [&](const char* what, double done) {
            bar.show(done, what);
            return !interrupt.asked();
          }});
     interrupted = interrupt.asked();
   }
-  fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n"
-                                  : file.settings.drive.name + "\n" + to_text(result));
+  const std::string json = to_json(result).dump(2) + "\n";
+  fmt::print("{}", arguments.json ? json : file.settings.drive.name + "\n" + to_text(result));
+  if (!arguments.out.empty()) {
+    const std::filesystem::path path = std::filesystem::path(arguments.out) / "compare.json";
+    write_file(path, json);
+    if (!arguments.json) fmt::print("  wrote {}\n", path.string());
+  }
   if (interrupted) return kInterrupted;
   return result.passed() ? kWell : kFailed;
 }
@@ -46,6 +54,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "compare", "Hold rtl against fixed, clock by clock, and fixed against float, in units.");
   command->add_option("FILE", arguments->file, "drive file")->required();
+  command->add_option("--out", arguments->out, "directory for compare.json (default: none)");
+  command->add_flag("--no-lockstep", arguments->no_lockstep, "leave out rtl = fixed, which takes longest");
   command->add_flag("--json", arguments->json, "print the result as JSON");
   command->add_option("--angle", arguments->angle_deg,
                       "electrical degrees of the rotor at the start (default: the file's)");

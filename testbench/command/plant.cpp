@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <fmt/os.h>
 
 #include <fstream>
 #include <memory>
 
 #include "testbench/command/command.hpp"
 #include "testbench/drive_file/gate_events.hpp"
+#include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 
 namespace steplock {
@@ -35,10 +35,7 @@ int replay_gates(const Arguments& arguments) {
                                      s.angle_rad);
                 });
   // Only when all of it is known: a failure leaves no half a file.
-  std::ofstream out(arguments.out, std::ios::binary);
-  if (!(out << csv << std::flush)) {
-    throw std::runtime_error(arguments.out + ": cannot write this file");
-  }
+  write_file(arguments.out, csv);
   return kWell;
 }
 

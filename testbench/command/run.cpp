@@ -6,6 +6,7 @@
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
+#include "testbench/compare/shadow.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/summary.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct Arguments {
   std::string file, out;
   EngineKind engine = EngineKind::kRtl;
-  bool json = false, trace = false;
+  bool json = false, trace = false, compare = false;
   std::optional<double> angle_deg;
   std::optional<int> seed;
   std::optional<std::uint64_t> replay;
@@ -91,6 +92,9 @@ int replay(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
   if (arguments.replay) return replay(arguments);
+  if (arguments.compare && arguments.engine == EngineKind::kFloat) {
+    throw BadInput("--compare holds rtl or fixed against float; choose one of them as --engine");
+  }
   DriveFile file = open_drive_file(arguments.file);
   if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
   const fs::path out = make_folder(arguments);
@@ -104,6 +108,7 @@ int run(const Arguments& arguments) {
     options.trace = trace.get();
   }
   Record record;
+  Summary summary;
   {
     Interrupt interrupt;
     ProgressBar bar(fmt::format("{} ({})", file.settings.drive.name, name_of(options.engine)));
@@ -112,9 +117,16 @@ int run(const Arguments& arguments) {
       return !interrupt.asked();
     };
     record = run_drive(file.settings, options);
+    summary = summarise(file.settings, options, record);
+    if (arguments.compare && !summary.interrupted) {
+      summary.float_errors = shadow_errors(file.settings, summary, [&](double done) {
+        bar.show(done, "fixed against float");
+        return !interrupt.asked();
+      });
+      summary.interrupted = interrupt.asked();
+    }
   }
   trace.reset();
-  const Summary summary = summarise(file.settings, options, record);
   const ReportFiles files = write_report(out, file, summary, record, arguments.trace);
 
   if (arguments.json) {
@@ -144,6 +156,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", arguments->out,
                       "directory of the report (default out/<file>-<engine>)");
   command->add_flag("--json", arguments->json, "print summary.json on standard output");
+  CLI::Option* compare = command->add_flag(
+      "--compare", arguments->compare,
+      "then hold fixed against float on the same pins, beside the error budget");
   command->add_flag("--trace", arguments->trace, "write wave.fst and wave.gtkw for GTKWave");
   command->add_option("--angle", arguments->angle_deg,
                       "electrical degrees of the rotor at the start (default: the file's)");
@@ -151,7 +166,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--replay", arguments->replay,
                       "seed of one run of a sweep, from its runs.csv: that run alone, instead of the "
-                      "file's scenario");
+                      "file's scenario")
+      ->excludes(compare);
   command->footer("Example: steplock run drives/amano2003.toml --engine fixed --angle 60 --json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -9,7 +9,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number(double x) { return std::stod(fmt::format("{:.7g}", x)); }
-Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
 
 struct Pair {
   const char* name;
@@ -39,14 +38,7 @@ Json to_json(const Comparison& c) {
                            {"differing_clocks", c.lockstep.differing_clocks},
                            {"first_clock", c.lockstep.first_clock},
                            {"first_port", c.lockstep.first_port}};
-  Json signals = Json::array();
-  for (const SignalError& e : c.shadow) {
-    signals.push_back({{"signal", e.name}, {"unit", e.unit}, {"mean", number(e.mean)},
-                       {"rms", number(e.rms)}, {"greatest", number(e.greatest)},
-                       {"budget_rms", number(e.budget_rms)},
-                       {"budget_bound", number(e.budget_bound)}, {"within", e.within()}});
-  }
-  j["fixed_against_float"] = {{"commutations", c.paired}, {"signals", signals}};
+  j["fixed_against_float"] = to_json(c.shadow);
   Json own;
   for (const Pair& p : own_runs(c)) {
     own.push_back({{"figure", p.name}, {"unit", p.unit}, {"fixed", number(p.fixed)},
@@ -59,25 +51,14 @@ Json to_json(const Comparison& c) {
 std::string to_text(const Comparison& c) {
   std::string t;
   if (c.lockstep.clocks > 0) {
-    t += fmt::format("rtl = fixed: {} clocks, every output: {}\n", c.lockstep.clocks,
+    t += fmt::format("  rtl = fixed: {} clocks, every output: {}\n", c.lockstep.clocks,
                      c.lockstep.equal() ? "equal"
                                         : fmt::format("DIFFERENT on {}, first {} at clock {}",
                                                       c.lockstep.differing_clocks,
                                                       c.lockstep.first_port, c.lockstep.first_clock));
   }
-  t += fmt::format("fixed against float on the same pins, {} commutations of the steady span:\n"
-                   "  {:<22}{:<16}{:>12}{:>12}{:>12}{:>12}\n",
-                   c.paired, "signal", "unit", "rms", "greatest", "budget rms", "bound");
-  const auto cell = [](const std::optional<double>& x) {
-    return x ? fmt::format("{:.3g}", *x) : std::string("-");
-  };
-  for (const SignalError& e : c.shadow) {
-    t += fmt::format("  {:<22}{:<16}{:>12.3g}{:>12.3g}{:>12}{:>12}{}\n", e.name, e.unit, e.rms,
-                     e.greatest, cell(e.budget_rms), cell(e.budget_bound),
-                     e.within() ? "" : "  BEYOND");
-  }
-  if (c.shadow.empty()) t += "  none: the two never ran in step\n";
-  t += fmt::format("each with a motor of its own:\n  {:<28}{:<6}{:>12}{:>12}\n", "figure", "unit",
+  t += to_text(c.shadow);
+  t += fmt::format("  each with a motor of its own:\n  {:<28}{:<6}{:>12}{:>12}\n", "figure", "unit",
                    "fixed", "float");
   for (const Pair& p : own_runs(c)) {
     t += fmt::format("  {:<28}{:<6}{:>12.5g}{:>12.5g}\n", p.name, p.unit, p.fixed, p.floating);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "model/reference/drive.hpp"
 #include "testbench/engine/watch.hpp"
@@ -34,6 +35,12 @@ class FloatEngine {
     touched_ = true;
   }
 
+  // Another drive holds the bridge, and this is what it does there.
+  void set_bridge(reference::Bridge bridge) {
+    touched_ = touched_ || bridge_ != bridge;
+    bridge_ = bridge;
+  }
+
   void tick() {
     const double t = static_cast<double>(clock_++) / clock_hz_;
     // A strobe is one clock long, whatever happens within it.
@@ -52,6 +59,17 @@ class FloatEngine {
   }
   void skip(std::uint64_t clocks) { clock_ += clocks; }
 
+  // From the coming clock on in speed control, where the other drive stands.
+  void join(const DriveView& v, int step, bool reverse) {
+    drive_.join(static_cast<double>(clock_) / clock_hz_,
+                {.step = step,
+                 .step_phase = v.step_phase_deg / 60,
+                 .phase_error = v.phase_error_deg / 60,
+                 .frequency = v.steps_per_second,
+                 .duty = v.duty,
+                 .reverse = reverse});
+  }
+
   Watch watch() const { return watch_; }
   double commutated_at() const { return commutated_at_; }  // s, to the last digit
   DriveView view() const {
@@ -65,7 +83,7 @@ class FloatEngine {
 
  private:
   void update(double t) {
-    out_ = drive_.update(t, pins_, command_);
+    out_ = drive_.update(t, pins_, command_, bridge_);
     if (out_.commutate) commutated_at_ = t;
     if (command_.run && !ran_) crossings_ = missed_ = 0;
     ran_ = command_.run;
@@ -84,6 +102,7 @@ class FloatEngine {
   reference::Drive drive_;
   reference::Pins pins_;
   reference::Command command_;
+  std::optional<reference::Bridge> bridge_;
   reference::Output out_;
   Watch watch_;
   double clock_hz_;

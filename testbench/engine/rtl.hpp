@@ -1,9 +1,8 @@
 // The generated SystemVerilog, compiled by Verilator, behind the engines' interface.
 //
 // What the module shows between two edges is the output of that clock.  tick() gives the edge that
-// ends the last clock, with the inputs of that clock, and then shows the new ones.  Words and command
-// pass the wrapper's flip-flops (bench_wrapper.cmake) and pins end in flip-flops, so an output changes
-// only at an edge or with the command.
+// ends the last clock, with the pins of that clock, and then puts the new ones there.  Words and command
+// pass the wrapper's registers (bench_wrapper.cmake), which take them at that same edge.
 //
 // Test: tests/testbench/engine_test.cpp
 #pragma once
@@ -22,9 +21,9 @@ class RtlEngine {
 
   RtlEngine(const Words& words, double clock_hz) : clock_hz_(clock_hz) {
     in_.words = words;
-    show_inputs();
-    top_.rst = 1;  // through the first edge, which ends the time before clock 0
-    shown_ = false;
+    show_command();
+    top_.rst = 1;  // until the first edge, which ends the time before clock 0
+    top_.eval();   // settles, before there is an edge to see
   }
   ~RtlEngine() { top_.final(); }
   RtlEngine(const RtlEngine&) = delete;
@@ -37,12 +36,14 @@ class RtlEngine {
   void set_command(const HostCommand& c) {
     in_.command = command_of(c);
     in_.pins.fault = c.fault_pin;
-    shown_ = false;
+    shown_ = loaded_ = false;
   }
 
   void tick() {
-    edge();
-    if (!shown_) show_inputs();
+    if (!loaded_) show_command();
+    top_.toggle ^= 1;
+    top_.eval();
+    if (!shown_) show_pins();
   }
   std::uint64_t quiet() const { return 0; }
   void skip(std::uint64_t) {}
@@ -66,26 +67,34 @@ class RtlEngine {
   }
 
  private:
-  void show_inputs() {
-    ports::six_step_top::drive_ports(top_, in_);
-    top_.rst = 0;
+  // Words and command are taken at the coming edge; the pins of the last clock stay until then.
+  void show_command() {
+    SixStepTop::In in = in_;
+    in.pins = shown_pins_;
+    ports::six_step_top::drive_ports(top_, in);
     top_.load = 1;
-    top_.eval();
-    top_.load = 0;
-    top_.eval();
-    shown_ = true;
+    loaded_ = true;
   }
-  void edge() {
-    top_.clk = 1;
-    top_.eval();
-    top_.clk = 0;
-    top_.eval();
+  void show_pins() {
+    const Synchroniser::Pins& p = in_.pins;
+    top_.pins_comparator_u_i = p.comparator_u;
+    top_.pins_comparator_v_i = p.comparator_v;
+    top_.pins_comparator_w_i = p.comparator_w;
+    top_.pins_limit_i = p.limit;
+    top_.pins_fault_i = p.fault;
+    top_.pins_hall_u_i = p.hall_u;
+    top_.pins_hall_v_i = p.hall_v;
+    top_.pins_hall_w_i = p.hall_w;
+    top_.rst = top_.load = 0;
+    shown_pins_ = p;
+    shown_ = true;
   }
 
   Vsix_step_bench top_;
   SixStepTop::In in_;
+  Synchroniser::Pins shown_pins_;
   double clock_hz_;
-  bool shown_ = true;
+  bool shown_ = false, loaded_ = true;
 };
 
 }  // namespace steplock

@@ -49,6 +49,7 @@ std::string all_numbers(const Summary& s) {
   std::string rows;
   const nlohmann::ordered_json json = to_json(s);
   for (const auto& [name, value] : json.items()) {
+    if (name == "fixed_against_float") continue;  // has a table of its own
     if (value.is_object()) {
       for (const auto& [inner, v] : value.items()) rows += row(name + "." + inner, number_text(v));
     } else {
@@ -56,6 +57,21 @@ std::string all_numbers(const Summary& s) {
     }
   }
   return rows;
+}
+
+std::string float_errors(const FloatErrors& e) {
+  std::string t = fmt::format(
+      "<h2>Fixed point against floating point</h2>\n<p>On the same pins, {} commutations from "
+      "{:.3f} to {:.3f} s.</p>\n<div class=\"box\"><table>\n<tr><th>signal</th><th>mean</th>"
+      "<th>rms</th><th>budget</th><th>worst</th><th>budget</th><th></th></tr>\n",
+      e.commutations, e.from_s, e.to_s);
+  for (const SignalError& s : e.signals) {
+    t += fmt::format("<tr><td>{}, {}</td><td>{:.2e}</td><td>{:.2e}</td><td>{:.2e}</td>"
+                     "<td>{:.2e}</td><td>{:.2e}</td><td>{}</td></tr>\n",
+                     s.budget.name, s.budget.unit, s.mean, s.rms, s.budget.rms_allowed(),
+                     s.greatest, s.budget.bound, s.within() ? "within" : "BEYOND");
+  }
+  return t + "</table></div>\n";
 }
 
 }  // namespace
@@ -122,7 +138,9 @@ std::string report_page(const design::Settings& s, const Summary& sum, const Rec
     page += fmt::format("<tr><td>{:.6f} s</td><td>{}</td><td>{}</td></tr>\n", c.time,
                         name_of(c.state), c.reason == Reason::kNone ? "" : name_of(c.reason));
   }
-  page += "</table></div>\n<h2>All numbers</h2>\n<div class=\"box\"><table>\n" + all_numbers(sum) +
+  page += "</table></div>\n";
+  if (sum.float_errors) page += float_errors(*sum.float_errors);
+  page += "<h2>All numbers</h2>\n<div class=\"box\"><table>\n" + all_numbers(sum) +
           "</table></div>\n";
 
   page += fmt::format("<h2>Where the motor's numbers come from</h2>\n<div class=\"box\"><p>{}</p>\n",

@@ -14,8 +14,11 @@ namespace steplock {
 namespace fs = std::filesystem;
 
 void write_file(const fs::path& path, const std::string& text) {
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
   std::ofstream out(path, std::ios::binary);
   if (!(out << text << std::flush)) {
+    std::error_code ignored;
+    if (fs::is_regular_file(path, ignored)) fs::remove(path, ignored);
     throw std::runtime_error(path.string() + ": cannot write this file");
   }
 }

@@ -22,7 +22,7 @@ struct ReportFiles {
 ReportFiles write_report(const std::filesystem::path& directory, const DriveFile&, const Summary&,
                          const Record&, bool traced);
 
-// Throws std::runtime_error if it cannot be written.
+// Whole or not at all; makes the directory.  Throws std::runtime_error.
 void write_file(const std::filesystem::path&, const std::string& text);
 // Of a drawn figure, without the XML prologue, which has no place inside a page.
 std::string inline_svg(const std::filesystem::path&);

@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/run/timeline.hpp"
 
 namespace steplock {
 namespace {
@@ -26,13 +24,8 @@ int line_of(const DriveFile& file, const std::string& complaint) {
 
 void check_drive_file(const DriveFile& file) {
   const design::Settings& s = file.settings;
-  std::vector<std::string> complaints = timeline_problems(s);
-  std::ranges::copy(plant::validate(plant_parameters(s)), std::back_inserter(complaints));
+  std::vector<std::string> complaints = plant::validate(plant_parameters(s));
   std::ranges::copy(design::problems(s), std::back_inserter(complaints));
-  // Gains and words of a drive that makes no sense would only add noise.
-  if (complaints.empty()) {
-    complaints = design::quantise(design::design_drive(s).parameters, s.control.clock_hz).problems;
-  }
   if (complaints.empty()) return;
   std::vector<std::pair<int, std::string>> lines;
   for (const std::string& c : complaints) lines.emplace_back(line_of(file, c), c);

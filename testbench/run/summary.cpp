@@ -188,6 +188,7 @@ std::vector<std::string> Summary::failures() const {
   if (loaded) speed("under load", *loaded, kRecoveredPercent);
   if (reversed) speed("in reverse", *reversed, kRecoveredPercent);
   if (reversed) need(reverse_time_s.has_value(), "no lock in reverse");
+  need(!float_errors || float_errors->within(), "fixed point is beyond its error budget");
   return why;
 }
 

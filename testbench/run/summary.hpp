@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "testbench/run/float_errors.hpp"
 #include "testbench/run/run_drive.hpp"
 
 namespace steplock {
@@ -46,6 +47,7 @@ struct Summary {
   std::uint64_t shoot_throughs = 0, clocks = 0;
   double simulated_s = 0, wall_s = 0, clocks_per_cpu_second = 0, energy_residual = 0;
   bool interrupted = false;
+  std::optional<FloatErrors> float_errors;  // if asked for
 
   std::vector<std::string> failures() const;  // why it does not pass; empty if it does
 };

@@ -1,7 +1,5 @@
 #include "testbench/run/timeline.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -56,34 +54,6 @@ Timeline timeline(const design::Settings& s) {
     if (now.clock < t.clocks) t.events.push_back(now);
   }
   return t;
-}
-
-std::vector<std::string> timeline_problems(const design::Settings& s) {
-  const design::ScenarioSection& n = s.scenario;
-  std::vector<std::string> problems;
-  const auto after = [&](const char* key, const std::optional<double>& time, const char* than,
-                         double least) {
-    if (time && *time <= least) {
-      problems.push_back(fmt::format("scenario.{} is {:g} s; it must come after {} ({:g} s)", key,
-                                     *time, than, least));
-    }
-    if (time && *time >= n.duration_s) {
-      problems.push_back(fmt::format("scenario.{} is {:g} s; it must come before duration_s ({:g} s)",
-                                     key, *time, n.duration_s));
-    }
-  };
-  after("load_step_s", n.load_step_s, "run_s", n.run_s);
-  after("load_off_s", n.load_off_s, "load_step_s", n.load_step_s.value_or(n.run_s));
-  after("reverse_s", n.reverse_s, "run_s", n.run_s);
-  after("stop_s", n.stop_s, "run_s", n.run_s);
-  if (n.load_off_s && !n.load_step_s) {
-    problems.push_back("scenario.load_off_s is set without load_step_s; add load_step_s");
-  }
-  if (n.run_s >= n.duration_s) {
-    problems.push_back(fmt::format("scenario.run_s is {:g} s; it must come before duration_s ({:g} s)",
-                                   n.run_s, n.duration_s));
-  }
-  return problems;
 }
 
 }  // namespace steplock

@@ -1,4 +1,5 @@
-// What happens when: the scenario of a drive file as clock numbers, in order.
+// What happens when: the scenario of a drive file as clock numbers, in order.  The scenario must be
+// sound (design::problems()).
 //
 //     run_s        `run` rises (direction: scenario.reverse)
 //     load_step_s  load torque rises by load_step_nm     load_off_s   and falls again
@@ -33,8 +34,5 @@ struct Timeline {
 };
 
 Timeline timeline(const design::Settings&);
-
-// One line per contradiction ("scenario.stop_s is ...", a key first), as plant::validate() does.
-std::vector<std::string> timeline_problems(const design::Settings&);
 
 }  // namespace steplock

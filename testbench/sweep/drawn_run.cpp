@@ -6,7 +6,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
-#include "testbench/compare/paired_engines.hpp"
+#include "testbench/compare/lockstep_engine.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/float.hpp"
 #include "testbench/engine/rtl.hpp"

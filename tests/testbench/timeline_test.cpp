@@ -32,15 +32,5 @@ TEST(Timeline, CommandsAndLoadHoldUntilTheyAreChanged) {
   EXPECT_FALSE(t.events[5].command.run);
 }
 
-TEST(Timeline, ContradictionsAreNamed) {
-  design::Settings s = short_drive();
-  s.scenario.load_off_s = 0.2;
-  s.scenario.stop_s = 5;
-  const auto problems = timeline_problems(s);
-  ASSERT_EQ(problems.size(), 2u);
-  EXPECT_EQ(problems[0], "scenario.load_off_s is 0.2 s; it must come after load_step_s (0.3 s)");
-  EXPECT_EQ(problems[1], "scenario.stop_s is 5 s; it must come before duration_s (0.95 s)");
-}
-
 }  // namespace
 }  // namespace steplock

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/reference/bemf.hpp"
+#include "model/reference/oscillator.hpp"
 
 namespace steplock::reference {
 namespace {
@@ -51,7 +52,7 @@ Found detect(const design::BemfParameters& p, const Scene& scene) {
       chop = in < scene.duty * scene.period;
       edge = t - in + (chop ? scene.duty * scene.period : scene.period) + 1e-12;
     }
-    bemf.update(t, pins, vco, scene.reverse, chop, true);
+    bemf.update(t, pins, {vco.step(), chop}, vco.phase(t), scene.reverse, true);
     if (bemf.crossing()) ++found.crossings, found.place = bemf.crossing_phase();
     t = std::max(std::min({bemf.next(), edge, vco.next()}), t + 1e-10);
   }
@@ -107,6 +108,28 @@ TEST(ReferenceBemf, OneBounceDoesNotCountTwice) {
 
 // A crossing inside a blind gap is put into the gap's middle: wrong by half the gap at most, and
 // right on the average.
+// One that only looks on: the phase floats from the bridge's commutation on, whatever its own VCO says.
+TEST(ReferenceBemf, FollowsTheBridgeThatAnotherDriveHolds) {
+  Bemf bemf({.blanking = 2e-6, .sample_every = 1e-6, .samples = 4});
+  // Step 1, v floats: low before its crossing at 0.5.  Up to 0.1 the bridge still stands in step 0,
+  // where v is the low side: no "before" of step 1.
+  double t = 0;
+  bool seen_too_early = false, crossing = false;
+  for (; t < kStep; t += 1e-6) {
+    const double phase = t / kStep;
+    const bool bridge_there = phase > 0.1;
+    Pins pins;
+    pins.comparator[1] = bridge_there && (phase < 0.2 || phase > 0.5);  // freewheels up to 0.2
+    pins.comparator[2] = true;  // w floats in step 0: "after" all the time
+    bemf.update(t, pins, {bridge_there ? 1 : 0, true}, phase, false, true);
+    seen_too_early |= phase < 0.2 && bemf.before_seen() && bridge_there;
+    crossing |= bemf.crossing();
+  }
+  EXPECT_FALSE(seen_too_early);
+  EXPECT_TRUE(crossing);
+  EXPECT_NEAR(bemf.crossing_phase(), 0.5, 1e-3);
+}
+
 TEST(ReferenceBemf, BlindGapsLeaveNoBias) {
   auto p = kPlain;
   p.sampling = design::Sampling::kOnTime;

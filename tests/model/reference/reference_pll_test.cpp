@@ -87,6 +87,23 @@ TEST(ReferenceLoopFilter, TakesTheKnownDelayBack) {
   EXPECT_NEAR(filter.frequency(), 100, 1e-9);
 }
 
+// As if it had run at this frequency with this error for long: from then on, only the integral moves it.
+TEST(ReferenceLoopFilter, JoinsInMidRunWithoutAJump) {
+  constexpr double kError = 0.1, kFrequency = 240, kTick = 1e-3;
+  LoopFilter by_time(paper());
+  by_time.join(kFrequency, kError);
+  by_time.run(kError, kTick);
+  const double slope = paper().integral * kError;
+  EXPECT_NEAR(by_time.frequency(), kFrequency + slope * kTick, slope / paper().pole);
+
+  const design::LoopParameters p{.form = design::LoopForm::kPerStep, .integral = 0.16,
+                                 .proportional = 0.8, .maximum = 1e6};
+  LoopFilter by_step(p);
+  by_step.join(kFrequency, kError);
+  by_step.step(kError);
+  EXPECT_NEAR(by_step.frequency(), kFrequency * (1 + 0.16 * kError), 1e-9);
+}
+
 TEST(ReferenceLoopFilter, CatchesAnUnknownPeriodInADozenChanges) {
   for (const double truth : {30.0, 100.0, 900.0}) {
     LoopFilter filter({.minimum = 1, .maximum = 1e4});

@@ -45,6 +45,16 @@ TEST(ReferenceSpeedControl, BeginsWithoutAJump) {
   EXPECT_DOUBLE_EQ(control.duty(), 0.37);
 }
 
+TEST(ReferenceSpeedControl, JoinsInMidRunWithoutAJump) {
+  SpeedControl control(gains(20), kTick);
+  control.join(0.4, 400, 395);
+  control.tick(400, 395, false);
+  EXPECT_NEAR(control.duty(), 0.4, 1e-12);
+  control.tick(400, 395, false);
+  // From there on, only the integral moves it.
+  EXPECT_NEAR(control.duty(), 0.4 + gains(20).ki * kTick * 5, 1e-12);
+}
+
 TEST(ReferenceSpeedControl, ReferenceMovesByItsSlewOnly) {
   SpeedControl control(gains(20), kTick);
   control.follow(0.3, 0.3, 300);

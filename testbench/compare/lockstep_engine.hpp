@@ -1,0 +1,72 @@
+// The blocks and their generated RTL on the same pins in one closed loop; the blocks drive the motor.
+//
+// Test: tests/testbench/compare_test.cpp
+#pragma once
+
+#include <string>
+
+#include "testbench/engine/fixed.hpp"
+#include "testbench/engine/rtl.hpp"
+
+namespace steplock {
+
+// All outputs compared on every clock.
+class LockstepEngine {
+ public:
+  LockstepEngine(const Words& words, double clock_hz)
+      : fixed_(words, clock_hz), rtl_(words, clock_hz) {}
+
+  void set_pins(const plant::Pins& pins) {
+    pins_ = pins;
+    fixed_.set_pins(pins);
+    show_rtl();
+  }
+  void set_command(const HostCommand& c) {
+    fixed_.set_command(c);
+    rtl_.set_command(c);
+  }
+  void tick() {
+    if (clock_ == wrong_from_ || clock_ == wrong_to_) show_rtl();
+    fixed_.tick();
+    rtl_.tick();
+    if (const char* port = rtl_.differs(fixed_.output()); port != nullptr) {
+      if (differing_clocks_++ == 0) {
+        first_clock_ = clock_;
+        first_port_ = port;
+      }
+    }
+    ++clock_;
+  }
+  std::uint64_t quiet() const { return 0; }
+  void skip(std::uint64_t) {}
+  Watch watch() const { return fixed_.watch(); }
+  DriveView view() const { return fixed_.view(); }
+
+  std::uint64_t differing_clocks() const { return differing_clocks_; }
+  std::uint64_t first_clock() const { return first_clock_; }
+  const std::string& first_port() const { return first_port_; }
+
+  // A negative control: in these clocks the RTL sees its comparators inverted.
+  void invert_comparators(std::uint64_t from, std::uint64_t to) {
+    wrong_from_ = from;
+    wrong_to_ = to;
+  }
+
+ private:
+  void show_rtl() {
+    plant::Pins pins = pins_;
+    if (clock_ >= wrong_from_ && clock_ < wrong_to_) {
+      for (bool& level : pins.comparator) level = !level;
+    }
+    rtl_.set_pins(pins);
+  }
+
+  FixedEngine fixed_;
+  RtlEngine rtl_;
+  std::uint64_t clock_ = 0, differing_clocks_ = 0, first_clock_ = 0;
+  std::uint64_t wrong_from_ = ~std::uint64_t{0}, wrong_to_ = ~std::uint64_t{0};
+  plant::Pins pins_;
+  std::string first_port_;
+};
+
+}  // namespace steplock

@@ -1,0 +1,99 @@
+// The blocks and the reference in doubles on the same pins; the blocks drive the motor.
+//
+// Test: tests/testbench/compare_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "testbench/engine/fixed.hpp"
+#include "testbench/engine/float.hpp"
+
+namespace steplock {
+
+// A commutation of either drive, and what it held for true then.
+struct StepChange {
+  double time = 0;
+  int step = 0;
+  DriveView view;
+};
+
+// The blocks drive, the reference looks over their shoulder.  It could not start with them, because a
+// start needs gates that act; so it joins, soon after clock `from`, at which the blocks must be locked.
+// Its speed control acts on nothing either, so that whatever duty it begins with stays wrong for ever:
+// it joins at a change of the blocks' duty, when that and the frequency belong together.
+class ShadowEngine {
+ public:
+  ShadowEngine(const Words& words, const design::Parameters& parameters, double clock_hz,
+               std::uint64_t from)
+      : fixed_(words, clock_hz), float_(parameters, clock_hz), clock_hz_(clock_hz), from_(from),
+        latest_(from + kPatience * words.pwm.period.raw() * words.pwm.tick_periods.raw()) {}
+
+  void set_pins(const plant::Pins& pins) {
+    fixed_.set_pins(pins);
+    float_.set_pins(pins);
+  }
+  void set_command(const HostCommand& c) {
+    fixed_.set_command(c);
+    command_ = c;
+    if (joined_) float_.set_command(c);
+  }
+  void tick() {
+    fixed_.tick();
+    float_.set_bridge({fixed_.watch().step(), fixed_.output().chop});
+    float_.tick();
+    look();
+    const bool moved = fixed_.output().duty != duty_;
+    duty_ = fixed_.output().duty;
+    if (!joined_ && (clock_ >= latest_ || (clock_ > from_ && moved))) join();
+    ++clock_;
+  }
+  std::uint64_t quiet() const {
+    const std::uint64_t most = joined_ ? kNever : latest_ - clock_;
+    return std::min({most, fixed_.quiet(), float_.quiet()});
+  }
+  void skip(std::uint64_t clocks) {
+    fixed_.skip(clocks);
+    float_.skip(clocks);
+    clock_ += clocks;
+  }
+  Watch watch() const { return fixed_.watch(); }
+  DriveView view() const { return fixed_.view(); }
+
+  const std::vector<StepChange>& fixed_commutations() const { return fixed_steps_; }
+  const std::vector<StepChange>& float_commutations() const { return float_steps_; }
+
+ private:
+  // Speed control's ticks without a new duty; then it does not matter when to join.
+  static constexpr std::uint64_t kPatience = 4;
+  static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+
+  void join() {
+    joined_ = true;
+    float_.set_command(command_);
+    float_.join(fixed_.view(), fixed_.watch().step(), fixed_.output().reverse);
+  }
+  void look() {
+    const double now = static_cast<double>(clock_) / clock_hz_;
+    if (fixed_.watch().step() != fixed_step_) {
+      fixed_step_ = fixed_.watch().step();
+      fixed_steps_.push_back({now, fixed_step_, fixed_.view()});
+    }
+    if (float_.watch().step() != float_step_) {
+      float_step_ = float_.watch().step();
+      float_steps_.push_back({float_.commutated_at(), float_step_, float_.view()});
+    }
+  }
+
+  FixedEngine fixed_;
+  FloatEngine float_;
+  double clock_hz_;
+  std::uint64_t clock_ = 0, from_, latest_;
+  bool joined_ = false;
+  Duty duty_ = 0;
+  HostCommand command_;
+  int fixed_step_ = 0, float_step_ = 0;
+  std::vector<StepChange> fixed_steps_, float_steps_;
+};
+
+}  // namespace steplock
