@@ -56,14 +56,13 @@ module loop_filter (
       (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
       (loop_i != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
-  wire both_120 = loop_i == Loop_kHall && (error_i[15] || error_i[14:13] == 2'd0);  // line 120
-  wire [14:0] choice_120 =  // line 120
-      (both_120 && (!error_i[15] || error_i[14:13] == 2'd3)) ? 15'd4096 : 15'd16384;
-  wire [15:0] wide_120 = {1'b0, choice_120};  // line 120
+  wire both_120 =  // line 120
+      loop_i == Loop_kHall && (error_i[15] || !error_i[14]) && (!error_i[15] || error_i[14]);
   wire [14:0] choice_73_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
   wire [15:0] wide_73 = {1'b0, choice_73_2};  // line 73
   wire [15:0] choice_73_3 =  // line 73
-      (stage == Stage_kIntegral) ? ((loop_i == Loop_kTrack) ? ki_i : wide_120) :
+      (stage == Stage_kIntegral) ?
+      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_120 ? 15'd4096 : 15'd16384}) :
       (stage == Stage_kProportional) ? kp_i :
       wide_73;
 

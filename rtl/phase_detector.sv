@@ -35,20 +35,22 @@ module phase_detector (
 
   wire [15:0] magnitude = error ^ {16{error[15]}};  // line 55
   wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 56
-  wire either_65 = !(watch_i == Evidence_kSectors && elapsed_i && turned) || changed_i;  // line 65
+  wire [16:0] choice_93 = (turned || elapsed_i) ? 17'd0 : 17'd65536;  // line 93
   wire either_64 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 64
-  wire either_67 = !either_64 || !either_65;  // line 67
-  wire [15:0] choice_92 = (!either_67 || before_) ? expected_i : lead_error_i;  // line 92
-  wire [16:0] wide_92 = {1'b0, choice_92};  // line 92
-  wire [16:0] choice_67 = (watch_i == Evidence_kSectors) ? (turned ? 17'd0 : 17'd65536) : wide_92;
-  wire [15:0] choice_95 =  // line 95
-      (watch_i == Evidence_kSectors) ? (either_67 ? 16'd32768 : phase_i) :
-      either_67 ? {16{before_}} :
-      crossing_phase_i;
-  wire [17:0] difference_67 = {1'b0, choice_67} - {2'd0, choice_95};  // line 67
+  wire missed_next = !either_64 || (watch_i == Evidence_kSectors && elapsed_i && turned);
+  wire [15:0] choice_94 = (!missed_next || before_) ? expected_i : lead_error_i;  // line 94
+  wire [16:0] choice_67 = (watch_i == Evidence_kSectors) ? choice_93 : {1'b0, choice_94};
+  wire [17:0] wide_67 = {1'b0, choice_67};  // line 67
+  wire [15:0] choice_97 =  // line 97
+      (watch_i == Evidence_kSectors) ?
+      (((elapsed_i && turned) || !either_64) ? 16'd32768 : phase_i) :
+      either_64 ? crossing_phase_i :
+      {16{before_}};
+  wire [17:0] difference_67 = wide_67 - {2'd0, choice_97};  // line 67
   wire either_66 =  // line 66
       !(watch_i != Evidence_kCrossings || !crossing_i || answered) ||
       (watch_i == Evidence_kSectors && changed_i);
+  wire update_next = missed_next || either_66;
   wire both_78 = !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);  // line 78
   wire choice = commutate_i ? both_78 : crossing_i || answered;
 
@@ -61,7 +63,7 @@ module phase_detector (
       before_ <= 1'b0;
       turned <= 1'b0;
     end else begin
-      if (!(either_64 && either_65 && !either_66)) begin
+      if (update_next) begin
         if (difference_67[17]) begin
           if (difference_67[17:15] == 3'd7) begin
             error <= difference_67[15:0];
@@ -74,8 +76,8 @@ module phase_detector (
           error <= 16'sd32767;
         end
       end
-      update <= !either_64 || !either_65 || either_66;
-      missed <= !either_64 || !either_65 || (!either_64 && either_66);
+      update <= update_next;
+      missed <= missed_next;  // line 64
       answered <= watch_i != Evidence_kCrossings || choice;
       before_ <= before_seen_i;
       turned <= !commutate_i && watch_i == Evidence_kSectors && (turned ^ elapsed_i);  // line 69

@@ -117,7 +117,7 @@ class LoopFilter {
 
   // Hall sensors stand a few degrees off: small errors count for a quarter, large ones are real.
   static bool smooth(const In& in) {
-    return in.loop == Loop::kHall && in.error < 0x2000 && in.error >= -0x2000;
+    return in.loop == Loop::kHall && in.error < 0x4000 && in.error >= -0x4000;
   }
 
   // A product's turn to be added, all with 14 bits to drop: e' has 22 fraction bits, the rest 36.

@@ -62,7 +62,7 @@ class PhaseDetector {
     const bool crossings = in.watch == Evidence::kCrossings;
     const bool sectors = in.watch == Evidence::kSectors;
     missed_ = (crossings && in.commutate && !answered_) ||
-              (sectors && in.elapsed && turned_ && !in.changed);
+              (sectors && in.elapsed && turned_);
     update_ = missed_ || (crossings && in.crossing && !answered_) || (sectors && in.changed);
     if (update_) error_ = saturate<PhaseError>(place(in) - found(in));
 
@@ -88,7 +88,9 @@ class PhaseDetector {
  private:
   // Error = place - found; both are turns of one step.  A miss has missed_ set by now.
   UInt<17> place(const In& in) const {
-    if (in.watch == Evidence::kSectors) return turned_ ? UInt<17>(0) : UInt<17>(0x10000);
+    // A change in the very clock in which the turn ends, as often happens in lock, comes after it.
+    const bool turned = turned_ || in.elapsed;
+    if (in.watch == Evidence::kSectors) return turned ? UInt<17>(0) : UInt<17>(0x10000);
     return missed_ && !before_ ? in.lead_error : in.expected;
   }
   Phase found(const In& in) const {

@@ -97,7 +97,8 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     for (std::size_t j = 0; j < p.curves.size(); ++j) {
       const Curve& c = p.curves[j];
       curves += fmt::format("{}$d{}_{} using 1:2 with {} lc rgb '{}' lw {:g} title {}",
-                            curves.empty() ? "" : ", ", i, j, c.dots ? "points pt 7 ps 0.35" : c.steps ? "steps" : "lines", c.color,
+                            curves.empty() ? "" : ", ", i, j,
+                            c.dots ? "points pt 7 ps 0.4" : c.steps ? "steps" : "lines", c.color,
                             c.width, quoted(c.title));
     }
     add("plot {}\n", curves);

@@ -161,6 +161,20 @@ TEST(PhaseDetector, FollowingIsGoodWithinAnEighth) {
   EXPECT_FALSE(change_after(1.13).good);
 }
 
+// In lock the turn ends when the sector changes, and sooner or later in the same clock.
+TEST(PhaseDetector, AChangeInTheClockThatEndsTheTurnIsOneTurnLate) {
+  PhaseDetector dut;
+  const auto out =
+      after(dut, {.watch = Evidence::kSectors, .changed = true, .elapsed = true, .phase = 0});
+  EXPECT_EQ(out.error, PhaseError(0));
+  EXPECT_TRUE(out.good);
+
+  PhaseDetector slow;
+  after(slow, {.watch = Evidence::kSectors, .elapsed = true});
+  EXPECT_EQ(after(slow, {.watch = Evidence::kSectors, .changed = true, .elapsed = true}).error,
+            PhaseError::min());
+}
+
 TEST(PhaseDetector, TwoTurnsWithoutAChangeAreAMissWithTheVcoTooFast) {
   PhaseDetector dut;
   EXPECT_FALSE(after(dut, {.watch = Evidence::kSectors, .elapsed = true}).missed);

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "testbench/command/command.hpp"
+#include "testbench/command/terminal.hpp"
+#include "testbench/paper/amano2003.hpp"
+#include "testbench/run/check.hpp"
+
+namespace steplock {
+namespace {
+
+struct Arguments {
+  std::string name, out = "out/papers", drives = "drives";
+  EngineKind engine = EngineKind::kRtl;
+};
+
+int print_paper(const Arguments& arguments) {
+  const DriveFile file = open_drive_file(arguments.drives + "/" + arguments.name + ".toml");
+  PaperPage page;
+  {
+    Interrupt interrupt;
+    ProgressBar bar(arguments.name);
+    const PaperOptions options{.engine = arguments.engine,
+                               .progress = [&](const std::string& what, double done) {
+                                 bar.show(done, what);
+                                 return !interrupt.asked();
+                               }};
+    try {
+      page = amano2003_page(file.settings, options);
+    } catch (const std::runtime_error&) {
+      if (interrupt.asked()) return kInterrupted;  // nothing was written yet
+      throw;
+    }
+  }
+  for (const auto& path : write_paper(page, arguments.out)) fmt::print("  wrote {}\n", path.string());
+  int exit_code = kWell;
+  for (const PaperSection& s : page.sections) {
+    for (const std::string& failure : s.failures) {
+      fmt::print(stderr, "{}: does not hold: {}\n", s.title, failure);
+      exit_code = kFailed;
+    }
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void add_paper_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "paper", "Run a paper's figures on this drive and print them side by side with the paper's.");
+  command->add_option("PAPER", arguments->name, "amano2003")
+      ->required()
+      ->check(CLI::IsMember({"amano2003"}));
+  const std::map<std::string, EngineKind> kinds = {{"rtl", EngineKind::kRtl},
+                                                   {"fixed", EngineKind::kFixed}};
+  command->add_option("--engine", arguments->engine,
+                      "rtl (generated SystemVerilog, the default) or fixed (its C++ source, faster)")
+      ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case));
+  command->add_option("--drives", arguments->drives, "where the drive file is (default drives)");
+  command->add_option("--out", arguments->out,
+                      "directory of the page and its figures (default out/papers)");
+  command->footer("Example: steplock paper amano2003 --out docs/papers");
+  command->callback([arguments, &exit_code] { exit_code = print_paper(*arguments); });
+}
+
+}  // namespace steplock

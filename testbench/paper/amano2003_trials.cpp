@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "model/design/design.hpp"
+#include "testbench/paper/amano2003.hpp"
+#include "testbench/run/timeline.hpp"
+
+namespace steplock::amano2003 {
+
+Trial run_trial(const design::Settings& s, const PaperOptions& options, EngineKind engine,
+                const std::string& what) {
+  std::vector<std::string> problems = design::problems(s);
+  std::ranges::copy(timeline_problems(s), std::back_inserter(problems));
+  if (!problems.empty()) throw std::runtime_error(what + ": " + problems.front());
+  bool stopped = false;
+  RunOptions run{.engine = engine,
+                 .angle_deg = s.scenario.start_angle_deg,
+                 .progress = [&](double done) {
+                   stopped = options.progress && !options.progress(what, done);
+                   return !stopped;
+                 }};
+  Trial trial{s, {}, run_drive(s, run)};
+  if (stopped) throw std::runtime_error("stopped");
+  trial.summary = summarise(s, run, trial.record);
+  return trial;
+}
+
+design::Settings steady_run(design::Settings s, double rpm, double seconds) {
+  s.scenario.speed_rpm = rpm;
+  s.scenario.duration_s = seconds;
+  s.scenario.load_step_s.reset();
+  s.scenario.load_off_s.reset();
+  s.scenario.reverse_s.reset();
+  s.scenario.stop_s.reset();
+  return s;
+}
+
+design::Settings without_fan(design::Settings s) {
+  s.load = {};
+  const design::StartSection start = s.start;
+  s.start = {};
+  s.start.reset_current_a = start.reset_current_a;
+  s.start.start_current_a = start.start_current_a;
+  s.speed = {};
+  return s;
+}
+
+design::Settings rewound(design::Settings s, double turns) {
+  s.motor.flux_vs *= turns;
+  s.motor.resistance_ohm *= turns * turns;
+  s.motor.inductance_h *= turns * turns;
+  return s;
+}
+
+design::Settings per_step_loop(design::Settings s) {
+  const std::optional<double> maximum = s.loop.maximum_rpm;
+  s.loop = {};
+  s.loop.maximum_rpm = maximum;
+  return s;
+}
+
+design::Settings redesigned_loop(design::Settings s, double f_m_hz) {
+  s.loop.f_m_hz = f_m_hz;
+  s.loop.c1_f.reset();
+  s.loop.c2_f.reset();
+  s.loop.r_ohm.reset();
+  return s;
+}
+
+}  // namespace steplock::amano2003

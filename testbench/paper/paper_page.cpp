@@ -1,0 +1,68 @@
+#include "testbench/paper/paper_page.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "testbench/report/report.hpp"
+
+namespace steplock {
+namespace {
+
+// Four digits say what two drives have in common; more would be noise.
+std::string number(double x) {
+  const double zero = std::abs(x) < 1e-12 ? 0 : x;
+  return fmt::format("{:.4g}", zero);
+}
+
+std::string with_unit(const std::string& value, const std::string& unit) {
+  return unit.empty() ? value : value + " " + unit;
+}
+
+std::string row(const Claim& c) {
+  const std::string paper = c.paper ? with_unit(number(*c.paper), c.unit) : c.shown;
+  std::string difference = "";
+  if (c.paper && *c.paper != 0) {
+    difference = fmt::format("{:+.1f} %", 100 * (c.ours - *c.paper) / std::abs(*c.paper));
+  }
+  return fmt::format("| {} | {} | {} | {} | {} |\n", c.quantity, paper,
+                     with_unit(number(c.ours), c.unit), difference, c.reason);
+}
+
+}  // namespace
+
+std::string to_markdown(const PaperPage& page) {
+  std::string text = fmt::format("# {}\n\n{}\n", page.title, page.introduction);
+  for (const PaperSection& s : page.sections) {
+    text += fmt::format("\n## {}\n\n{}\n", s.title, s.text);
+    if (!s.claims.empty()) {
+      text += "\n| quantity | paper | here | difference | why |\n|---|---|---|---:|---|\n";
+      for (const Claim& c : s.claims) text += row(c);
+    }
+    for (const std::string& f : s.failures) text += fmt::format("\n**Does not hold:** {}\n", f);
+    for (const Figure& f : s.figures) {
+      text += fmt::format("\n![{}]({}/{}.svg)\n\n*{}*\n", f.title, page.name, f.name, f.caption);
+    }
+  }
+  return text;
+}
+
+std::vector<std::filesystem::path> write_paper(const PaperPage& page,
+                                               const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> written;
+  std::filesystem::create_directories(directory / page.name);
+  for (const PaperSection& s : page.sections) {
+    for (const Figure& f : s.figures) {
+      if (!draw(f, directory / page.name)) {
+        throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
+      }
+      written.push_back(directory / page.name / (f.name + ".svg"));
+    }
+  }
+  written.push_back(directory / (page.name + ".md"));
+  write_file(written.back(), to_markdown(page));
+  return written;
+}
+
+}  // namespace steplock
