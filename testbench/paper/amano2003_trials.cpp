@@ -1,17 +1,13 @@
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 #include "model/design/design.hpp"
 #include "testbench/paper/amano2003.hpp"
-#include "testbench/run/timeline.hpp"
 
 namespace steplock::amano2003 {
 
 Trial run_trial(const design::Settings& s, const PaperOptions& options, EngineKind engine,
                 const std::string& what) {
-  std::vector<std::string> problems = design::problems(s);
-  std::ranges::copy(timeline_problems(s), std::back_inserter(problems));
+  const std::vector<std::string> problems = design::problems(s);
   if (!problems.empty()) throw std::runtime_error(what + ": " + problems.front());
   bool stopped = false;
   RunOptions run{.engine = engine,
