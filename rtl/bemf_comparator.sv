@@ -34,28 +34,7 @@ module bemf_comparator (
   logic [15:0] place;  // u0.16, middle of that one and the one after
   logic [15:0] freewheel;  // u0.16, first sample that brought the filter to 0
 
-  wire either_58 = (chop_i ^ chop) || commutate_i;  // line 58
   wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 102
-  wire [4:0] sum_119 = {1'b0, count} + 5'd1;  // line 119
-  wire at_most_119 = {1'b0, full} <= sum_119;  // line 119
-
-  logic choice_110;  // line 110
-  always_comb begin
-    case (step_i)
-      3'd0, 3'd3: choice_110 = w_i;
-      3'd1, 3'd4: choice_110 = v_i;
-      default: choice_110 = u_i;
-    endcase
-  end
-
-  wire differ_114 = choice_110 ^ reverse_i ^ step_i[0];  // line 114
-  wire either_98 =  // line 98
-      words_sampling_i == Sampling_kBoth || ((words_sampling_i != Sampling_kOnTime) ^ chop_i);
-  wire both = either_98 && !found;
-  wire both_2 = left[9:1] == 9'd0 && !either_58;
-  wire choice = (both_2 && both && differ_114) ? count[3:1] == 3'd0 || before_seen : before_seen;
-  wire both_3 = !differ_114 && before_seen && at_most_119;
-  wire choice_2 = (both_2 && either_98) ? found || both_3 : found;
   wire [16:0] sum_120 = {1'b0, before_} + {1'b0, phase_i};  // line 120
 
   always_ff @(posedge clk) begin
@@ -70,46 +49,91 @@ module bemf_comparator (
       place <= 16'd0;
       freewheel <= 16'd0;
     end else begin
-      if (either_58) begin
-        left <= words_blanking_i;
-      end else if (left[9:1] == 9'd0) begin
-        left <= {2'd0, words_sample_every_i};
-      end else begin
-        left <= left - 10'd1;
-      end
-      chop <= chop_i;
       if (commutate_i) begin
+        left <= words_blanking_i;
         count <= full;
+        before_seen <= 1'b0;
+        found <= 1'b0;
+        crossing <= 1'b0;
         if (!before_seen) begin
           freewheel <= 16'd65535;
         end
       end else begin
-        if (both_2 && both) begin
-          if (differ_114) begin
-            if (count == 4'd0) begin
-              count <= 4'd0;
+        logic differ_58;
+        differ_58 = chop_i ^ chop;  // line 58
+        if (differ_58) begin
+          left <= words_blanking_i;
+        end else if (left[9:1] == 9'd0) begin
+          left <= {2'd0, words_sample_every_i};
+        end else begin
+          left <= left - 10'd1;
+        end
+        if (found) begin
+          found <= 1'b1;
+          crossing <= 1'b0;
+        end else if (words_sampling_i == Sampling_kBoth ||
+            ((words_sampling_i != Sampling_kOnTime) ^ chop_i)) begin
+          if (differ_58) begin
+            found <= 1'b0;
+            crossing <= 1'b0;
+          end else if (left[9:1] == 9'd0) begin
+            logic choice_110;  // line 110
+            case (step_i)
+              3'd0, 3'd3: choice_110 = w_i;
+              3'd1, 3'd4: choice_110 = v_i;
+              default: choice_110 = u_i;
+            endcase
+            if (choice_110 ^ reverse_i ^ step_i[0]) begin
+              case (count)
+                4'd0, 4'd1: begin
+                  logic [15:0] choice;
+                  choice = before_seen ? freewheel : phase_i;
+                  case (count)
+                    4'd0: begin
+                      before_seen <= 1'b1;
+                      before_ <= phase_i;
+                      freewheel <= choice;
+                    end
+                    default: begin  // 4'd1
+                      count <= count - 4'd1;
+                      before_seen <= 1'b1;
+                      before_ <= phase_i;
+                      freewheel <= choice;
+                    end
+                  endcase
+                end
+                default: count <= count - 4'd1;
+              endcase
+              found <= 1'b0;
+              crossing <= 1'b0;
             end else begin
-              count <= count - 4'd1;
+              logic [4:0] sum_119;
+              logic at_most_119;
+              logic both_122;
+              sum_119 = {1'b0, count} + 5'd1;  // line 119
+              at_most_119 = {1'b0, full} <= sum_119;  // line 119
+              both_122 = before_seen && at_most_119;  // line 122
+              if (at_most_119) begin
+                count <= full;
+              end else begin
+                count <= sum_119[3:0];
+              end
+              found <= both_122;
+              crossing <= both_122;
+              if (count == 4'd0) begin
+                place <= sum_120[16:1];
+              end
             end
-          end else if (at_most_119) begin
-            count <= full;
           end else begin
-            count <= sum_119[3:0];
+            found <= 1'b0;
+            crossing <= 1'b0;
           end
-        end
-        if (both_2 && both && differ_114 && count[3:1] == 3'd0) begin
-          before_ <= phase_i;
-        end
-        if (both_2 && either_98 && !(found || differ_114) && count == 4'd0) begin
-          place <= sum_120[16:1];
-        end
-        if (both_2 && both && differ_114 && count[3:1] == 3'd0 && !before_seen) begin
-          freewheel <= phase_i;
+        end else begin
+          found <= 1'b0;
+          crossing <= 1'b0;
         end
       end
-      before_seen <= !commutate_i && choice;
-      found <= !commutate_i && choice_2;
-      crossing <= !commutate_i && left[9:1] == 9'd0 && !either_58 && either_98 && !found && both_3;
+      chop <= chop_i;
     end
   end
 

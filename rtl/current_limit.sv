@@ -20,10 +20,8 @@ module current_limit (
 
   wire on = on_i && !cut;  // line 37
   wire both_41 = on && left == 12'd0;  // line 41
-  wire both_43 = cut && left[11:1] == 11'd0;  // line 43
   wire hit_next = both_41 && comparator_i && words_off_time_i != 12'd0;
   wire either_50 = released || !comparator_i;  // line 50
-  wire [4:0] sum_46 = {1'b0, stuck} + 5'd1;  // line 46
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -35,27 +33,36 @@ module current_limit (
     end else begin
       if (hit_next) begin
         left <= words_off_time_i;
-      end else if (!both_43 && (cut || on_i)) begin
-        if (!both_41) begin
-          left <= left - 12'd1;
-        end
+        cut <= 1'b1;
       end else begin
-        left <= {4'd0, words_blanking_i};
+        logic both_43;
+        both_43 = cut && left[11:1] == 11'd0;  // line 43
+        if (cut || on_i) begin
+          if (both_43) begin
+            left <= {4'd0, words_blanking_i};
+            if (either_50) begin
+              stuck <= 4'd0;
+            end else begin
+              logic [4:0] sum_46;
+              sum_46 = {1'b0, stuck} + 5'd1;  // line 46
+              if (!(sum_46[4] && sum_46[3:0] != 4'd15)) begin
+                stuck <= sum_46[3:0];
+              end
+            end
+          end else if (both_41) begin
+            if (!comparator_i) begin
+              stuck <= 4'd0;
+            end
+          end else begin
+            left <= left - 12'd1;
+          end
+        end else begin
+          left <= {4'd0, words_blanking_i};
+        end
+        cut <= both_43 ^ cut;
       end
-      cut <= hit_next || (both_43 ^ cut);  // line 59
       released <= cut && either_50;
       hit <= hit_next;
-      if (both_43) begin
-        if (either_50) begin
-          stuck <= 4'd0;
-        end else if (sum_46[4] && sum_46[3:0] != 4'd15) begin
-          stuck <= 4'd15;
-        end else begin
-          stuck <= sum_46[3:0];
-        end
-      end else if (both_41 && !comparator_i) begin
-        stuck <= 4'd0;
-      end
     end
   end
 

@@ -24,27 +24,6 @@ module hall_decoder (
 
   wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 61
 
-  logic [2:0] decoded_sector;  // line 49
-  always_comb begin
-    case (code)
-      3'd4: decoded_sector = 3'd1;
-      3'd6: decoded_sector = 3'd2;
-      3'd2: decoded_sector = 3'd3;
-      3'd3: decoded_sector = 3'd4;
-      3'd1: decoded_sector = 3'd5;
-      default: decoded_sector = 3'd0;
-    endcase
-  end
-
-  wire either = code == 3'd5 || code == 3'd4 || code == 3'd6;
-  wire either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
-  wire either_54 = !(left == 10'd0 && either_2) || (legal && decoded_sector == sector);  // line 54
-  wire [2:0] choice_51 = (sector == 3'd5) ? 3'd0 : sector + 3'd1;  // line 51
-  wire [2:0] choice_52 = (code == 3'd1) ? 3'd0 : decoded_sector + 3'd1;  // line 52
-  wire equal_52 = sector == choice_52;  // line 52
-  wire either_3 = decoded_sector == choice_51 || equal_52;
-  wire both_55 = legal && either_3;  // line 55
-
   always_ff @(posedge clk) begin
     if (rst) begin
       code <= 3'd0;
@@ -56,26 +35,76 @@ module hall_decoder (
       jumped <= 1'b0;
     end else begin
       code <= code_next;  // line 61
-      if (code_next == code) begin  // line 62
-        if (left == 10'd0) begin
-          left <= 10'd0;
-        end else begin
+      if (code_next == code) begin
+        if (left != 10'd0) begin
           left <= left - 10'd1;
         end
       end else begin
         left <= hold_i;
       end
-      if (!either_54) begin
-        sector <= decoded_sector;
-      end
-      if (left == 10'd0) begin  // line 59
+      if (left == 10'd0) begin
+        logic [2:0] decoded_sector;  // line 49
+        logic either;
+        logic either_2;
+        logic equal;
+        logic [2:0] choice_51;
+        logic equal_51;
+        logic [2:0] choice_52;
+        logic equal_52;
+        case (code)
+          3'd4: decoded_sector = 3'd1;
+          3'd6: decoded_sector = 3'd2;
+          3'd2: decoded_sector = 3'd3;
+          3'd3: decoded_sector = 3'd4;
+          3'd1: decoded_sector = 3'd5;
+          default: decoded_sector = 3'd0;
+        endcase
+        either = code == 3'd5 || code == 3'd4 || code == 3'd6;
+        either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
+        equal = decoded_sector == sector;
+        choice_51 = (sector == 3'd5) ? 3'd0 : sector + 3'd1;  // line 51
+        equal_51 = decoded_sector == choice_51;  // line 51
+        choice_52 = (code == 3'd1) ? 3'd0 : decoded_sector + 3'd1;  // line 52
+        equal_52 = sector == choice_52;  // line 52
+        if (either_2) begin
+          if (legal && equal) begin
+            jumped <= 1'b0;
+          end else begin
+            case (code)
+              3'd1: sector <= 3'd5;
+              3'd2: sector <= 3'd3;
+              3'd3: sector <= 3'd4;
+              3'd4: sector <= 3'd1;
+              3'd5: sector <= 3'd0;
+              default: sector <= 3'd2;
+            endcase
+            jumped <= !(legal && (equal_51 || equal_52));
+          end
+        end else begin
+          jumped <= 1'b0;
+        end
         legal <= either_2;
+        if (legal) begin
+          if (equal) begin
+            moved <= 1'b0;
+          end else if (either_2) begin
+            if (equal_52) begin
+              moved <= 1'b1;
+              reverse <= 1'b1;
+            end else begin
+              moved <= equal_51;
+              reverse <= !equal_51 && reverse;
+            end
+          end else begin
+            moved <= 1'b0;
+          end
+        end else begin
+          moved <= 1'b0;
+        end
+      end else begin
+        moved <= 1'b0;
+        jumped <= 1'b0;
       end
-      moved <= !either_54 && both_55;
-      if (!either_54 && legal && either_3) begin  // line 57
-        reverse <= equal_52;
-      end
-      jumped <= !(either_54 || both_55);  // line 56
     end
   end
 

@@ -50,7 +50,6 @@ module loop_filter (
   logic at_top;  // the output stands at a limit
   logic at_bottom;
 
-  wire below_69 = stage - 4'd1 < 4'd6;  // line 69
   wire [9:0] choice_105 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 105
   wire [21:0] choice_73 =  // line 73
       (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
@@ -72,7 +71,7 @@ module loop_filter (
   serial_multiplier_34_22 multiplier (
       .clk(clk),
       .rst(rst),
-      .start_i(below_69 && !started),
+      .start_i(stage - 4'd1 < 4'd6 && !started),
       .a_i((stage == Stage_kKeep || stage == Stage_kDelay) ? {4'd0, y} : work),
       .b_i((stage == Stage_kDelay) ? {12'd0, choice_105} :
         (stage == Stage_kScale) ? choice_73 :
@@ -82,66 +81,6 @@ module loop_filter (
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
-
-  wire choice_162 =  // line 162
-      (loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ? tick_i : update_i;
-
-  logic [3:0] choice;
-  always_comb begin
-    case (stage)
-      Stage_kIdle: choice = choice_162 ? Stage_kDelay : stage;
-      Stage_kLow: choice = Stage_kHigh;
-      Stage_kHigh: choice = Stage_kSlow;
-      Stage_kSlow: choice = Stage_kOut;
-      default: choice = Stage_kIdle;
-    endcase
-  end
-
-  wire either_135 = stage != Stage_kIntegral || loop_i != Loop_kTrack;  // line 135
-  wire [21:0] base = (loop_i == Loop_kRamp) ? 22'd262144 : {error_i, 6'd0};  // line 127
-  wire [33:0] base_2 = {{12{base[21]}}, base};  // line 127
-
-  logic [33:0] base_3;  // line 83
-  always_comb begin
-    case (stage)
-      Stage_kDelay: base_3 = base_2;
-      Stage_kIntegral, Stage_kProportional: base_3 = x;
-      Stage_kKeep: base_3 = work;
-      default: base_3 = 34'd0;
-    endcase
-  end
-
-  wire [33:0] sum = base_3 + multiplier_product[47:14];  // line 131
-
-  logic [25:0] limit;  // line 74
-  always_comb begin
-    case (stage)
-      Stage_kLow: limit = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;
-      Stage_kHigh: limit = maximum_i;
-      Stage_kSlow: limit = stall_i;
-      default: limit = hand_over_i;
-    endcase
-  end
-
-  wire below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
-  wire both_158 = !(stage == Stage_kLow && below_75) && (stage != Stage_kHigh || below_75);
-  wire [33:0] choice_158 = both_158 ? work : {4'd0, limit, 4'd0};  // line 158
-  wire either = stage == Stage_kIdle || stage == Stage_kLow || stage == Stage_kHigh;
-  wire either_2 = either || stage == Stage_kSlow;
-  wire either_3 = below_69 || either_2;
-  wire choice_2 = either_3 ? fast : $signed({4'd0, limit}) <= $signed(work[33:4]);
-  wire choice_3 =
-      below_69 ? slow :
-      (stage == Stage_kSlow) ? below_75 :
-      slow;
-  wire choice_4 =
-      below_69 ? at_top :
-      (stage == Stage_kHigh) ? !both_158 :
-      at_top;
-  wire choice_5 =
-      below_69 ? at_bottom :
-      (stage == Stage_kLow) ? !both_158 :
-      at_bottom;
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -157,39 +96,103 @@ module loop_filter (
     end else begin
       if (loop_i == Loop_kStop) begin
         stage <= Stage_kIdle;
-        x <= 34'sd0;
+        started <= 1'b0;
+        x <= 34'd0;
         y <= 30'd0;
+        fast <= 1'b0;
+        slow <= 1'b0;
+        at_top <= 1'b0;
+        at_bottom <= 1'b0;
       end else begin
-        if (below_69) begin
-          if (multiplier_done) begin
-            if (stage != Stage_kIntegral || loop_i == Loop_kTrack) begin
-              stage <= stage + 4'd1;
-            end else begin
-              stage <= Stage_kLow;
+        case (stage)
+          Stage_kIdle: begin
+            if ((loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ?
+                tick_i : update_i) begin
+              stage <= Stage_kDelay;
             end
           end
-          if (multiplier_done && either_135) begin
-            work <= sum;
+          Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep,
+          Stage_kIntegral: begin
+            logic [21:0] base;
+            logic [33:0] base_2;
+            logic [33:0] base_3;  // line 83
+            logic [33:0] sum;
+            base = (loop_i == Loop_kRamp) ? 22'd262144 : {error_i, 6'd0};  // line 127
+            base_2 = {{12{base[21]}}, base};  // line 127
+            case (stage)
+              Stage_kDelay: base_3 = base_2;
+              Stage_kIntegral, Stage_kProportional: base_3 = x;
+              Stage_kKeep: base_3 = work;
+              default: base_3 = 34'd0;
+            endcase
+            sum = base_3 + multiplier_product[47:14];  // line 131
+            case (stage)
+              Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep: begin
+                if (multiplier_done) begin
+                  stage <= stage + 4'd1;
+                  work <= sum;
+                end
+                started <= !multiplier_done;
+              end
+              default: begin  // Stage_kIntegral
+                if (multiplier_done) begin
+                  if (loop_i != Loop_kTrack) begin
+                    stage <= Stage_kLow;
+                    work <= sum;
+                  end else begin
+                    stage <= stage + 4'd1;
+                    if (!(work[33] ? at_bottom : at_top)) begin
+                      x <= sum;
+                    end
+                  end
+                end
+                started <= !multiplier_done;
+              end
+            endcase
           end
-          if (multiplier_done && !(either_135 || (work[33] ? at_bottom : at_top))) begin
-            x <= sum;
+          default: begin
+            logic [25:0] choice_148;
+            logic [25:0] limit;  // line 74
+            logic below_75;
+            choice_148 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 148
+            case (stage)
+              Stage_kLow: limit = choice_148;
+              Stage_kHigh: limit = maximum_i;
+              Stage_kSlow: limit = stall_i;
+              default: limit = hand_over_i;
+            endcase
+            below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
+            case (stage)
+              Stage_kLow: begin
+                stage <= Stage_kHigh;
+                if (below_75) begin
+                  work <= {4'd0, choice_148, 4'd0};
+                end
+                at_bottom <= below_75;
+              end
+              Stage_kHigh: begin
+                stage <= Stage_kSlow;
+                if (!below_75) begin
+                  work <= {4'd0, maximum_i, 4'd0};
+                end
+                at_top <= !below_75;
+              end
+              Stage_kSlow: begin
+                stage <= Stage_kOut;
+                slow <= below_75;
+              end
+              default: begin
+                stage <= Stage_kIdle;
+                if (loop_i != Loop_kTrack) begin
+                  x <= work;
+                end
+                y <= work[29:0];
+                fast <= ($signed({4'd0, limit}) <= $signed(work[33:4]));
+              end
+            endcase
           end
-        end else begin
-          stage <= choice;
-          work <= choice_158;
-          if (!(either_2 || loop_i == Loop_kTrack)) begin
-            x <= choice_158;
-          end
-        end
-        if (!either_3) begin
-          y <= choice_158[29:0];
-        end
+        endcase
       end
-      started <= loop_i != Loop_kStop && (below_69 ? !multiplier_done : started);
-      fast <= loop_i != Loop_kStop && choice_2;
-      slow <= loop_i != Loop_kStop && choice_3;
-      at_top <= loop_i != Loop_kStop && choice_4;
-      at_bottom <= loop_i != Loop_kStop && choice_5;
     end
   end
 

@@ -24,11 +24,8 @@ module pwm_generator (
   logic start;  // as first_, in step with on_
   logic tick;  // as first_, in every `tick_periods`-th period
 
-  wire [14:0] rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 64
   wire both_51 = waiting && lead == 13'd0;  // line 51
   wire either = both_51 || (on && !first);
-  wire start_next = first && left != 14'd0;  // line 55
-  wire at_most_68 = minimum_i <= on_clocks_i;  // line 68
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -44,6 +41,10 @@ module pwm_generator (
       tick <= 1'b0;
     end else begin
       if (left[13:1] == 13'd0) begin
+        logic [14:0] rest;
+        logic at_most_68;
+        rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 64
+        at_most_68 = minimum_i <= on_clocks_i;  // line 68
         left <= period_i;
         if (centred_i) begin
           lead <= rest[13:1];
@@ -63,12 +64,17 @@ module pwm_generator (
         end
         waiting <= both_51 ^ waiting;
       end
-      if (start_next) begin  // line 60
-        if (periods[7:1] == 7'd0) begin
-          periods <= tick_periods_i;
-        end else begin
-          periods <= periods - 8'd1;
+      if (first) begin
+        if (left != 14'd0) begin
+          if (periods[7:1] == 7'd0) begin
+            periods <= tick_periods_i;
+          end else begin
+            periods <= periods - 8'd1;
+          end
         end
+        tick <= left != 14'd0 && periods[7:1] == 7'd0;
+      end else begin
+        tick <= 1'b0;
       end
       first <= left[13:1] == 13'd0;  // line 47
       if (left == 14'd0 || always_) begin
@@ -76,8 +82,7 @@ module pwm_generator (
       end else begin
         on <= either && pulse != 14'd0;
       end
-      start <= start_next;  // line 55
-      tick <= start_next && periods[7:1] == 7'd0;  // line 59
+      start <= first && left != 14'd0;  // line 55
     end
   end
 

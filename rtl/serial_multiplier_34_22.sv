@@ -19,10 +19,6 @@ module serial_multiplier_34_22 (
   logic dropping;  // b is used up; the clocks that are left shift the product
   logic done;  // the product is complete
 
-  wire [34:0] sum = {high[33], high} + {addend[33], addend};  // line 48
-  wire both = left == 5'd1 && !dropping && shift_i != 4'd0;
-  wire choice = (left == 5'd0) ? dropping : dropping || both;
-
   always_ff @(posedge clk) begin
     if (rst) begin
       high <= 34'sd0;
@@ -33,27 +29,52 @@ module serial_multiplier_34_22 (
       done <= 1'b0;
     end else begin
       if (start_i) begin
-        high <= 34'sd0;
+        high <= 34'd0;
         low <= b_i;
         left <= 5'd22;
-      end else if (left == 5'd0) begin
-        left <= 5'd0;
+        dropping <= 1'b0;
+        done <= 1'b0;
       end else begin
-        high <= sum[34:1];
-        low <= {sum[0], low[21:1]};
-        if (both) begin
-          left <= {1'b0, shift_i};
-        end else begin
-          left <= left - 5'd1;
-        end
+        case (left)
+          5'd0: done <= 1'b0;
+          default: begin
+            logic [34:0] sum;
+            logic [21:0] joined_58;
+            sum = {high[33], high} + {addend[33], addend};  // line 48
+            joined_58 = {sum[0], low[21:1]};  // line 58
+            case (left)
+              5'd1: begin
+                high <= sum[34:1];
+                low <= joined_58;
+                if (dropping) begin
+                  left <= left - 5'd1;
+                  dropping <= 1'b1;
+                  done <= 1'b1;
+                end else begin
+                  if (shift_i != 4'd0) begin
+                    left <= {1'b0, shift_i};
+                  end else begin
+                    left <= left - 5'd1;
+                  end
+                  dropping <= shift_i != 4'd0;
+                  done <= shift_i == 4'd0;
+                end
+              end
+              default: begin
+                high <= sum[34:1];
+                low <= joined_58;
+                left <= left - 5'd1;
+                done <= 1'b0;
+              end
+            endcase
+          end
+        endcase
       end
-      if (start_i ? b_i[0] : low[1] && !(left == 5'd1 || dropping)) begin  // line 62
+      if (start_i ? b_i[0] : low[1] && !(left == 5'd1 || dropping)) begin
         addend <= a_i;
       end else begin
-        addend <= 34'sd0;
+        addend <= 34'd0;
       end
-      dropping <= !start_i && choice;
-      done <= !start_i && left == 5'd1 && !both;
     end
   end
 

@@ -60,7 +60,6 @@ module speed_control (
   logic at_low;  // or lower
 
   wire either = stage == Stage_kProportional || stage == Stage_kIntegral;
-  wire either_2 = either || stage == Stage_kOnClocks || stage == Stage_kBemf;
   wire [15:0] choice_62 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 62
   wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_62};
   wire [25:0] choice_65 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 65
@@ -77,17 +76,13 @@ module speed_control (
     endcase
   end
 
-  wire [4:0] choice_96 = stage[4] ? Stage_kIdle : stage + 5'd1;  // line 96
-  wire [4:0] choice_3 =
-      (stage != Stage_kBemf || mode_i == SpeedMode_kControl) ? choice_96 : Stage_kHigh;
-
   wire [42:0] multiplier_product;
   wire multiplier_done;
   wire unused_multiplier_busy;
   serial_multiplier_27_16 multiplier (
       .clk(clk),
       .rst(rst),
-      .start_i(either_2 && !started),
+      .start_i((either || stage == Stage_kOnClocks || stage == Stage_kBemf) && !started),
       .a_i(a),
       .b_i(choice_69),
       .shift_i((stage == Stage_kOnClocks) ? 4'd0 : words_shift_i),
@@ -96,144 +91,7 @@ module speed_control (
       .busy_o(unused_multiplier_busy)
   );
 
-  logic [4:0] stage_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: stage_next =
-          multiplier_done ? choice_3 : stage;
-      Stage_kIdle: stage_next = tick_i ? Stage_kSlew : stage;
-      default: stage_next =
-          (stage != Stage_kHigh || mode_i == SpeedMode_kControl) ? choice_96 : Stage_kDuty;
-    endcase
-  end
-
-  logic started_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: started_next =
-          !multiplier_done;
-      default: started_next = started;
-    endcase
-  end
-
-  wire [20:0] base = {{3{integral[33]}}, integral[33:16]};  // line 113
-  wire [15:0] choice_127 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 127
-  wire either_127 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 127
-  wire [17:0] base_2 = either_127 ? integral[33:16] : {2'd0, choice_127};  // line 127
-  wire [20:0] base_3 = {{3{base_2[17]}}, base_2};  // line 127
-  wire [19:0] choice_117 =  // line 117
-      (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 : multiplier_product[31:12];
-  wire both = multiplier_done && !(stage == Stage_kIntegral || stage == Stage_kOnClocks);
-  wire [20:0] choice_4 = both ? base_3 + {choice_117[19], choice_117} : work;
-  wire [12:0] slew = ~{1'b0, words_duty_slew_i};  // line 191
-  wire [12:0] slew_2 =  // line 135
-      (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
-      (stage == Stage_kDown) ? slew :
-      13'd0;
-  wire [17:0] slew_3 = {{5{slew_2[12]}}, slew_2};  // line 135
-  wire [17:0] limit = slew_3 + {2'd0, duty};  // line 193
-
-  logic [17:0] limit_2;  // line 135
-  always_comb begin
-    case (stage)
-      Stage_kWholeLow, Stage_kLow: limit_2 = {2'd0, words_minimum_i};
-      Stage_kWholeHigh, Stage_kHigh: limit_2 = {2'd0, words_maximum_i};
-      default: limit_2 = limit;
-    endcase
-  end
-
-  wire [20:0] wide_136 = {{3{limit_2[17]}}, limit_2};  // line 136
-  wire below_136 = $signed(work) < $signed(wide_136);  // line 136
-  wire both_76 =  // line 76
-      (stage == Stage_kWholeLow || stage == Stage_kLow || stage == Stage_kDown) && below_136;
-  wire either_76 = stage == Stage_kWholeHigh || stage == Stage_kHigh || stage == Stage_kUp;
-  wire both_76_2 = either_76 && $signed(wide_136) <= $signed(work);  // line 76
-
-  logic [20:0] work_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: work_next = choice_4;
-      Stage_kWhole: work_next = base;
-      default: work_next = (both_76 || both_76_2) ? wide_136 : work;
-    endcase
-  end
-
-  wire [25:0] goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 148
-  wire below_149 = $signed(reference) < $signed({2'd0, goal});  // line 149
-  wire at_most_151 = $signed({2'd0, goal}) <= $signed(reference);  // line 151
-  wire [20:0] slew_4 = {1'b0, words_slew_i} ^ {21{at_most_151}};  // line 151
-  wire [27:0] slew_5 = {{7{slew_4[20]}}, slew_4};  // line 151
-  wire both_2 = stage == Stage_kReach && (mode_i != SpeedMode_kControl || (below_149 ^ rises));
-
-  logic [27:0] reference_next;
-  logic rises_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf, Stage_kIdle: begin
-        reference_next = reference;
-        rises_next = rises;
-      end
-      Stage_kSlew: begin
-        reference_next = reference + slew_5;
-        rises_next = below_149;
-      end
-      default: begin
-        reference_next = both_2 ? {2'd0, goal} : reference;
-        rises_next = rises;
-      end
-    endcase
-  end
-
-  wire choice_122 = multiplier_product[31] ? at_low : at_high || limited;  // line 122
-  wire both_3 = multiplier_done && stage == Stage_kIntegral && !choice_122;
-  wire [33:0] choice_5 =
-      both_3 ? integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]} : integral;
   wire [33:0] joined_166 = {work[17:0], 16'd0};  // line 166
-
-  logic [33:0] integral_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: integral_next = choice_5;
-      Stage_kIdle: integral_next = integral;
-      Stage_kKeep: integral_next = (at_low || at_high) ? joined_166 : integral;
-      default: integral_next =
-          (stage == Stage_kDuty && mode_i != SpeedMode_kControl) ? joined_166 : integral;
-    endcase
-  end
-
-  wire [15:0] part_169 = work[15:0];  // line 169
-
-  logic [15:0] duty_next;
-  always_comb begin
-    case (stage)
-      Stage_kDuty: duty_next = part_169;
-      default: duty_next = duty;
-    endcase
-  end
-
-  logic slips_next;
-  always_comb begin
-    case (stage)
-      Stage_kSlip: slips_next = below_136;
-      Stage_kDuty: slips_next = mode_i == SpeedMode_kControl && slips;
-      default: slips_next = slips;
-    endcase
-  end
-
-  logic at_high_next;
-  logic at_low_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf, Stage_kIdle: begin
-        at_high_next = at_high;
-        at_low_next = at_low;
-      end
-      default: begin
-        at_high_next = (stage != Stage_kWhole && at_high) || both_76_2;
-        at_low_next = (stage != Stage_kWhole && at_low) || both_76;
-      end
-    endcase
-  end
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -250,23 +108,198 @@ module speed_control (
       at_high <= 1'b0;
       at_low <= 1'b0;
     end else begin
-      stage <= stage_next;
-      started <= started_next;
-      work <= work_next;
-      reference <= reference_next;
-      rises <= rises_next;
-      integral <= integral_next;
-      duty <= duty_next;
-      if (either_2 && multiplier_done && stage == Stage_kOnClocks) begin
-        on_clocks <= multiplier_product[28:15];
-      end
-      slips <= slips_next;
+      case (stage)
+        Stage_kIdle: begin
+          if (tick_i) begin
+            stage <= Stage_kSlew;
+          end
+        end
+        Stage_kSlew, Stage_kReach: begin
+          logic [25:0] goal;
+          logic below_149;
+          goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 148
+          below_149 = $signed(reference) < $signed({2'd0, goal});  // line 149
+          case (stage)
+            Stage_kSlew: begin
+              logic at_most_151;
+              logic [20:0] slew_4;
+              logic [27:0] slew_5;
+              at_most_151 = $signed({2'd0, goal}) <= $signed(reference);  // line 151
+              slew_4 = {1'b0, words_slew_i} ^ {21{at_most_151}};  // line 151
+              slew_5 = {{7{slew_4[20]}}, slew_4};  // line 151
+              stage <= stage + 5'd1;
+              reference <= reference + slew_5;
+              rises <= below_149;
+            end
+            default: begin  // Stage_kReach
+              stage <= stage + 5'd1;
+              if (mode_i != SpeedMode_kControl || (below_149 ^ rises)) begin
+                reference <= {2'd0, goal};
+              end
+            end
+          endcase
+        end
+        Stage_kBemf, Stage_kProportional: begin
+          logic [15:0] choice_127;
+          logic either_127;
+          logic [17:0] base;
+          logic [20:0] base_2;
+          logic [19:0] choice_117;
+          logic [20:0] sum_117;
+          choice_127 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 127
+          either_127 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 127
+          base = either_127 ? integral[33:16] : {2'd0, choice_127};  // line 127
+          base_2 = {{3{base[17]}}, base};  // line 127
+          choice_117 =  // line 117
+              (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
+              multiplier_product[31:12];
+          sum_117 = base_2 + {choice_117[19], choice_117};  // line 117
+          case (stage)
+            Stage_kBemf: begin
+              if (multiplier_done) begin
+                if (mode_i == SpeedMode_kControl) begin
+                  stage <= stage + 5'd1;
+                end else begin
+                  stage <= Stage_kHigh;
+                end
+                work <= sum_117;
+              end
+              started <= !multiplier_done;
+            end
+            default: begin  // Stage_kProportional
+              if (multiplier_done) begin
+                stage <= stage + 5'd1;
+                work <= sum_117;
+              end
+              started <= !multiplier_done;
+            end
+          endcase
+        end
+        Stage_kSlip, Stage_kWholeLow, Stage_kLow, Stage_kWholeHigh, Stage_kHigh, Stage_kUp,
+        Stage_kDown: begin
+          logic [17:0] limit;
+          logic [17:0] limit_2;
+          logic [12:0] slew;
+          logic [12:0] slew_2;
+          logic [17:0] slew_3;
+          logic [17:0] limit_3;
+          logic [17:0] limit_4;  // line 135
+          logic [20:0] wide_136;
+          logic below_136;
+          logic at_most_140;
+          logic either_177;
+          logic [20:0] wide_136_2;
+          logic either_178;
+          logic [20:0] wide_136_3;
+          limit = {2'd0, words_minimum_i};  // line 185
+          limit_2 = {2'd0, words_maximum_i};  // line 187
+          slew = ~{1'b0, words_duty_slew_i};  // line 191
+          slew_2 =  // line 135
+              (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
+              (stage == Stage_kDown) ? slew :
+              13'd0;
+          slew_3 = {{5{slew_2[12]}}, slew_2};  // line 135
+          limit_3 = slew_3 + {2'd0, duty};  // line 193
+          case (stage)
+            Stage_kWholeLow, Stage_kLow: limit_4 = limit;
+            Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
+            default: limit_4 = limit_3;
+          endcase
+          wide_136 = {{3{limit_4[17]}}, limit_4};  // line 136
+          below_136 = $signed(work) < $signed(wide_136);  // line 136
+          at_most_140 = $signed(wide_136) <= $signed(work);  // line 140
+          either_177 = at_low || below_136;  // line 177
+          wide_136_2 = {{3{limit_2[17]}}, limit_2};  // line 136
+          either_178 = at_high || at_most_140;  // line 178
+          wide_136_3 = {{3{limit_3[17]}}, limit_3};  // line 136
+          case (stage)
+            Stage_kSlip: begin
+              stage <= stage + 5'd1;
+              slips <= below_136;
+            end
+            Stage_kWholeLow, Stage_kLow: begin
+              stage <= stage + 5'd1;
+              if (below_136) begin
+                work <= {{3{limit[17]}}, limit};
+              end
+              at_low <= either_177;
+            end
+            Stage_kWholeHigh: begin
+              stage <= stage + 5'd1;
+              if (at_most_140) begin
+                work <= wide_136_2;
+              end
+              at_high <= either_178;
+            end
+            Stage_kHigh: begin
+              if (mode_i == SpeedMode_kControl) begin
+                stage <= stage + 5'd1;
+              end else begin
+                stage <= Stage_kDuty;
+              end
+              if (at_most_140) begin
+                work <= wide_136_2;
+              end
+              at_high <= either_178;
+            end
+            Stage_kUp: begin
+              stage <= stage + 5'd1;
+              if (at_most_140) begin
+                work <= wide_136_3;
+              end
+              at_high <= either_178;
+            end
+            default: begin  // Stage_kDown
+              stage <= stage + 5'd1;
+              if (below_136) begin
+                work <= wide_136_3;
+              end
+              at_low <= either_177;
+            end
+          endcase
+        end
+        Stage_kIntegral: begin
+          if (multiplier_done) begin
+            stage <= stage + 5'd1;
+            if (!(multiplier_product[31] ? at_low : at_high || limited)) begin
+              integral <= integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]};
+            end
+          end
+          started <= !multiplier_done;
+        end
+        Stage_kWhole: begin
+          stage <= stage + 5'd1;
+          work <= {{3{integral[33]}}, integral[33:16]};
+          at_high <= 1'b0;
+          at_low <= 1'b0;
+        end
+        Stage_kKeep: begin
+          stage <= stage + 5'd1;
+          if (at_low || at_high) begin
+            integral <= joined_166;
+          end
+        end
+        Stage_kDuty: begin
+          stage <= stage + 5'd1;
+          if (mode_i != SpeedMode_kControl) begin
+            integral <= joined_166;
+          end
+          duty <= work[15:0];
+          slips <= mode_i == SpeedMode_kControl && slips;
+        end
+        Stage_kOnClocks: begin
+          if (multiplier_done) begin
+            stage <= Stage_kIdle;
+            on_clocks <= multiplier_product[28:15];
+          end
+          started <= !multiplier_done;
+        end
+        default: stage <= Stage_kIdle;
+      endcase
       limited <=
           limited_i ||
           (limited && !(stage == Stage_kIntegral && multiplier_done) &&
           mode_i == SpeedMode_kControl);
-      at_high <= at_high_next;
-      at_low <= at_low_next;
     end
   end
 

@@ -228,25 +228,7 @@ module start_sequence (
   wire unequal_76 = wanted != state;  // line 76
   wire equal_77 = wanted == state;  // line 77
   wire [3:0] state_next = equal_77 ? state : choice_77;  // line 77
-  wire began_next = unequal_76 && state == State_kIdle && wanted == State_kObserve;  // line 79
-
-  logic [11:0] choice;
-  always_comb begin
-    case (state_next)
-      State_kObserve: choice = words_observe_i;
-      State_kBrake: choice = words_brake_i;
-      State_kSettle: choice = words_settle_i;
-      State_kReset: choice = words_reset_i;
-      State_kPullIn: choice = words_pull_in_i;
-      State_kSlowDown: choice = words_slow_down_i;
-      State_kRest: choice = words_rest_i;
-      State_kRun: choice = 12'd1024;
-      default: choice = 12'd4095;
-    endcase
-  end
-
-  wire either_191 = unequal_76 || !update_i;  // line 191
-  wire failed_next = unequal_76 && wanted == State_kRest;  // line 80
+  wire both_79 = unequal_76 && state == State_kIdle;  // line 79
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -266,17 +248,15 @@ module start_sequence (
       clear_was <= 1'b0;
     end else begin
       state <= state_next;  // line 77
-      if (began_next) begin
+      if (both_79 && wanted == State_kObserve) begin
         reason <= Reason_kNone;
-      end else if (!equal_77) begin
-        if (state_next == State_kRest || state_next == State_kFault) begin
-          if (wanted == State_kBrake) begin
-            reason <= Reason_kCannotStop;
-          end else if (fatal_i || lost_i) begin
-            reason <= cause_i;
-          end else begin
-            reason <= Reason_kNoLock;
-          end
+      end else if (!equal_77 && (state_next == State_kRest || state_next == State_kFault)) begin
+        if (wanted == State_kBrake) begin
+          reason <= Reason_kCannotStop;
+        end else if (fatal_i || lost_i) begin
+          reason <= cause_i;
+        end else begin
+          reason <= Reason_kNoLock;
         end
       end
       if (equal_77) begin
@@ -284,11 +264,31 @@ module start_sequence (
           ticks <= ticks - 12'd1;
         end
       end else begin
-        ticks <= choice;
+        case (state_next)
+          State_kObserve: ticks <= words_observe_i;
+          State_kBrake: ticks <= words_brake_i;
+          State_kSettle: ticks <= words_settle_i;
+          State_kReset: ticks <= words_reset_i;
+          State_kPullIn: ticks <= words_pull_in_i;
+          State_kRun: ticks <= 12'd1024;
+          State_kSlowDown: ticks <= words_slow_down_i;
+          State_kRest: ticks <= words_rest_i;
+          default: ticks <= 12'd4095;
+        endcase
       end
-      if (either_191) begin
+      if (unequal_76 || !update_i) begin
         if (!equal_77) begin
           good <= 6'd0;
+        end
+        if (unequal_76) begin
+          load_step <=
+              state_next == State_kAccelerate ||
+              (state == State_kObserve && state_next == State_kRun);
+          if (wanted == State_kObserve) begin
+            reverse <= command_reverse_i;
+          end
+        end else begin
+          load_step <= 1'b0;
         end
       end else begin
         if (!good_i || (state == State_kObserve && (turns_reverse_i ^ turns_reverse))) begin
@@ -296,33 +296,66 @@ module start_sequence (
         end else begin
           good <= good + 6'd1;
         end
+        load_step <= 1'b0;
         turns_reverse <= turns_reverse_i;
       end
       fresh <= update_i;
-      if (began_next || (both_74 && state == State_kRun)) begin  // line 178
+      if (both_74 && state == State_kRun) begin
         retries <= 4'd0;
-      end else if (failed_next) begin
-        retries <= retries + 4'd1;
-      end
-      if (began_next || state == State_kRun) begin  // line 183
         brakes <= 8'd0;
-      end else if (unequal_76 && wanted == State_kBrake) begin
-        brakes <= brakes + 8'd1;
-      end
-      if (state == State_kPullIn) begin  // line 202
-        boost <= boost - {5'd0, commutate_i ? boost[15:5] : 11'd0};
       end else begin
-        boost <= words_start_duty_i;
+        case (wanted)
+          State_kObserve: begin
+            if (both_79) begin
+              retries <= 4'd0;
+            end
+          end
+          State_kRest: begin
+            if (unequal_76) begin
+              retries <= retries + 4'd1;
+            end
+          end
+          default: ;
+        endcase
+        case (state)
+          State_kIdle: begin
+            case (wanted)
+              State_kObserve: begin
+                if (unequal_76) begin
+                  brakes <= 8'd0;
+                end
+              end
+              State_kBrake: begin
+                if (unequal_76) begin
+                  brakes <= brakes + 8'd1;
+                end
+              end
+              default: ;
+            endcase
+          end
+          State_kRun: brakes <= 8'd0;
+          default: begin
+            if (unequal_76 && wanted == State_kBrake) begin
+              brakes <= brakes + 8'd1;
+            end
+          end
+        endcase
       end
-      load_step <=
-          unequal_76 &&
-          (state_next == State_kAccelerate ||
-          (state == State_kObserve && state_next == State_kRun));
-      began <= began_next;  // line 79
-      failed <= failed_next;  // line 80
-      if (unequal_76 && wanted == State_kObserve) begin  // line 83
-        reverse <= command_reverse_i;
-      end
+      case (state)
+        State_kIdle: begin
+          boost <= words_start_duty_i;
+          began <= unequal_76 && wanted == State_kObserve;
+        end
+        State_kPullIn: begin
+          boost <= boost - {5'd0, commutate_i ? boost[15:5] : 11'd0};
+          began <= 1'b0;
+        end
+        default: begin
+          boost <= words_start_duty_i;
+          began <= 1'b0;
+        end
+      endcase
+      failed <= unequal_76 && wanted == State_kRest;  // line 80
       clear_was <= command_clear_fault_i;  // line 75
     end
   end

@@ -37,40 +37,20 @@ module telemetry (
         counts_limit_hits <= 16'd0;
         counts_retries <= 16'd0;
       end else begin
-        if (crossing_i) begin
-          if (counts_crossings == 16'd65535) begin
-            counts_crossings <= 16'd65535;
-          end else begin
-            counts_crossings <= counts_crossings + 16'd1;
-          end
+        if (crossing_i && counts_crossings != 16'd65535) begin
+          counts_crossings <= counts_crossings + 16'd1;
         end
-        if (missed_i) begin
-          if (counts_missed == 16'd65535) begin
-            counts_missed <= 16'd65535;
-          end else begin
-            counts_missed <= counts_missed + 16'd1;
-          end
+        if (missed_i && counts_missed != 16'd65535) begin
+          counts_missed <= counts_missed + 16'd1;
         end
-        if (freewheel_long_i) begin
-          if (counts_freewheel_long == 16'd65535) begin
-            counts_freewheel_long <= 16'd65535;
-          end else begin
-            counts_freewheel_long <= counts_freewheel_long + 16'd1;
-          end
+        if (freewheel_long_i && counts_freewheel_long != 16'd65535) begin
+          counts_freewheel_long <= counts_freewheel_long + 16'd1;
         end
-        if (limit_hit_i) begin
-          if (counts_limit_hits == 16'd65535) begin
-            counts_limit_hits <= 16'd65535;
-          end else begin
-            counts_limit_hits <= counts_limit_hits + 16'd1;
-          end
+        if (limit_hit_i && counts_limit_hits != 16'd65535) begin
+          counts_limit_hits <= counts_limit_hits + 16'd1;
         end
-        if (retry_i) begin
-          if (counts_retries == 16'd65535) begin
-            counts_retries <= 16'd65535;
-          end else begin
-            counts_retries <= counts_retries + 16'd1;
-          end
+        if (retry_i && counts_retries != 16'd65535) begin
+          counts_retries <= counts_retries + 16'd1;
         end
       end
     end

@@ -14,19 +14,22 @@ module vco_counter (
   logic [31:0] phase;  // u0.32, VCO turns
   logic pulse;  // the last addition passed a whole turn
 
-  wire [32:0] sum = {1'b0, phase} + {7'd0, frequency_i};  // line 37
-
   always_ff @(posedge clk) begin
     if (rst) begin
       phase <= 32'd0;
       pulse <= 1'b0;
     end else begin
-      if (load_i) begin  // line 39
+      if (load_i) begin
         phase <= {phase_i, 16'd0};
+        pulse <= 1'b0;
       end else if (enable_i) begin
+        logic [32:0] sum;
+        sum = {1'b0, phase} + {7'd0, frequency_i};  // line 37
         phase <= sum[31:0];
+        pulse <= sum[32];
+      end else begin
+        pulse <= 1'b0;
       end
-      pulse <= !load_i && enable_i && sum[32];  // line 38
     end
   end
 

@@ -13,16 +13,21 @@ Expressions::Expressions(const Module& module, const Plan& plan, NameOf name_of,
     : module_(module), plan_(plan), name_of_(std::move(name_of)),
       enumerators_(std::move(enumerators)) {}
 
+std::optional<Expressions::Used> Expressions::find_enumerator(const llvm::APInt& value,
+                                                              int enumeration) const {
+  if (enumeration < 0) return std::nullopt;
+  const Enumeration& e = module_.enumerations[enumeration];
+  for (std::size_t i = 0; i < e.values.size(); ++i)
+    if (e.width == value.getBitWidth() && llvm::APInt(e.width, e.values[i].second) == value)
+      return Used{enumeration, i};
+  return std::nullopt;
+}
+
 Expr Expressions::constant(const llvm::APInt& value, int enumeration, Expr::Base base) {
-  if (enumeration >= 0) {
-    const Enumeration& e = module_.enumerations[enumeration];
-    for (std::size_t i = 0; i < e.values.size(); ++i)
-      if (e.width == value.getBitWidth() && llvm::APInt(e.width, e.values[i].second) == value) {
-        used_.insert({enumeration, i});
-        return syntax::name(enumerators_[enumeration][i], e.width);
-      }
-  }
-  return syntax::literal(value, base);
+  const auto found = find_enumerator(value, enumeration);
+  if (!found) return syntax::literal(value, base);
+  used_.insert(*found);
+  return syntax::name(enumerator(*found), value.getBitWidth());
 }
 
 Expr Expressions::use(NodeId id, int enumeration) {

@@ -12,6 +12,7 @@
 #include "generator/print/syntax.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -26,12 +27,6 @@ class Expressions {
   Expressions(const Module& module, const Plan& plan, NameOf name_of,
               std::vector<std::vector<std::string>> enumerators);
 
-  // The value where it is used: its name if it has one.  A constant is spelled as the enumerator.
-  syntax::Expr use(NodeId id, int enumeration = -1);
-  // The value where it is defined.  For a product: as wide as its factors ask.
-  syntax::Expr define(NodeId id, int enumeration = -1);
-  syntax::Expr constant(const llvm::APInt& value, int enumeration, syntax::Expr::Base base);
-
   struct Used {
     int enumeration;
     std::size_t value;
@@ -39,6 +34,15 @@ class Expressions {
       return enumeration != o.enumeration ? enumeration < o.enumeration : value < o.value;
     }
   };
+
+  // The value where it is used: its name if it has one.  A constant is spelled as the enumerator.
+  syntax::Expr use(NodeId id, int enumeration = -1);
+  // The value where it is defined.  For a product: as wide as its factors ask.
+  syntax::Expr define(NodeId id, int enumeration = -1);
+  // The enumerator's name if there is one; only `constant` has its localparam printed.
+  std::optional<Used> find_enumerator(const llvm::APInt& value, int enumeration) const;
+  syntax::Expr constant(const llvm::APInt& value, int enumeration, syntax::Expr::Base base);
+
   const std::set<Used>& used_enumerators() const { return used_; }
   const std::string& enumerator(const Used& u) const {
     return enumerators_[u.enumeration][u.value];

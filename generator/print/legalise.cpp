@@ -4,6 +4,7 @@
 #include "generator/names.hpp"
 #include "generator/print/expressions.hpp"
 #include "generator/print/identifiers.hpp"
+#include "generator/print/place.hpp"
 #include "generator/print/wire_names.hpp"
 
 #include <fmt/format.h>
@@ -18,11 +19,14 @@ class Legaliser {
   Legaliser(const Design& design, const Module& module)
       : design_(design),
         m_(module),
-        names_(design, module),
-        plan_(plan(module)),
+        clocked_(decide(m_)),
+        names_(design, m_),
+        plan_(plan(m_, clocked_)),
         expressions_(m_, plan_, [this](NodeId id) { return name_of(id); }, name_enumerators()) {
     name_instance_outputs();
     wires_ = wire_names(m_, plan_, names_);
+    place_wires(m_, plan_, clocked_);
+    mark_locals(clocked_);
   }
 
   syntax::Text run() {
@@ -31,7 +35,7 @@ class Legaliser {
       const Node& n = m_.nodes[id];
       if (plan_.uses[id] == 0) continue;
       if (n.op == Op::kInstanceOutput) write_cell(n.index);
-      else if (plan_.wire[id]) write_wire(id);
+      else if (plan_.wire[id] && !local_[id]) write_wire(id, text_.items);
     }
     for (unsigned i = 0; i < m_.instances.size(); ++i) write_cell(i);
     write_registers();
@@ -136,14 +140,14 @@ class Legaliser {
     return -1;
   }
 
-  void write_wire(NodeId id) {
+  void write_wire(NodeId id, std::vector<syntax::Item>& items) {
     const Node& n = m_.nodes[id];
     if (n.op == Op::kTable) return write_table(id);
     const auto chain = plan_.cases.find(id);
-    if (chain != plan_.cases.end()) return write_case(id, chain->second);
+    if (chain != plan_.cases.end()) return write_case(id, chain->second, items);
     Expr value = expressions_.define(id);
     if (value.width == n.width) {
-      text_.items.emplace_back(syntax::Wire{wires_[id], n.width, value, at_line(n.source)});
+      items.emplace_back(syntax::Wire{wires_[id], n.width, value, at_line(n.source)});
       return;
     }
     // A product is computed as wide as its factors ask, then cut or extended.
@@ -164,7 +168,7 @@ class Legaliser {
     text_.items.emplace_back(syntax::Wire{wires_[id], n.width, value, ""});
   }
 
-  void write_case(NodeId id, const CaseChain& chain) {
+  void write_case(NodeId id, const CaseChain& chain, std::vector<syntax::Item>& items) {
     const Node& n = m_.nodes[id];
     const int selector = plan_.enumeration[chain.selector], result = plan_.enumeration[id];
     syntax::Case c{{{wires_[id], n.width}}, expressions_.use(chain.selector), {}, at_line(n.source)};
@@ -176,7 +180,7 @@ class Legaliser {
       c.arms.push_back(std::move(printed));
     }
     c.arms.push_back({{}, {expressions_.use(chain.otherwise, result)}});
-    text_.items.emplace_back(std::move(c));
+    items.emplace_back(std::move(c));
   }
 
   void write_table(NodeId id) {
@@ -207,38 +211,74 @@ class Legaliser {
     spell_signed(e.operands[2]);
   }
 
+  void mark_locals(const Block& block) {
+    for (const NodeId id : block.wires) local_[id] = true;
+    for (const Step& step : block.steps)
+      for (const Step::Arm& arm : step.arms) mark_locals(arm.block);
+  }
+
   void write_registers() {
     for (std::size_t i = 0; i < m_.registers.size(); ++i) {
       const Register& r = m_.registers[i];
       const auto base = r.leaf.is_signed ? Expr::Base::kSignedDecimal : Expr::Base::kDecimal;
-      text_.resets.push_back({names_.registers[i],
-                              expressions_.constant(r.reset, r.leaf.enumeration, base), {}, {}, ""});
-      for (syntax::Statement& s : update(i, r.next)) {
-        s.comment = at_line(m_.nodes[r.next].source);
-        text_.updates.push_back(std::move(s));
-      }
+      syntax::Statement s;
+      s.target = names_.registers[i];
+      s.value = expressions_.constant(r.reset, r.leaf.enumeration, base);
+      text_.resets.statements.push_back(std::move(s));
     }
+    text_.updates = write_block(clocked_, true);
   }
 
-  std::vector<syntax::Statement> update(std::size_t reg, NodeId value) {
-    const Node& n = m_.nodes[value];
-    if (n.op == Op::kRegister && n.index == reg) return {};  // keeps its value
-    if (plan_.in_update[value]) {
-      syntax::Statement s{
-          "", expressions_.use(n.in[0]), update(reg, n.in[1]), update(reg, n.in[2]), ""};
-      if (s.then.empty() && s.otherwise.empty()) return {};
-      return {std::move(s)};
+  // Inside of branches the lines of the source would say less than they take.
+  syntax::Block write_block(const Block& block, bool outermost) {
+    syntax::Block out;
+    for (const NodeId id : block.wires) write_wire(id, out.locals);
+    for (const Step& step : block.steps) {
+      out.statements.push_back(write_step(step));
+      if (!outermost) out.statements.back().comment.clear();
     }
-    return {{names_.registers[reg], stored(value, m_.registers[reg].leaf), {}, {}, ""}};
+    return out;
+  }
+
+  syntax::Statement write_step(const Step& step) {
+    syntax::Statement s;
+    if (step.arms.empty()) {
+      s.target = names_.registers[step.reg];
+      s.value = expressions_.use(step.value, m_.registers[step.reg].leaf.enumeration);
+      s.comment = at_line(m_.nodes[step.value].source);
+      return s;
+    }
+    s.value = expressions_.use(step.selector);
+    if (m_.nodes[step.selector].width == 1) {
+      s.then = write_block(step.arms[0].block, false);
+      s.otherwise = write_block(step.arms[1].block, false);
+      return s;
+    }
+    const int enumeration = plan_.enumeration[step.selector];
+    for (const Step::Arm& arm : step.arms) {
+      syntax::Statement::Arm printed;
+      for (const llvm::APInt& label : arm.labels)
+        printed.labels.push_back(expressions_.constant(label, enumeration, Expr::Base::kDecimal));
+      for (const llvm::APInt& label : arm.rest) {
+        const auto found = expressions_.find_enumerator(label, enumeration);
+        printed.rest.push_back(found ? syntax::name(expressions_.enumerator(*found), 1)
+                                     : syntax::literal(label));
+      }
+      printed.block = write_block(arm.block, false);
+      s.arms.push_back(std::move(printed));
+    }
+    return s;
   }
 
   const Design& design_;
-  const Module& m_;
+  Module m_;       // a copy, to which decide() adds
+  Block clocked_;  // what the registers do
   FixedNames names_;
   Plan plan_;
   Expressions expressions_;
   std::vector<std::vector<std::string>> instance_outputs_;
   std::vector<std::string> wires_;
+  std::vector<bool> local_ = std::vector<bool>(m_.nodes.size(), false);  // stands in a branch
   std::vector<bool> written_ = std::vector<bool>(m_.instances.size(), false);
   syntax::Text text_;
 };

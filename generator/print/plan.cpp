@@ -1,27 +1,28 @@
 #include "generator/print/plan.hpp"
 
+#include <set>
+
 namespace hlsgen {
 namespace {
 
 // Names and literals in one expression; a reader's limit, not a tool's.
 constexpr unsigned kLongest = 7;
 constexpr unsigned kLongestChoice = 20;  // a ?: b : c ?: ... stands on several lines
-constexpr unsigned kDeepestIf = 3;
 
 class Planner {
  public:
-  explicit Planner(const Module& module) : m_(module), inner_(module.nodes.size(), false) {
-    plan_.uses = count_uses(module);
+  Planner(const Module& module, const Block& clocked)
+      : m_(module), clocked_(clocked), inner_(module.nodes.size(), false) {
+    plan_.uses = count_uses(module, {}, &clocked);
     plan_.enumeration = infer_enumerations(module);
     plan_.wire.assign(module.nodes.size(), false);
-    plan_.in_update.assign(module.nodes.size(), false);
     weight_.assign(module.nodes.size(), 1);
   }
 
   Plan run() {
     find_cases();
-    plan_.uses = count_uses(m_, plan_.cases);
-    find_updates();
+    plan_.uses = count_uses(m_, plan_.cases, &clocked_);
+    find_clocked(clocked_);
     for (NodeId id = 0; id < m_.nodes.size(); ++id)
       if (plan_.uses[id] > 0) decide(id);
     for (const auto& [head, chain] : plan_.cases) {
@@ -46,16 +47,13 @@ class Planner {
     }
   }
 
-  void find_updates() {
-    for (const Register& r : m_.registers) mark_update(r.next, 0);
-  }
-  void mark_update(NodeId id, unsigned depth) {
-    const Node& n = node(id);
-    if (n.op != Op::kMux || plan_.uses[id] != 1 || plan_.cases.count(id) != 0) return;
-    if (depth > kDeepestIf) return;
-    plan_.in_update[id] = true;
-    mark_update(n.in[1], depth + 1);
-    mark_update(n.in[2], depth);  // else if: no deeper
+  // What registers take, and what their cases select by.
+  void find_clocked(const Block& block) {
+    for (const Step& step : block.steps) {
+      if (step.arms.empty()) ++stored_[step.value];
+      else if (node(step.selector).width > 1) selectors_.insert(step.selector);
+      for (const Step::Arm& arm : step.arms) find_clocked(arm.block);
+    }
   }
 
   bool is_source(NodeId id) const {
@@ -79,11 +77,12 @@ class Planner {
     if (n.op == Op::kSext && !is_atom(n.in[0]) && !is_select(n.in[0])) make_wire(n.in[0]);
     if (n.op == Op::kTable) make_wire(n.in[0]);
     if (n.op == Op::kMul) separate_factors(n);
-    if (inner_[id] || plan_.in_update[id]) return;
-    if (plan_.cases.count(id) != 0 || must_be_wire(n)) return make_wire(id);
+    if (inner_[id]) return;
+    if (plan_.cases.count(id) != 0 || selectors_.count(id) != 0 || must_be_wire(n))
+      return make_wire(id);
     shorten(id);
-    if (!is_plain(id) && (plan_.uses[id] > 1 || !n.name.empty()) && !only_renames(id))
-      make_wire(id);
+    const bool wanted = plan_.uses[id] > 1 || !n.name.empty();
+    if (wanted && !is_plain(id) && !is_count(id) && !only_renames(id)) make_wire(id);
   }
 
   // $signed() reaches through a whole expression, so what needs it stands alone.
@@ -113,14 +112,20 @@ class Planner {
     }
   }
 
+  // A counter's step, in whatever branches it is taken: `left - 1`.
+  bool is_count(NodeId id) const {
+    const Node& n = node(id);
+    const auto stores = stored_.find(id);
+    return n.op == Op::kAdd && node(n.in[0]).op == Op::kRegister && is_constant(n.in[1]) &&
+           stores != stored_.end() && stores->second == plan_.uses[id];
+  }
+
   // Its only reader is a port or a register, which has a name already.
   bool only_renames(NodeId id) const {
     if (plan_.uses[id] != 1) return false;
     for (const Output& o : m_.outputs)
       if (o.value == id) return true;
-    for (const Register& r : m_.registers)
-      if (r.next == id) return true;
-    return false;
+    return stored_.count(id) != 0;
   }
 
   void shorten(NodeId id) {
@@ -159,6 +164,9 @@ class Planner {
   }
 
   const Module& m_;
+  const Block& clocked_;
+  std::map<NodeId, unsigned> stored_;  // in a register, and how often
+  std::set<NodeId> selectors_;         // of a case
   Plan plan_;
   std::vector<bool> inner_;  // inside of a case chain, behind its head
   std::vector<unsigned> weight_;
@@ -166,6 +174,6 @@ class Planner {
 
 }  // namespace
 
-Plan plan(const Module& module) { return Planner(module).run(); }
+Plan plan(const Module& module, const Block& clocked) { return Planner(module, clocked).run(); }
 
 }  // namespace hlsgen

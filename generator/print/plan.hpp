@@ -1,15 +1,15 @@
 // Which values become wires of their own, which are written where they are used, and which muxes
-// read better as `case` or as the ifs of an always_ff.
+// read better as `case`.
 //
 //     used more than once, or named in C++, or too long   ->  a wire
 //     s == 0 ? a : s == 1 ? b : s == 2 ? c : d            ->  a case
-//     next = mux(load, x, mux(step, y, self))             ->  if (load) ... else if (step) ...
 //
 // Test: tests/generator/backend_print_test.cpp
 
 #pragma once
 
 #include "generator/netlist.hpp"
+#include "generator/print/decide.hpp"
 
 #include <map>
 #include <optional>
@@ -30,10 +30,8 @@ struct CaseChain {
 struct Plan {
   std::vector<unsigned> uses;  // 0: no one reads the node
   std::vector<bool> wire;      // printed as a wire
-  std::vector<bool> in_update; // a mux that became an if of the always_ff
   std::vector<int> enumeration;  // of the value, or -1
   std::map<NodeId, CaseChain> cases;
-
 };
 
 // One side of a product, seen through its extension: the multiplier is as wide as the values are.
@@ -44,11 +42,14 @@ struct Factor {
 };
 Factor factor(const Module& module, NodeId operand);
 
-Plan plan(const Module& module);
+// `clocked` is what the registers do.
+Plan plan(const Module& module, const Block& clocked);
 
 // Uses and enumerations alone; the passes need them as well.
+// With `clocked`, its reads count instead of the registers' next values.
 std::vector<unsigned> count_uses(const Module& module,
-                                 const std::map<NodeId, CaseChain>& cases = {});
+                                 const std::map<NodeId, CaseChain>& cases = {},
+                                 const Block* clocked = nullptr);
 std::vector<int> infer_enumerations(const Module& module);
 
 // The chain that starts at this mux, if it has three arms at least.

@@ -70,10 +70,14 @@ Factor factor(const Module& m, NodeId operand) {
   return {operand, n.width, small_negative};
 }
 
-std::vector<unsigned> count_uses(const Module& m, const std::map<NodeId, CaseChain>& cases) {
+std::vector<unsigned> count_uses(const Module& m, const std::map<NodeId, CaseChain>& cases,
+                                 const Block* clocked) {
   std::vector<unsigned> uses(m.nodes.size(), 0);
   for (const Output& o : m.outputs) ++uses[o.value];
-  for (const Register& r : m.registers) ++uses[r.next];
+  if (clocked != nullptr)
+    for_each_read(*clocked, [&](NodeId id, const Block&) { ++uses[id]; });
+  else
+    for (const Register& r : m.registers) ++uses[r.next];
   for (const Instance& i : m.instances)
     for (const NodeId input : i.inputs) ++uses[input];
   for (NodeId id = m.nodes.size(); id-- > 0;) {

@@ -6,6 +6,7 @@
 namespace hlsgen {
 namespace {
 
+using syntax::Block;
 using syntax::Expr;
 using syntax::Statement;
 using Kind = Expr::Kind;
@@ -95,20 +96,34 @@ Expr pretty_concat(Expr e) {
   return syntax::concat(std::move(parts));
 }
 
+bool is_empty(const Block& block) { return block.locals.empty() && block.statements.empty(); }
+
 Statement pretty_if(Statement s) {
   s.then = prettify(std::move(s.then));
   s.otherwise = prettify(std::move(s.otherwise));
-  const bool else_if = s.otherwise.size() == 1 && s.otherwise[0].target.empty();
+  const Block& other = s.otherwise;
+  const bool else_if =
+      other.locals.empty() && other.statements.size() == 1 && other.statements[0].is_if();
   const bool negated = s.value.is_operator("!");
-  if (s.then.empty() || (negated && !s.otherwise.empty() && !else_if)) {
+  if (is_empty(s.then) || (negated && !is_empty(other) && !else_if)) {
     s.value = negated ? Expr(s.value.operands[0]) : prettify(syntax::unary("!", s.value, 1));
     std::swap(s.then, s.otherwise);
+  }
+  // if (a) if (b) p;   ->   if (a && b) p;
+  if (is_empty(s.otherwise) && s.then.locals.empty() && s.then.statements.size() == 1) {
+    Statement& inner = s.then.statements[0];
+    if (inner.is_if() && is_empty(inner.otherwise)) {
+      s.value = syntax::binary("&&", std::move(s.value), std::move(inner.value), 1);
+      s.then = Block(std::move(inner.then));
+    }
   }
   return s;
 }
 
-void append(std::vector<Statement>& to, std::vector<Statement> more) {
-  for (Statement& s : more) to.push_back(std::move(s));
+Statement pretty_statement(Statement s) {
+  s.value = prettify(std::move(s.value));
+  for (Statement::Arm& arm : s.arms) arm.block = prettify(std::move(arm.block));
+  return s.is_if() ? pretty_if(std::move(s)) : s;
 }
 
 }  // namespace
@@ -124,29 +139,12 @@ Expr prettify(Expr e) {
   }
 }
 
-// The assignments are non-blocking and each register has one statement, so order is free.
-std::vector<Statement> prettify(std::vector<Statement> list) {
-  std::vector<Statement> out;
-  for (Statement& s : list) {
-    s.value = prettify(std::move(s.value));
-    if (!s.target.empty()) {
-      out.push_back(std::move(s));
-      continue;
-    }
-    Statement* same = nullptr;
-    for (Statement& earlier : out)
-      if (earlier.target.empty() && earlier.value == s.value) same = &earlier;
-    if (same == nullptr) {
-      out.push_back(std::move(s));
-      continue;
-    }
-    append(same->then, std::move(s.then));
-    append(same->otherwise, std::move(s.otherwise));
-    same->comment.clear();
-  }
-  for (Statement& s : out)
-    if (s.target.empty()) s = pretty_if(std::move(s));
-  return out;
+Block prettify(Block block) {
+  for (syntax::Item& item : block.locals)
+    for_each_in_item(item, [](Expr& e) { e = prettify(std::move(e)); });
+  merge_cases(block.locals);
+  for (Statement& s : block.statements) s = pretty_statement(std::move(s));
+  return block;
 }
 
 void prettify(syntax::Text& text) {

@@ -6,7 +6,7 @@
 //     !c ? a : b                   ->  c ? b : a
 //     {4'd0, 2'd1}                 ->  6'd1
 //     {x[7:4], x[3:0]}             ->  x
-//     if (c) p; if (c) q;          ->  if (c) { p; q; }
+//     if (!c) p; else q;           ->  if (c) q; else p;
 //     two cases over one selector  ->  one case with two targets
 //
 // Test: tests/generator/backend_print_test.cpp
@@ -18,7 +18,7 @@
 namespace hlsgen {
 
 syntax::Expr prettify(syntax::Expr e);
-std::vector<syntax::Statement> prettify(std::vector<syntax::Statement> list);
+syntax::Block prettify(syntax::Block block);
 void prettify(syntax::Text& text);
 
 // Two neighbouring `case` over the same selector and labels become one.
@@ -26,12 +26,6 @@ void merge_cases(std::vector<syntax::Item>& items);
 
 // Calls visit(expression) for every expression of the text, outermost ones only; works on const
 // trees and on others.
-template <class Statement, class Visit>
-void for_each_in_statement(Statement& s, const Visit& visit) {
-  visit(s.value);
-  for (auto& t : s.then) for_each_in_statement(t, visit);
-  for (auto& t : s.otherwise) for_each_in_statement(t, visit);
-}
 template <class Item, class Visit>
 void for_each_in_item(Item& item, const Visit& visit) {
   if (auto* wire = std::get_if<syntax::Wire>(&item)) visit(wire->value);
@@ -45,10 +39,23 @@ void for_each_in_item(Item& item, const Visit& visit) {
     }
   }
 }
+template <class Block, class Visit>
+void for_each_in_block(Block& block, const Visit& visit) {
+  for (auto& item : block.locals) for_each_in_item(item, visit);
+  for (auto& s : block.statements) {
+    visit(s.value);
+    for_each_in_block(s.then, visit);
+    for_each_in_block(s.otherwise, visit);
+    for (auto& arm : s.arms) {
+      for (auto& label : arm.labels) visit(label);
+      for_each_in_block(arm.block, visit);
+    }
+  }
+}
 template <class Text, class Visit>
 void for_each_expression(Text& text, const Visit& visit) {
   for (auto& item : text.items) for_each_in_item(item, visit);
-  for (auto& s : text.updates) for_each_in_statement(s, visit);
+  for_each_in_block(text.updates, visit);
   for (auto& [port, value] : text.assigns) visit(value);
 }
 

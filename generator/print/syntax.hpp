@@ -54,14 +54,6 @@ Expr binary(std::string op, Expr a, Expr b, unsigned width);
 Expr conditional(Expr condition, Expr then, Expr otherwise);
 Expr as_signed(Expr e);
 
-struct Statement {  // of an always block
-  // An assignment if target is set, else an if.
-  std::string target;
-  Expr value;      // assigned, or the condition
-  std::vector<Statement> then, otherwise;
-  std::string comment;
-};
-
 struct Wire {
   std::string name;
   unsigned width = 1;
@@ -97,6 +89,29 @@ struct Cell {
 
 using Item = std::variant<Wire, Case, Cell>;
 
+struct Statement;
+
+struct Block {  // of an always_ff
+  std::vector<Item> locals;  // wires and cases
+  std::vector<Statement> statements;
+};
+
+struct Statement {
+  struct Arm {
+    std::vector<Expr> labels;  // none: default
+    Block block;
+    std::vector<Expr> rest;  // what the default stands for, for a comment
+  };
+  // An assignment if target is set, a case if there are arms, else an if.
+  std::string target;
+  Expr value;  // assigned, or what decides
+  Block then, otherwise;
+  std::vector<Arm> arms;
+  std::string comment;
+
+  bool is_if() const { return target.empty() && arms.empty(); }
+};
+
 struct Signal {  // port or register
   std::string name;
   unsigned width = 1;
@@ -110,7 +125,7 @@ struct Text {
   std::vector<Signal> inputs, outputs, registers;
   std::vector<std::pair<std::string, Expr>> constants;  // localparams
   std::vector<Item> items;                              // each after what it reads
-  std::vector<Statement> resets, updates;               // of the one always_ff
+  Block resets, updates;                                // of the one always_ff
   std::vector<std::pair<std::string, Expr>> assigns;    // of the outputs
   std::vector<Expr> unused;                             // what no one reads
 };

@@ -10,6 +10,7 @@
 namespace hlsgen {
 namespace {
 
+using syntax::Block;
 using syntax::Expr;
 using syntax::Statement;
 
@@ -29,7 +30,7 @@ class Writer {
     for (const syntax::Item& item : t.items)
       std::visit([this](const auto& i) { write(i); }, item);
     if (!t.items.empty()) out_ += "\n";
-    if (!t.updates.empty()) registers(t);
+    if (!t.updates.statements.empty()) registers(t);
     for (const auto& [port, value] : t.assigns)
       out_ += write_assignment(2, "assign " + port + " =", value);
     if (!t.unused.empty()) unused(t.unused);
@@ -97,46 +98,85 @@ class Writer {
     for (const auto& t : c.targets)
       line(1, fmt::format("logic {}{};{}", write_range(t.width), t.name, write_comment(c.comment)));
     line(1, "always_comb begin");
-    line(2, "case (" + write_flat(c.selector) + ")");
-    for (const syntax::Case::Arm& arm : c.arms) {
-      std::string labels;
-      for (const Expr& label : arm.labels)
-        labels += (labels.empty() ? "" : ", ") + write_flat(label);
-      if (labels.empty()) labels = "default";
-      if (c.targets.size() == 1) {
-        out_ += write_assignment(6, labels + ": " + c.targets[0].name + " =", arm.values[0]);
-        continue;
-      }
-      line(3, labels + ": begin");
-      for (std::size_t i = 0; i < c.targets.size(); ++i)
-        out_ += write_assignment(8, c.targets[i].name + " =", arm.values[i]);
-      line(3, "end");
-    }
-    line(2, "endcase");
+    case_of_values(c, 2);
     line(1, "end");
     out_ += "\n";
+  }
+
+  void case_of_values(const syntax::Case& c, unsigned level) {
+    line(level, "case (" + write_flat(c.selector) + ")");
+    for (const syntax::Case::Arm& arm : c.arms) {
+      const std::string head = labels(arm.labels, level + 1) + ":";
+      if (c.targets.size() == 1) {
+        out_ += write_assignment(2 * (level + 1), head + " " + c.targets[0].name + " =",
+                                 arm.values[0]);
+        continue;
+      }
+      line(level + 1, head + " begin");
+      for (std::size_t i = 0; i < c.targets.size(); ++i)
+        out_ += write_assignment(2 * (level + 2), c.targets[i].name + " =", arm.values[i]);
+      line(level + 1, "end");
+    }
+    line(level, "endcase");
+  }
+
+  // In as many lines as it takes; the rest of the last one is the caller's.
+  static std::string labels(const std::vector<Expr>& list, unsigned level) {
+    if (list.empty()) return level == 0 ? "" : "default";
+    const std::string start(2 * static_cast<std::size_t>(level), ' ');
+    constexpr std::size_t kCloser = 8;  // ": begin"
+    std::string out;
+    std::size_t column = start.size();
+    for (const Expr& label : list) {
+      const std::string text = write_flat(label);
+      if (!out.empty()) {
+        const bool fits = level == 0 || column + 2 + text.size() + kCloser <= kColumns;
+        out += fits ? ", " : ",\n" + start;
+        column = fits ? column + 2 : start.size();
+      }
+      out += text;
+      column += text.size();
+    }
+    return out;
   }
 
   void registers(const syntax::Text& t) {
     line(1, fmt::format("always_ff @(posedge {}) begin", kClockPort));
     line(2, fmt::format("if ({}) begin", kResetPort));
-    statements(t.resets, 3);
+    body(t.resets, 3);
     line(2, "end else begin");
-    statements(t.updates, 3);
+    body(t.updates, 3);
     line(2, "end");
     line(1, "end");
     out_ += "\n";
   }
 
-  void statements(const std::vector<Statement>& list, unsigned level) {
-    for (const Statement& s : list) {
+  void body(const Block& block, unsigned level) {
+    for (const syntax::Item& item : block.locals) declare(item, level);
+    for (const syntax::Item& item : block.locals) {
+      if (const auto* wire = std::get_if<syntax::Wire>(&item))
+        out_ += write_assignment(2 * level, wire->name + " =", wire->value, wire->comment);
+      if (const auto* c = std::get_if<syntax::Case>(&item)) case_of_values(*c, level);
+    }
+    for (const Statement& s : block.statements) {
       if (!s.target.empty()) {
         out_ += write_assignment(2 * level, s.target + " <=", s.value, s.comment);
-        continue;
+      } else if (!s.arms.empty()) {
+        case_of_blocks(s, level);
+      } else {
+        out_ += std::string(2 * static_cast<std::size_t>(level), ' ');
+        branch(s, level);
       }
-      out_ += std::string(2 * static_cast<std::size_t>(level), ' ');
-      branch(s, level);
     }
+  }
+
+  void declare(const syntax::Item& item, unsigned level) {
+    const auto one = [&](const std::string& name, unsigned width, const std::string& comment) {
+      line(level, fmt::format("logic {}{};{}", write_range(width), name, write_comment(comment)));
+    };
+    if (const auto* wire = std::get_if<syntax::Wire>(&item)) one(wire->name, wire->width, "");
+    if (const auto* c = std::get_if<syntax::Case>(&item))
+      for (const auto& t : c->targets) one(t.name, t.width, c->comment);
   }
 
   // The indent is written already: it may stand behind an else.
@@ -144,19 +184,39 @@ class Writer {
     const std::string start(2 * static_cast<std::size_t>(level), ' ');
     out_ += "if (" + write_wrapped(s.value, 2 * level + 14, 2 * level + 4) + ") begin" +
             write_comment(s.comment) + "\n";
-    statements(s.then, level + 1);
+    body(s.then, level + 1);
     out_ += start + "end";
-    if (s.otherwise.size() == 1 && s.otherwise[0].target.empty()) {
+    const Block& other = s.otherwise;
+    if (other.locals.empty() && other.statements.size() == 1 && other.statements[0].is_if()) {
       out_ += " else ";
-      branch(s.otherwise[0], level);
+      branch(other.statements[0], level);
       return;
     }
-    if (!s.otherwise.empty()) {
+    if (!other.statements.empty()) {
       out_ += " else begin\n";
-      statements(s.otherwise, level + 1);
+      body(other, level + 1);
       out_ += start + "end";
     }
     out_ += "\n";
+  }
+
+  void case_of_blocks(const Statement& s, unsigned level) {
+    line(level, "case (" + write_flat(s.value) + ")");
+    for (const Statement::Arm& arm : s.arms) {
+      const std::string head = labels(arm.labels, level + 1) + ":";
+      const std::vector<Statement>& list = arm.block.statements;
+      if (list.empty()) {
+        line(level + 1, head + " ;");
+      } else if (list.size() == 1 && arm.block.locals.empty() && !list[0].target.empty()) {
+        out_ += write_assignment(2 * (level + 1), head + " " + list[0].target + " <=",
+                                 list[0].value, list[0].comment);
+      } else {
+        line(level + 1, head + " begin" + write_comment(labels(arm.rest, 0)));
+        body(arm.block, level + 2);
+        line(level + 1, "end");
+      }
+    }
+    line(level, "endcase");
   }
 
   void unused(const std::vector<Expr>& signals) {
