@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "testbench/command/command.hpp"
+#include "testbench/command/terminal.hpp"
+#include "testbench/range/range.hpp"
+#include "testbench/report/report.hpp"
+#include "testbench/run/check.hpp"
+
+namespace steplock {
+namespace {
+
+struct Arguments {
+  std::string file = "drives/br2804_drone.toml", out = "out/range";
+};
+
+int print_range(const Arguments& arguments) {
+  namespace fs = std::filesystem;
+  const DriveFile file = open_drive_file(arguments.file);
+  Range range;
+  {
+    Interrupt interrupt;
+    ProgressBar bar("range");
+    try {
+      range = measure_range(file.settings, [&](double done) {
+        bar.show(done);
+        return !interrupt.asked();
+      });
+    } catch (const std::runtime_error&) {
+      if (interrupt.asked()) return kInterrupted;  // nothing was written yet
+      throw;
+    }
+  }
+  const fs::path out = arguments.out;
+  fs::create_directories(out / "figures");
+  if (!draw(range_figure(range), out / "figures")) {
+    throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
+  }
+  write_file(out / "range.md", range_page(range));
+  fmt::print("  wrote {}\n  wrote {}\n", (out / "figures" / "range.svg").string(),
+             (out / "range.md").string());
+  return kWell;
+}
+
+}  // namespace
+
+void add_range_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "range", "Measure up to which speed the drive locks, and how well it commutates.");
+  command->add_option("FILE", arguments->file,
+                      "drive file that lends what is not varied (default drives/br2804_drone.toml)");
+  command->add_option("--out", arguments->out, "directory of range.md and its figure (default out/range)");
+  command->footer("Example: steplock range --out docs");
+  command->callback([arguments, &exit_code] { exit_code = print_range(*arguments); });
+}
+
+}  // namespace steplock
