@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "testbench/command/command.hpp"
+#include "testbench/command/terminal.hpp"
+#include "testbench/range/load_envelope.hpp"
+#include "testbench/report/report.hpp"
+#include "testbench/run/check.hpp"
+
+namespace steplock {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string out = "out/load";
+};
+
+int print_envelope(const Arguments& arguments) {
+  namespace fs = std::filesystem;
+  std::vector<DriveFile> files;
+  for (const std::string& path : arguments.files) files.push_back(open_drive_file(path));
+  std::vector<LoadEnvelope> all;
+  {
+    Interrupt interrupt;
+    ProgressBar bar("load");
+    try {
+      for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::string stem = fs::path(arguments.files[i]).stem().string();
+        all.push_back(measure_envelope(files[i], stem, [&](double done) {
+          bar.show((static_cast<double>(i) + done) / static_cast<double>(files.size()), stem);
+          return !interrupt.asked();
+        }));
+      }
+    } catch (const std::runtime_error&) {
+      if (interrupt.asked()) return kInterrupted;  // nothing was written yet
+      throw;
+    }
+  }
+  const fs::path out = arguments.out;
+  fs::create_directories(out / "figures");
+  for (const LoadEnvelope& e : all) {
+    if (!draw(envelope_figure(e), out / "figures")) {
+      throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
+    }
+  }
+  write_file(out / "load.md", envelope_page(all));
+  fmt::print("  wrote {}\n", (out / "load.md").string());
+  return kWell;
+}
+
+}  // namespace
+
+void add_envelope_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "envelope", "Raise the load at several speeds until the rotor is lost: torque against speed.");
+  command->add_option("FILES", arguments->files, "drive files")->required();
+  command->add_option("--out", arguments->out, "directory of load.md and its figures (default out/load)");
+  command->footer("Example: steplock envelope drives/bly172s.toml");
+  command->callback([arguments, &exit_code] { exit_code = print_envelope(*arguments); });
+}
+
+}  // namespace steplock
