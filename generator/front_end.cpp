@@ -1,6 +1,10 @@
 #include "generator/front_end.hpp"
 
 #include <llvm/IR/Constants.h>
+#include <llvm/Support/thread.h>
+
+#include <exception>
+#include <optional>
 
 #include "generator/cpp/blocks.hpp"
 #include "generator/dataflow/convert.hpp"
@@ -174,6 +178,21 @@ class FrontEnd {
 
 }  // namespace
 
-FrontEndResult build_design(const FrontEndOptions& options) { return FrontEnd(options).run(); }
+// On a stack of its own: values are followed from outputs backwards, through all of a tick at once.
+FrontEndResult build_design(const FrontEndOptions& options) {
+  constexpr unsigned kStack = 1U << 30;  // bytes reserved; only what is touched is taken
+  FrontEndResult result;
+  std::exception_ptr fault;
+  llvm::thread worker(std::optional<unsigned>(kStack), [&] {
+    try {
+      result = FrontEnd(options).run();
+    } catch (...) {
+      fault = std::current_exception();
+    }
+  });
+  worker.join();
+  if (fault) std::rethrow_exception(fault);
+  return result;
+}
 
 }  // namespace hlsgen

@@ -65,6 +65,11 @@ NodeId Control::at_switch(const llvm::SwitchInst& choice, const llvm::PHINode& p
                   return a.cases.size() < b.cases.size();
                 })->value;
   }
+  // Nothing to choose: control never gets there, or it does not matter how.  The selector may stand
+  // behind the phi then, and even depend on it.
+  const bool is_same = std::all_of(groups.begin(), groups.end(),
+                                   [&](const Group& group) { return group.value == otherwise; });
+  if (is_same) return otherwise;
   const NodeId selector = convert_(choice.getCondition());
   if (selector == kNone) return otherwise;
   NodeId result = otherwise;

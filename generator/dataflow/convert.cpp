@@ -2,11 +2,13 @@
 
 #include <llvm/IR/DebugInfo.h>
 #include <llvm/IR/InstIterator.h>
+#include <llvm/IR/IntrinsicInst.h>
 
 #include <algorithm>
 
 #include "generator/dataflow/control.hpp"
 #include "generator/dataflow/instructions.hpp"
+#include "generator/dataflow/intrinsics.hpp"
 #include "generator/dataflow/reach.hpp"
 #include "generator/dataflow/variables.hpp"
 #include "generator/names.hpp"
@@ -132,10 +134,13 @@ class Converter {
       return nodes_.constant(constant->getValue());
     }
     if (llvm::isa<llvm::UndefValue>(v)) return kNone;  // poison is one of them
+    if (const auto* global = dyn_cast<llvm::GlobalVariable>(v)) return source(*global);
     const auto known = values_.find(v);
     if (known != values_.end()) return known->second;
     const auto* at = dyn_cast<llvm::Instruction>(v);
-    if (at == nullptr || !v->getType()->isIntegerTy()) {
+    const bool is_choice = v->getType()->isPointerTy() && at != nullptr &&
+                           llvm::isa<llvm::PHINode, llvm::SelectInst>(at);
+    if (at == nullptr || (!v->getType()->isIntegerTy() && !is_choice)) {
       throw Refusal(at == nullptr ? block_.source : source_of(*at),
                     "the value of a pointer is used as a number", "use an index");
     }
@@ -147,21 +152,27 @@ class Converter {
   }
 
   NodeId convert(const llvm::Instruction& at) {
-    if (at.getType()->getIntegerBitWidth() > 2 * 128) {
+    if (at.getType()->isIntegerTy() && at.getType()->getIntegerBitWidth() > 2 * 128) {
       throw Refusal(source_of(at), "a number of more than 256 bits", "split it");
     }
-    if (const auto* load = dyn_cast<llvm::LoadInst>(&at)) return source(*load);
+    if (const auto* load = dyn_cast<llvm::LoadInst>(&at)) return loaded(*load);
     if (const auto* phi = dyn_cast<llvm::PHINode>(&at)) {
       const Located located(*this, at);
       return control_.phi(*phi);
     }
     const auto* call = dyn_cast<llvm::CallInst>(&at);
     if (opaque_kind(&at) == OpaqueKind::kUndefined) return mark(*call);
+    if (const auto* part = dyn_cast<llvm::ExtractValueInst>(&at)) {
+      if (const auto* pair = dyn_cast<llvm::WithOverflowInst>(part->getAggregateOperand())) {
+        return overflow(*pair, part->getIndices().front() == 1, at);
+      }
+    }
     std::vector<NodeId> in;
     const bool is_table = opaque_kind(&at) == OpaqueKind::kTable;
     for (const auto& operand : at.operands()) {
       if (call != nullptr && !call->isDataOperand(&operand)) continue;
-      in.push_back(operand->getType()->isIntegerTy() ? value(operand) : kNone);
+      const bool has_value = operand->getType()->isIntegerTy() || llvm::isa<llvm::SelectInst>(at);
+      in.push_back(has_value ? value(operand) : kNone);
     }
     const Located located(*this, at);
     if (is_table) return table(*call, in[1]);
@@ -176,14 +187,30 @@ class Converter {
     return instruction(nodes_, at, in);
   }
 
-  NodeId source(const llvm::LoadInst& load) {
-    const auto* global = dyn_cast<llvm::GlobalVariable>(load.getPointerOperand());
-    const auto found = global == nullptr ? sources_.end() : sources_.find(global);
+  NodeId overflow(const llvm::WithOverflowInst& pair, bool flag, const llvm::Instruction& at) {
+    const NodeId a = value(pair.getLHS());
+    const NodeId b = value(pair.getRHS());
+    const Located located(*this, at);
+    return a == kNone || b == kNone ? kNone : with_overflow(nodes_, pair, flag, a, b);
+  }
+
+  // LLVM turns a choice of two sources into a choice of their addresses: it converts alike.
+  NodeId loaded(const llvm::LoadInst& load) {
+    const auto* pointer = load.getPointerOperand();
+    if (llvm::isa<llvm::GlobalVariable, llvm::PHINode, llvm::SelectInst>(pointer)) {
+      return value(pointer);
+    }
+    throw Refusal(source_of(load), "it is not known at compile time what is read here",
+                  "choose between values instead of between pointers");
+  }
+
+  NodeId source(const llvm::GlobalVariable& global) {
+    const auto found = sources_.find(&global);
     if (found == sources_.end()) {
-      throw Refusal(source_of(load), "it is not known at compile time what is read here",
+      throw Refusal(block_.source, "it is not known at compile time what is read",
                     "choose between values instead of between pointers");
     }
-    return nodes_.source_node(found->second.op, load.getType()->getIntegerBitWidth(),
+    return nodes_.source_node(found->second.op, global.getValueType()->getIntegerBitWidth(),
                               found->second.index, found->second.port);
   }
 

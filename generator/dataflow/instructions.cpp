@@ -47,34 +47,40 @@ NodeId comparison(NodeBuilder& nodes, const llvm::ICmpInst& at, NodeId a, NodeId
 
 // x / 2^k, rounded towards zero: a negative x is moved up by 2^k - 1 first.
 NodeId signed_division(NodeBuilder& nodes, NodeId x, unsigned k) {
+  if (k == 0) return x;
   const unsigned width = nodes.width(x);
   const NodeId sign = nodes.bit(x, width - 1);
   const NodeId bias = nodes.zext(nodes.sext(sign, k), width);
   return nodes.shift(Op::kAshr, nodes.binary(Op::kAdd, x, bias), nodes.constant(width, k));
 }
 
+// By 2^k, and by -2^k, LLVM's form of -x / 2^k.
 NodeId division(NodeBuilder& nodes, const llvm::BinaryOperator& at, NodeId x) {
   const auto* divisor = llvm::dyn_cast<llvm::ConstantInt>(at.getOperand(1));
   const bool is_signed =
       at.getOpcode() == llvm::Instruction::SDiv || at.getOpcode() == llvm::Instruction::SRem;
   const bool is_remainder =
       at.getOpcode() == llvm::Instruction::URem || at.getOpcode() == llvm::Instruction::SRem;
-  if (divisor == nullptr || !divisor->getValue().isPowerOf2() ||
-      (is_signed && divisor->isNegative())) {
+  const bool is_negative = is_signed && divisor != nullptr && divisor->isNegative();
+  const llvm::APInt size = divisor == nullptr ? llvm::APInt() : divisor->getValue();
+  const llvm::APInt magnitude = is_negative ? -size : size;
+  if (divisor == nullptr || !magnitude.isPowerOf2()) {
     refuse(at,
            divisor == nullptr ? "division by what is only known at run time"
                               : "division by a constant that is no power of two",
            "multiply by a reciprocal, or divide by a power of two");
   }
-  const unsigned k = divisor->getValue().logBase2();
+  const unsigned k = magnitude.logBase2();
   const unsigned width = nodes.width(x);
-  if (k == 0) return is_remainder ? nodes.constant(width, 0) : x;
   if (!is_signed) {
+    if (k == 0) return is_remainder ? nodes.constant(width, 0) : x;
     return is_remainder ? nodes.zext(nodes.slice(x, k, 0), width)
                         : nodes.shift(Op::kLshr, x, nodes.constant(width, k));
   }
   const NodeId quotient = signed_division(nodes, x, k);
-  if (!is_remainder) return quotient;
+  if (!is_remainder) {
+    return is_negative ? nodes.binary(Op::kSub, nodes.constant(width, 0), quotient) : quotient;
+  }
   const NodeId product = nodes.shift(Op::kShl, quotient, nodes.constant(width, k));
   return nodes.binary(Op::kSub, x, product);
 }

@@ -102,6 +102,23 @@ NodeId funnel(NodeBuilder& nodes, bool left, const std::vector<NodeId>& in) {
 
 }  // namespace
 
+NodeId with_overflow(NodeBuilder& nodes, const llvm::WithOverflowInst& at, bool flag, NodeId a,
+                     NodeId b) {
+  const auto operation = at.getBinaryOp();
+  const bool is_product = operation == llvm::Instruction::Mul;
+  const Op op = is_product                             ? Op::kMul
+                : operation == llvm::Instruction::Add ? Op::kAdd
+                                                      : Op::kSub;
+  const unsigned width = nodes.width(a);
+  if (!flag) return nodes.binary(op, a, b);
+  const unsigned exact = is_product ? 2 * width : width + 1;
+  const auto widened = [&](NodeId x) {
+    return at.isSigned() ? nodes.sext(x, exact) : nodes.zext(x, exact);
+  };
+  const NodeId whole = nodes.binary(op, widened(a), widened(b));
+  return nodes.compare(Op::kNe, whole, widened(nodes.slice(whole, width, 0)));
+}
+
 NodeId intrinsic(NodeBuilder& nodes, llvm::Intrinsic::ID id, const std::vector<NodeId>& in) {
   const auto a = [&] { return in[0]; };
   const auto b = [&] { return in[1]; };

@@ -3,16 +3,18 @@
 //     int v; if (a) v = 1; ... if (a) use(v);      it cannot: both conditions are the same
 //     int v; if (a) v = 1; use(v);                 it can
 //
-// Follows choices from outputs and next values backwards, with what the conditions passed on the way
-// say about the conditions to come.
+// Node by node from the sources on: does a mark reach it, under no condition but its own?  What is
+// cleared so is not looked into again, which keeps the work small.  For one node, choices are
+// followed backwards, with all that follows from the conditions passed on the way (Conditions); a
+// contradiction means that nobody comes that way.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/refusal_test.cpp, design_test.cpp
 
 #pragma once
 
+#include "generator/dataflow/conditions.hpp"
 #include "generator/netlist.hpp"
 
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -29,14 +31,12 @@ class Reach {
  private:
   std::optional<unsigned> from(NodeId node);
   std::optional<unsigned> under(NodeId condition, bool holds, NodeId node);
-  std::optional<bool> known(NodeId condition) const;
-  void assume(NodeId condition, bool holds);
+  unsigned mark_below(NodeId node) const;
 
   const Module& module_;
-  std::vector<bool> carries_;  // a mark is among the node's operands, or theirs
-  std::map<NodeId, bool> conditions_;
-  std::map<NodeId, llvm::APInt> values_;  // from equalities that hold
-  unsigned budget_;
+  Conditions conditions_;
+  std::vector<bool> carries_;  // a mark may reach the node
+  unsigned budget_ = 0;
 };
 
 }  // namespace hlsgen

@@ -51,6 +51,10 @@ std::vector<Number> numbers_of(const llvm::MemIntrinsic& copy) {
 llvm::Constant* fill_value(const llvm::MemSetInst& fill, llvm::Type* type) {
   const auto* byte = dyn_cast<llvm::ConstantInt>(fill.getValue());
   if (byte == nullptr) return nullptr;
+  if (type->isPointerTy()) {
+    if (!byte->isZero()) return nullptr;
+    return llvm::ConstantPointerNull::get(llvm::cast<llvm::PointerType>(type));
+  }
   const unsigned width = type->getIntegerBitWidth();
   const auto whole = llvm::APInt::getSplat((width + 7) / 8 * 8, byte->getValue());
   return llvm::ConstantInt::get(type, whole.trunc(width));

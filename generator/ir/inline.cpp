@@ -16,16 +16,8 @@ namespace {
 using llvm::dyn_cast;
 using llvm::isa;
 
-llvm::CallInst* next_call(llvm::Function& function, const llvm::Function* own,
-                          const Blocks& blocks) {
-  for (auto& instruction : llvm::instructions(function)) {
-    auto* call = dyn_cast<llvm::CallInst>(&instruction);
-    if (call == nullptr || call->getCalledFunction() == nullptr) continue;
-    auto* callee = call->getCalledFunction();
-    if (callee->isDeclaration() || (callee != own && blocks.is_tick(callee))) continue;
-    return call;
-  }
-  return nullptr;
+bool stands(const llvm::Function* callee, const llvm::Function* own, const Blocks& blocks) {
+  return callee == nullptr || callee->isDeclaration() || (callee != own && blocks.is_tick(callee));
 }
 
 void promote_pointers(llvm::Function& function) {
@@ -95,7 +87,14 @@ void replace_constant_copies(llvm::Function& function) {
 }  // namespace
 
 void inline_calls(llvm::Function& function, const llvm::Function* own, const Blocks& blocks) {
-  while (auto* call = next_call(function, own, blocks)) {
+  std::vector<llvm::CallBase*> calls;  // the first in the function is the last here
+  for (auto& instruction : llvm::instructions(function)) {
+    if (auto* call = dyn_cast<llvm::CallBase>(&instruction)) calls.insert(calls.begin(), call);
+  }
+  while (!calls.empty()) {
+    auto* call = calls.back();
+    calls.pop_back();
+    if (stands(call->getCalledFunction(), own, blocks)) continue;
     const auto where = source_of(*call);
     llvm::InlineFunctionInfo info;
     const auto result = llvm::InlineFunction(*call, info);
@@ -103,6 +102,7 @@ void inline_calls(llvm::Function& function, const llvm::Function* own, const Blo
       throw Refusal(where, std::string("the call cannot be taken in: ") + result.getFailureReason(),
                     "write it more simply");
     }
+    calls.insert(calls.end(), info.InlinedCallSites.rbegin(), info.InlinedCallSites.rend());
   }
   promote_pointers(function);
   replace_constant_copies(function);

@@ -8,6 +8,7 @@
 #include <llvm/Analysis/TargetLibraryInfo.h>
 #include <llvm/Analysis/TargetTransformInfo.h>
 #include <llvm/IR/Dominators.h>
+#include <llvm/Transforms/Utils/BasicBlockUtils.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 #include <llvm/Transforms/Utils/LoopUtils.h>
 #include <llvm/Transforms/Utils/UnrollLoop.h>
@@ -58,6 +59,15 @@ unsigned iterations(const llvm::Loop& loop, Analyses& a) {
   return count != 0 && tests_first ? count - 1 : count;  // the last visit only finds the end
 }
 
+// `continue` gives a loop several ways back.  LLVM would take some of them for a loop within, whose
+// counter starts anywhere, and find no bound for it.
+void join_ways_back(llvm::Loop& loop, Analyses& a) {
+  llvm::SmallVector<llvm::BasicBlock*> latches;
+  loop.getLoopLatches(latches);
+  if (latches.size() < 2) return;
+  llvm::SplitBlockPredecessors(loop.getHeader(), latches, ".next", &a.dominators, &a.loops);
+}
+
 bool unroll(llvm::Loop& loop, Analyses& a) {
   llvm::simplifyLoop(&loop, &a.dominators, &a.loops, &a.evolution, &a.assumptions, nullptr, false);
   llvm::formLCSSARecursively(loop, a.dominators, &a.loops, &a.evolution);
@@ -77,6 +87,7 @@ bool unroll(llvm::Loop& loop, Analyses& a) {
 bool unroll_one(llvm::Function& function) {
   Analyses analyses(function);
   auto loops = analyses.loops.getLoopsInPreorder();
+  for (auto* loop : loops) join_ways_back(*loop, analyses);  // unrolling touches the outer ones
   for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
     if (unroll(**loop, analyses)) return true;
   }

@@ -5,6 +5,8 @@
 #include <llvm/IR/Instructions.h>
 #include <llvm/IR/IntrinsicInst.h>
 
+#include <map>
+
 #include "generator/ir/numbers.hpp"
 #include "generator/refusal.hpp"
 
@@ -28,6 +30,7 @@ void mark(llvm::Instruction* before, llvm::AllocaInst& variable, const Site& sit
   llvm::IRBuilder<> builder(before);
   const auto& data = variable.getModule()->getDataLayout();
   for (const auto& number : numbers_in(variable.getAllocatedType(), data)) {
+    if (number.type->isPointerTy()) continue;  // there is no saying where it would point to
     auto* place = builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), &variable, number.offset);
     builder.CreateStore(opaque.undefined(builder, number.type, site), place);
   }
@@ -38,22 +41,24 @@ void mark(llvm::Instruction* before, llvm::AllocaInst& variable, const Site& sit
 void mark_variables(llvm::Function& function, Opaque& opaque) {
   std::vector<llvm::AllocaInst*> variables;
   std::vector<llvm::IntrinsicInst*> lifetimes;
+  std::map<const llvm::Value*, std::vector<llvm::IntrinsicInst*>> starts;
   for (auto& instruction : llvm::instructions(function)) {
     if (auto* variable = dyn_cast<llvm::AllocaInst>(&instruction)) variables.push_back(variable);
     auto* intrinsic = dyn_cast<llvm::IntrinsicInst>(&instruction);
-    if (intrinsic != nullptr && intrinsic->isLifetimeStartOrEnd()) lifetimes.push_back(intrinsic);
+    if (intrinsic == nullptr || !intrinsic->isLifetimeStartOrEnd()) continue;
+    lifetimes.push_back(intrinsic);
+    if (intrinsic->getIntrinsicID() != llvm::Intrinsic::lifetime_start) continue;
+    starts[intrinsic->getArgOperand(1)->stripPointerCasts()].push_back(intrinsic);
   }
   for (auto* variable : variables) {
     if (variable->getName().startswith("hlsgen.")) continue;  // ours: filled number by number
     const auto site = site_of_variable(*variable);
-    bool has_lifetime = false;
-    for (auto* lifetime : lifetimes) {
-      if (lifetime->getIntrinsicID() != llvm::Intrinsic::lifetime_start) continue;
-      if (lifetime->getArgOperand(1)->stripPointerCasts() != variable) continue;
-      has_lifetime = true;
-      mark(lifetime, *variable, site, opaque);
+    const auto found = starts.find(variable);
+    if (found == starts.end()) {
+      mark(variable->getNextNode(), *variable, site, opaque);
+      continue;
     }
-    if (!has_lifetime) mark(variable->getNextNode(), *variable, site, opaque);
+    for (auto* start : found->second) mark(start, *variable, site, opaque);
   }
   for (auto* lifetime : lifetimes) lifetime->eraseFromParent();
 }

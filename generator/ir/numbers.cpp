@@ -5,7 +5,7 @@ namespace {
 
 void append(llvm::Type* type, const llvm::DataLayout& data, std::uint64_t offset,
             std::vector<Number>& numbers) {
-  if (type->isIntegerTy()) {
+  if (type->isIntegerTy() || type->isPointerTy()) {
     numbers.push_back({offset, type});
   } else if (auto* structure = llvm::dyn_cast<llvm::StructType>(type)) {
     const auto* layout = data.getStructLayout(structure);

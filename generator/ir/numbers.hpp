@@ -1,4 +1,4 @@
-// The integers within a type, by offset; padding, and pointers, are none.
+// The integers within a type, by offset, and the pointers (a closure holds some); padding is none.
 //
 //     { i24, i8, [2 x i3] }   ->   i24 at 0, i8 at 4, i3 at 5, i3 at 6
 //

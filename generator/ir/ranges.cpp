@@ -1,8 +1,12 @@
 #include "generator/ir/ranges.hpp"
 
+#include <llvm/Analysis/ValueTracking.h>
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/Operator.h>
 #include <llvm/IR/PatternMatch.h>
+#include <llvm/Support/KnownBits.h>
+
+#include <utility>
 
 namespace hlsgen {
 namespace {
@@ -105,6 +109,13 @@ void Ranges::learn(const llvm::Value* value, const ConstantRange& range) {
     const auto inside = range.intersectWith(
         ConstantRange::getFull(width).zeroExtend(value->getType()->getIntegerBitWidth()));
     facts_.push_back({wide->getOperand(0), inside.truncate(width)});
+  } else if (match::match(value, match::m_And(match::m_Value(x), match::m_APInt(added))) &&
+             added->isMask()) {
+    // The lower bits of x, as a trunc would give them.
+    const unsigned width = added->getActiveBits();
+    const auto inside = range.intersectWith(
+        ConstantRange::getFull(width).zeroExtend(value->getType()->getIntegerBitWidth()));
+    facts_.push_back({x, inside.truncate(width)});
   }
 }
 
@@ -112,9 +123,10 @@ ConstantRange Ranges::range(const llvm::Value* value) {
   if (const auto* constant = dyn_cast<llvm::ConstantInt>(value)) {
     return ConstantRange(constant->getValue());
   }
-  if (budget_ == 0 || !value->getType()->isIntegerTy()) return full(value);
+  if (!value->getType()->isIntegerTy()) return full(value);
+  if (is_everywhere_ || budget_ == 0) return everywhere(value);
   --budget_;
-  auto result = by_operands(value);
+  auto result = by_bits(value);
   const auto* cut = dyn_cast<llvm::TruncInst>(value);
   for (const auto& fact : facts_) {
     const bool is_own = fact.value == value || (cut != nullptr && fact.value == cut->getOperand(0));
@@ -123,6 +135,23 @@ ConstantRange Ranges::range(const llvm::Value* value) {
     }
   }
   return result;
+}
+
+ConstantRange Ranges::everywhere(const llvm::Value* value) {
+  const auto known = everywhere_.find(value);
+  if (known != everywhere_.end()) return known->second;
+  const bool before = std::exchange(is_everywhere_, true);
+  const auto result = by_bits(value);
+  is_everywhere_ = before;
+  everywhere_.emplace(value, result);
+  return result;
+}
+
+// x + x is even: then x + x < 14 is as good as x + x != 14 to LLVM; bits tell what ranges do not.
+ConstantRange Ranges::by_bits(const llvm::Value* value) {
+  const auto bits = llvm::computeKnownBits(value, data_);
+  return by_operands(value).intersectWith(ConstantRange::fromKnownBits(bits, false),
+                                          ConstantRange::Unsigned);
 }
 
 ConstantRange Ranges::by_operands(const llvm::Value* value) {
@@ -152,6 +181,7 @@ ConstantRange Ranges::by_operands(const llvm::Value* value) {
 }
 
 ConstantRange Ranges::select(const llvm::SelectInst& choice) {
+  if (is_everywhere_) return range(choice.getTrueValue()).unionWith(range(choice.getFalseValue()));
   const auto before = facts_.size();
   auto result = ConstantRange::getEmpty(choice.getType()->getIntegerBitWidth());
   for (const bool holds : {true, false}) {
@@ -165,8 +195,12 @@ ConstantRange Ranges::select(const llvm::SelectInst& choice) {
 ConstantRange Ranges::phi(const llvm::PHINode& phi) {
   // What holds where the phi is used need not hold where its values came from, except in what both
   // lie below; the facts of each edge replace the others.
-  const auto outer = facts_;
   auto result = ConstantRange::getEmpty(phi.getType()->getIntegerBitWidth());
+  if (is_everywhere_) {
+    for (const auto& value : phi.incoming_values()) result = result.unionWith(range(value));
+    return result;
+  }
+  const auto outer = facts_;
   for (unsigned i = 0; i < phi.getNumIncomingValues(); ++i) {
     facts_.clear();
     learn_block(phi.getIncomingBlock(i));

@@ -4,7 +4,8 @@
 //     s == 5 ? 0 : s + 1, s in [0, 6)        is in [0, 6) again
 //
 // LLVM's own analysis asks what holds on entry to a block; this one also follows what a condition
-// says about the operands of a value, into both arms of a select.
+// says about the operands of a value, into both arms of a select.  That takes a walk for each
+// question; beyond its budget, values count with what holds of them everywhere, found once.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 
@@ -13,14 +14,17 @@
 #include <llvm/IR/ConstantRange.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/Instructions.h>
+#include <llvm/IR/Module.h>
 
+#include <map>
 #include <vector>
 
 namespace hlsgen {
 
 class Ranges {
  public:
-  explicit Ranges(llvm::Function& function) : dominators_(function) {}
+  explicit Ranges(llvm::Function& function)
+      : data_(function.getParent()->getDataLayout()), dominators_(function) {}
 
   // Never too small; the whole range when nothing is known.
   llvm::ConstantRange of(const llvm::Value* value, const llvm::Instruction& at);
@@ -38,13 +42,18 @@ class Ranges {
   void learn_masked(const llvm::ICmpInst& compare, bool equal);
 
   llvm::ConstantRange range(const llvm::Value* value);
+  llvm::ConstantRange everywhere(const llvm::Value* value);
+  llvm::ConstantRange by_bits(const llvm::Value* value);
   llvm::ConstantRange by_operands(const llvm::Value* value);
   llvm::ConstantRange select(const llvm::SelectInst& choice);
   llvm::ConstantRange phi(const llvm::PHINode& phi);
 
+  const llvm::DataLayout& data_;
   llvm::DominatorTree dominators_;
   std::vector<Fact> facts_;
   unsigned budget_ = 0;
+  bool is_everywhere_ = false;  // the walk asks for what holds without any fact
+  std::map<const llvm::Value*, llvm::ConstantRange> everywhere_;
 };
 
 }  // namespace hlsgen

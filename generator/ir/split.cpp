@@ -50,7 +50,8 @@ bool collect(llvm::Value* pointer, std::uint64_t offset, const llvm::DataLayout&
 }
 
 void describe(llvm::AllocaInst& whole, llvm::AllocaInst& part, std::uint64_t offset) {
-  const auto width = part.getAllocatedType()->getIntegerBitWidth();
+  const auto& data = whole.getModule()->getDataLayout();
+  const auto width = data.getTypeSizeInBits(part.getAllocatedType()).getFixedValue();
   llvm::DIBuilder builder(*whole.getModule(), /*AllowUnresolved=*/false);
   for (auto* declaration : llvm::FindDbgDeclareUses(&whole)) {
     auto* variable = declaration->getVariable();

@@ -7,6 +7,7 @@
 #include "tests/generator/frontend/blocks/control.hpp"
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
+#include "tests/generator/frontend/blocks/regressions.hpp"
 
 namespace steplock {
 
@@ -22,5 +23,11 @@ template struct Synthesize<test::Wide>;
 template struct Synthesize<test::Plain>;
 template struct Synthesize<test::Calls>;
 template struct Synthesize<test::Hierarchy>;
+template struct Synthesize<test::EarlyReturns>;
+template struct Synthesize<test::SwitchBehindSwitch>;
+template struct Synthesize<test::Closure>;
+template struct Synthesize<test::ContinueInWhile>;
+template struct Synthesize<test::Rewritten>;
+template struct Synthesize<test::LimitedIndex>;
 
 }  // namespace steplock

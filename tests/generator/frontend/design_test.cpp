@@ -5,6 +5,7 @@
 #include "tests/generator/frontend/blocks/control.hpp"
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
+#include "tests/generator/frontend/blocks/regressions.hpp"
 
 namespace hlsgen::test {
 namespace {
@@ -29,6 +30,22 @@ TEST(Design, NumbersUpTo128BitsEqualTheirCpp) { expect_equal_to_native<Wide>("wi
 TEST(Design, PlainIntegersKeepTheirPromotions) { expect_equal_to_native<Plain>("plain"); }
 TEST(Design, HelpersAndReferencesEqualTheirCpp) { expect_equal_to_native<Calls>("calls"); }
 TEST(Design, BlocksWithinBlocksEqualTheirCpp) { expect_equal_to_native<Hierarchy>("hierarchy"); }
+
+// Once wrong, refused, or without end.
+TEST(Regression, EarlyReturnsLeaveNoValueUnwritten) {
+  expect_equal_to_native<EarlyReturns>("early_returns");
+}
+TEST(Regression, ASwitchMayHangOnWhatIsMergedAboveIt) {
+  expect_equal_to_native<SwitchBehindSwitch>("switch_behind_switch");
+}
+TEST(Regression, AClosureMayBeCalledInALoop) { expect_equal_to_native<Closure>("closure"); }
+TEST(Regression, AWhileLoopWithContinueHasABound) {
+  expect_equal_to_native<ContinueInWhile>("continue_in_while");
+}
+TEST(Regression, WhatLlvmRewritesIsTaken) { expect_equal_to_native<Rewritten>("rewritten"); }
+TEST(Regression, ALimitedIndexProvesByItsBits) {
+  expect_equal_to_native<LimitedIndex>("limited_index");
+}
 
 }  // namespace
 }  // namespace hlsgen::test

@@ -1,0 +1,60 @@
+# Random programs, each group of blocks one top: written, generated, verilated and compiled in the build.
+# -D RANDOM_SEEDS="1001;2001" adds groups of 80 from these seeds on.
+find_package(verilator REQUIRED HINTS /usr/share/verilator)
+add_executable(random_programs random/random_programs.cpp random/program.cpp random/statements.cpp
+               random/expressions.cpp)
+# What every Verilated model calls.
+add_library(verilated_runtime STATIC ${VERILATOR_ROOT}/include/verilated.cpp
+            ${VERILATOR_ROOT}/include/verilated_threads.cpp)
+target_include_directories(verilated_runtime SYSTEM PUBLIC ${VERILATOR_ROOT}/include
+                           ${VERILATOR_ROOT}/include/vltstd)
+target_compile_options(verilated_runtime PRIVATE -w)
+target_link_libraries(verilated_runtime PUBLIC pthread)
+
+add_library(random_harness OBJECT random/random_test.cpp)
+target_compile_definitions(random_harness PRIVATE HLSGEN_ROOT="${PROJECT_SOURCE_DIR}")
+target_link_libraries(random_harness PUBLIC hlsgen_lib GTest::gtest_main)
+
+# random_test(<first seed> <count>)
+function(random_test first count)
+  set(name random_${first})
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/random)
+  set(module random_group${first})
+  set(header ${directory}/${name}.hpp)
+  set(source ${directory}/${name}.cpp)
+  set(list ${directory}/rtl/${name}.f)
+  set(model ${directory}/V${name})
+  file(MAKE_DIRECTORY ${model})
+  add_custom_command(OUTPUT ${header} ${source}
+    COMMAND random_programs ${first} ${count} ${directory}/${name}
+    DEPENDS random_programs
+    VERBATIM)
+  add_custom_command(OUTPUT ${list}
+    COMMAND hlsgen ${source} -I ${PROJECT_SOURCE_DIR} -o ${directory}/rtl --ports ${directory}/ports
+    COMMAND ${CMAKE_COMMAND} -E touch ${list}
+    DEPENDS hlsgen ${header} ${source} ${PROJECT_SOURCE_DIR}/hls/numeric/bits.hpp
+    VERBATIM)
+  # No optimisation: compiling would take longer than the clocks that are run.
+  set(library ${model}/V${name}__ALL.a)
+  add_custom_command(OUTPUT ${library}
+    COMMAND ${VERILATOR_BIN} --cc --build -f ${list} --top-module ${module} --prefix V${name}
+            --Mdir ${model} --x-assign fast --x-initial fast -Wno-fatal -Wno-UNUSED
+            -CFLAGS -w -MAKEFLAGS "-s OPT_FAST=-O0 OPT_SLOW=-O0" --output-split 20000
+    DEPENDS ${list}
+    WORKING_DIRECTORY ${directory}  # the list names rtl/<module>.sv
+    VERBATIM)
+  add_executable(${name}_test random/group.cpp ${header} ${library})
+  target_compile_definitions(${name}_test PRIVATE
+    GROUP_HEADER="${header}" GROUP_SOURCE="${source}" GROUP=RandomGroup${first} MODULE=${module}
+    PORTS_HEADER="${directory}/ports/${module}_ports.hpp" VERILATED_HEADER="${model}/V${name}.h"
+    VERILATED=V${name})
+  target_include_directories(${name}_test SYSTEM PRIVATE ${model})
+  target_compile_options(${name}_test PRIVATE -O0 -w)
+  target_link_libraries(${name}_test PRIVATE random_harness ${library} verilated_runtime)
+  add_test(NAME random_programs_${first} COMMAND ${name}_test)  # one, or each case would read C++ anew
+  set_tests_properties(random_programs_${first} PROPERTIES TIMEOUT 900)
+endfunction()
+
+foreach(first 1 81 161 241 ${RANDOM_SEEDS})
+  random_test(${first} 80)
+endforeach()

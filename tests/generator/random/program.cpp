@@ -1,0 +1,220 @@
+#include "tests/generator/random/program.hpp"
+
+namespace hlsgen::test {
+namespace {
+
+std::string each(const std::string& calls) {
+  return cat({"template <class F>\nvoid each(F f) {\n", calls, "}\n"});
+}
+
+}  // namespace
+
+Program::Program(std::uint64_t seed, const std::string& name, bool may_have_child)
+    : Statements(seed), name_(name) {
+  draw_enumeration();
+  draw_in();
+  draw_out();
+  draw_state();
+  if (may_have_child && any.chance(30)) draw_child(seed + 1'000'000'000);
+  finish = "out.mode = mode_;\nreturn out;\n";
+}
+
+void Program::draw_enumeration() {
+  const int count = any.between(2, 6);
+  const bool has_gaps = any.chance(20);
+  int value = 0;
+  for (int i = 0; i < count; ++i, value += has_gaps ? any.between(1, 3) : 1) {
+    enumerators.push_back(std::string("k") + static_cast<char>('A' + i));
+    enumeration_ += cat({i == 0 ? "" : ", ", enumerators.back(),
+                         has_gaps ? " = " + std::to_string(value) : ""});
+  }
+  pair_ = cat({"struct Pair {\n", draw_bits(any).text(), " a = 1;\n", draw_type(any).text(),
+               " b = 0;\n", each("f(a);\nf(b);\n"), "};\n"});
+}
+
+std::string Program::port(const std::string& name, Type type) {
+  return cat({type.text(), " ", name, " = 0;\n"});
+}
+
+void Program::draw_in() {
+  for (int i = 0, n = any.between(2, 4); i < n; ++i) {
+    given_.push_back({"x" + std::to_string(i), draw_type(any)});
+    variables.push_back({"in." + given_.back().name, given_.back().type, false});
+    in_ += port(given_.back().name, given_.back().type);
+    in_each_ += cat({"f(", given_.back().name, ");\n"});
+  }
+  if (any.chance(30)) {
+    const Array list{"in.list", draw_bits(any), any.between(2, 5), false};
+    in_ += cat({"std::array<", list.element.text(), ", ", std::to_string(list.count),
+                "> list = {};\n"});
+    in_each_ += "for (auto& element : list) f(element);\n";
+    arrays.push_back(list);
+  }
+  if (any.chance(30)) {
+    in_ += "Pair pair;\n";
+    in_each_ += "pair.each(f);\n";
+    pairs.push_back("in.pair");
+  }
+  in_ += cat({"Mode mode = ", enumerator(), ";\n"});
+  in_each_ += "f(mode);\n";
+  modes.push_back("in.mode");
+}
+
+void Program::draw_out() {
+  for (int i = 0, n = any.between(1, 3); i < n; ++i) {
+    gives_.push_back({"y" + std::to_string(i), draw_type(any)});
+    variables.push_back({"out." + gives_.back().name, gives_.back().type, true});
+    out_ += port(gives_.back().name, gives_.back().type);
+    out_each_ += cat({"f(", gives_.back().name, ");\n"});
+  }
+  if (any.chance(25)) {
+    out_ += "Pair pair;\n";
+    out_each_ += "pair.each(f);\n";
+    pairs.push_back("out.pair");
+    written_pairs.push_back("out.pair");
+  }
+  out_ += cat({"Mode mode = ", enumerator(), ";\n"});
+  out_each_ += "f(mode);\n";
+}
+
+void Program::draw_state() {
+  for (int i = 0, n = any.between(1, 4); i < n; ++i) {
+    const Variable kept{cat({"r", std::to_string(i), "_"}), draw_type(any), true};
+    const int reset = kept.type == kBool ? any.below(2) : any.below(120);
+    state_ += cat({kept.type.text(), " ", kept.name, " = ", std::to_string(reset), ";\n"});
+    variables.push_back(kept);
+  }
+  for (int i = 0, n = any.below(3); i < n; ++i) {
+    const Array kept{cat({"a", std::to_string(i), "_"}), draw_type(any), any.between(2, 7), true};
+    state_ += cat({"std::array<", kept.element.text(), ", ", std::to_string(kept.count), "> ",
+                   kept.name, " = {};\n"});
+    arrays.push_back(kept);
+  }
+  if (!pairs.empty()) {
+    state_ += "Pair pair_;\n";
+    pairs.push_back("pair_");
+    written_pairs.push_back("pair_");
+  }
+  state_ += cat({"Mode mode_ = ", enumerator(), ";\n"});
+  modes.push_back("mode_");
+  written_modes.push_back("mode_");
+}
+
+void Program::draw_child(std::uint64_t seed) {
+  Program child(seed, name_ + "Child", false);
+  child_ = child.text();
+  child_given_ = child.given_;
+  child_gives_ = child.gives_;
+  children_ = any.chance(30) ? 2 : 1;
+  state_ += children_ == 1 ? cat({name_, "Child child_;\n"})
+                           : cat({"std::array<", name_, "Child, 2> child_;\n"});
+}
+
+// Ticked in every clock; what it gives is read from then on.
+std::string Program::tick_of_child(int number) {
+  const std::string n = std::to_string(number);
+  std::string text = cat({name_, "Child::In in", n, ";\n"});
+  for (const auto& member : child_given_) {
+    if (any.chance(20)) continue;
+    text += cat({"in", n, ".", member.name, " = ", expression(member.type, 2), ";\n"});
+  }
+  text += cat({"const auto out", n, " = child_", children_ == 1 ? "" : "[" + n + "]", ".tick(in", n,
+               ");\n"});
+  for (const auto& member : child_gives_) {
+    variables.push_back({cat({"out", n, ".", member.name}), member.type, false});
+  }
+  return text;
+}
+
+std::string Program::helpers() {
+  std::string entries;
+  for (int i = 0, n = any.between(5, 15); i < n; ++i) {
+    entries += cat({i == 0 ? "" : ", ", std::to_string(any.between(-200, 200))});
+  }
+  std::string following = "static Mode following(Mode mode) {\nswitch (mode) {\n";
+  for (const auto& from : enumerators) {
+    if (any.chance(20)) continue;
+    following += cat({"case Mode::", from, ": return ", enumerator(), ";\n"});
+  }
+  following += cat({"default: return ", enumerator(), ";\n}\n}\n"});
+  return cat(
+      {"static constexpr auto kTable = std::to_array<Int<9>>({", entries, "});\n", following,
+       "template <std::size_t N, int W>\nstatic UInt<W> below(UInt<W> x) {\n",
+       "return x < static_cast<int>(N) ? x : UInt<W>(", std::to_string(any.below(2)), ");\n}\n",
+       "template <class T>\nstatic void add(T& sum, const Int<8>& x) {\nsum = wrap<T>(sum + x);\n}\n",
+       "static UInt<16> mix(const UInt<16>& a, Int<9> b) {\nUInt<16> sum = ",
+       std::to_string(any.below(999)), ";\nfor (int i = 0; i < ", std::to_string(any.between(1, 5)),
+       "; ++i) {\nif (b.bit(i)) sum = wrap<UInt<16>>(sum + (a << i));\n",
+       any.chance(60) ? cat({"if (sum.raw() == ", std::to_string(any.below(64)), ") return a;\n"})
+                      : "",
+       "}\nreturn sum", any.chance(50) ? " ^ a" : "", ";\n}\n"});
+}
+
+std::string Program::body() {
+  std::string text = "Out out;\n";
+  // A reference and a lambda, so that pointers to registers have to be followed.
+  text += cat({"const auto pick = [&](bool first, const Int<24>& x) {\nreturn first ? x : ",
+               expression(bits(24, true), 0), ";\n};\n"});
+  may_return = children_ == 0;  // children are ticked in every clock
+  text += statements(any.between(0, 3), 3);
+  for (int i = 0; i < children_; ++i) text += tick_of_child(i);
+  may_return = true;
+  text += statements(any.between(3, 6), 3);
+  return cat({text, last_writes(), finish});
+}
+
+// Most ports and registers end with something that was computed, or little of it would be seen.
+std::string Program::last_writes() {
+  std::string text;
+  for (const auto& variable : std::vector(variables)) {
+    const bool is_local = !variable.name.starts_with("out.") && !variable.name.ends_with("_");
+    if (!variable.is_writable || is_local || any.chance(40)) continue;
+    text += cat({variable.name, " = ", expression(variable.type, 2), ";\n"});
+  }
+  return text;
+}
+
+std::string Program::text() {
+  const std::string tick = body();
+  return child_ + formatted(cat(
+      {"class ", name_, " {\npublic:\nenum class Mode : std::uint8_t { ", enumeration_, " };\n",
+       pair_, "struct In {\n", in_, each(in_each_), "};\nstruct Out {\n", out_, each(out_each_),
+       "};\nOut tick(const In& in) {\n", tick, "}\n\nprivate:\n", helpers(), state_, "};\n\n"}));
+}
+
+// Indented by the braces.
+std::string Program::formatted(const std::string& text) const {
+  std::string out;
+  int indent = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    const bool opens = line.ends_with("{");
+    if (line.starts_with("}")) --indent;
+    if (!line.empty()) out += std::string(static_cast<std::size_t>(2 * indent), ' ');
+    out += line + "\n";
+    if (opens) ++indent;
+  }
+  return out;
+}
+
+std::string group_text(const std::string& name, int first, int count) {
+  std::string in, out, calls, members;
+  std::string each_member;
+  for (int i = first; i < first + count; ++i) {
+    const std::string n = std::to_string(i);
+    in += cat({"    Random", n, "::In p", n, ";\n"});
+    out += cat({"    Random", n, "::Out p", n, ";\n"});
+    each_member += cat({"      p", n, ".each(f);\n"});
+    calls += cat({"    out.p", n, " = block", n, "_.tick(in.p", n, ");\n"});
+    members += cat({"  Random", n, " block", n, "_;\n"});
+  }
+  const std::string all = cat(
+      {"    template <class F>\n    void each(F f) {\n", each_member, "    }\n"});
+  return cat({"class ", name, " {\n public:\n  struct In {\n", in, all, "  };\n  struct Out {\n", out,
+              all, "  };\n  Out tick(const In& in) {\n    Out out;\n", calls,
+              "    return out;\n  }\n\n private:\n", members, "};\n\n"});
+}
+
+}  // namespace hlsgen::test

@@ -1,0 +1,47 @@
+// A random block, and the group that holds many as its members.
+//
+// A block has ports and registers of all kinds, an enumeration (perhaps with gaps), a struct within In,
+// Out and the state, arrays, a table, helpers, and perhaps a block of its own, or two in an array.
+
+#pragma once
+
+#include "tests/generator/random/statements.hpp"
+
+namespace hlsgen::test {
+
+class Program : private Statements {
+ public:
+  Program(std::uint64_t seed, const std::string& name, bool may_have_child);
+
+  // The class, behind the class of its child if it has one.
+  std::string text();
+
+ private:
+  struct Member {
+    std::string name;
+    Type type;
+  };
+
+  void draw_enumeration();
+  void draw_in();
+  void draw_out();
+  void draw_state();
+  void draw_child(std::uint64_t seed);
+  std::string helpers();
+  std::string tick_of_child(int number);
+  std::string body();
+  std::string last_writes();
+  std::string port(const std::string& name, Type type);
+  std::string formatted(const std::string& text) const;
+
+  std::string name_, enumeration_, in_, out_, state_, in_each_, out_each_, child_;
+  std::string pair_;
+  std::vector<Member> given_, gives_;  // members of In and Out, for the parent
+  std::vector<Member> child_given_, child_gives_;
+  int children_ = 0;
+};
+
+// class <name>, whose members are the blocks Random<first> ...
+std::string group_text(const std::string& name, int first, int count);
+
+}  // namespace hlsgen::test
