@@ -6,7 +6,7 @@
 // Follows from, step by step: each step looks at one operator and what is known around it.  All that
 // is said to follow does; not all that follows is found.
 //
-// Doc: docs/generator.md   Test: tests/generator/frontend/conditions_test.cpp
+// Doc: docs/generator.md   Test: tests/generator/frontend/reach_test.cpp
 
 #pragma once
 

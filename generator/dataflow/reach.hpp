@@ -8,7 +8,7 @@
 // followed backwards, with all that follows from the conditions passed on the way (Conditions); a
 // contradiction means that nobody comes that way.
 //
-// Doc: docs/generator.md   Test: tests/generator/frontend/refusal_test.cpp, design_test.cpp
+// Doc: docs/generator.md   Test: tests/generator/frontend/reach_test.cpp, design_test.cpp
 
 #pragma once
 

@@ -11,7 +11,7 @@ endfunction()
 frontend_test(design)
 frontend_test(refusal)
 frontend_test(names)
-frontend_test(conditions)
+frontend_test(reach)
 frontend_test(layout)
 frontend_test(program)
 
