@@ -13,6 +13,9 @@ void Judge::commutated(double electrical_rad, int from, int to) {
     return;
   }
   const bool reverse = moved == 5;
+  // A drive that catches a spinning rotor goes to its step from anywhere, then turns with it.
+  if (reverse != reverse_) released();
+  reverse_ = reverse;
   constexpr double kStepDeg = 60;
   const double theta = electrical_rad * 180 / std::numbers::pi;
   const int k = reverse ? (to + 3) % 6 : to;

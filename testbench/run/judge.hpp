@@ -21,7 +21,7 @@ class Judge {
   explicit Judge(double advance_deg = 0) : advance_deg_(advance_deg) {}
 
   // The drive, claiming a lock, went from one pattern to another at this angle.  Only neighbours
-  // tell a direction; after any other change the judge begins afresh.
+  // tell a direction; after any other change, and in another direction, the judge begins afresh.
   void commutated(double electrical_rad, int from, int to);
   // The drive no longer claims a lock; the next one is judged afresh.
   void released() { following_ = false; }
@@ -34,7 +34,7 @@ class Judge {
 
  private:
   double advance_deg_;
-  bool following_ = false;
+  bool following_ = false, reverse_ = false;
   double error_deg_ = 0;  // unwrapped
   long slot_ = 0;         // whole steps slipped so far in this lock
   std::uint64_t step_outs_ = 0, count_ = 0;

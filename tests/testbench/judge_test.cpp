@@ -90,6 +90,16 @@ TEST(Judge, ALockThatBeginsAStepAwayCounts) {
   EXPECT_EQ(judge.step_outs(), 2u);
 }
 
+// Caught while its divider stood one step ahead: down to the rotor's step once, then up with the rotor.
+TEST(Judge, TheStepThatACaughtRotorIsTakenOverInIsNoSlip) {
+  Judge judge;
+  int pattern = 0;
+  judge.commutated(10 * kRad, 1, 0);
+  double theta = 30;
+  turn(judge, pattern, theta, 60, false);
+  EXPECT_EQ(judge.step_outs(), 0u);
+}
+
 TEST(Judge, AfterReleaseTheNextLockIsJudgedAfresh) {
   Judge judge;
   judge.commutated(30 * kRad, 5, 0);
