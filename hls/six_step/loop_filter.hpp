@@ -12,7 +12,7 @@
 //
 // Following sectors (a rotor to be caught, or Hall sensors) x takes e * frequency whole or a
 // quarter of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 /
-// interval.  A ramp is the same with a constant error and `ramp` for s.
+// interval.  A ramp is the same with a constant error, quartered `gentle` times, and `ramp` for s.
 //
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
@@ -42,6 +42,7 @@ class LoopFilter {
     bool update = false;           // strobe: the error is new
     bool tick = false;             // strobe: time base of ramp and per-second form
     UInt<20> ramp = 0;             // u0.32, VCO turns per clock, per tick
+    UInt<2> gentle = 0;            // the ramp is quartered so often
     Bandwidth bandwidth = Bandwidth::kPerStep;
     UInt<10> delay = 0;            // clocks / 2^divide
     UInt<16> ki = 0;               // u2.14
@@ -123,7 +124,7 @@ class LoopFilter {
   // A product's turn to be added, all with 14 bits to drop: e' has 22 fraction bits, the rest 36.
   void add(const In& in, Int<56> product) {
     const bool ramp = in.loop == Loop::kRamp;
-    const PhaseError error = ramp ? PhaseError(0x1000) : in.error;
+    const PhaseError error = ramp ? ramp_error(in.gentle) : in.error;
     const Work base = stage_ == Stage::kDelay ? wrap<Work>(Work(error) << 6)
                       : stage_ == Stage::kIntegral || stage_ == Stage::kProportional ? x_
                       : stage_ == Stage::kKeep ? work_
@@ -138,6 +139,14 @@ class LoopFilter {
       work_ = sum;
     }
     stage_ = integral && !track ? Stage::kLow : next(stage_);
+  }
+
+  // 1/16 of a turn stands for the whole ramp.
+  static PhaseError ramp_error(UInt<2> gentle) {
+    return gentle == 0 ? PhaseError(0x1000)
+           : gentle == 1 ? PhaseError(0x400)
+           : gentle == 2 ? PhaseError(0x100)
+                         : PhaseError(0x40);
   }
 
   static Stage next(Stage stage) { return static_cast<Stage>(static_cast<int>(stage) + 1); }

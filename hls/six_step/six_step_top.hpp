@@ -84,6 +84,7 @@ class SixStepTop {
                                     .commutate = divided_.commutate,
                                     .update = update_,
                                     .good = good_,
+                                    .lags = lags_,
                                     .turns_reverse = sectors.reverse,
                                     .sector = sectors.sector,
                                     .lost = lost_,
@@ -127,6 +128,7 @@ class SixStepTop {
                                       .update = detector.update,
                                       .tick = tick_,
                                       .ramp = words.start.ramp,
+                                      .gentle = start.gentle,
                                       .bandwidth = words.loop.bandwidth,
                                       .delay = words.loop.delay >> int(words.loop.divide.raw()),
                                       .ki = words.loop.ki,
@@ -204,6 +206,7 @@ class SixStepTop {
     fast_ = filter.fast;
     update_ = detector.update;
     good_ = detector.good;
+    lags_ = detector.error.negative();
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;
@@ -312,6 +315,7 @@ class SixStepTop {
   bool fast_ = false;
   bool update_ = false;
   bool good_ = false;
+  bool lags_ = false;
   bool lost_ = false;
   bool fatal_ = false;
   Reason cause_ = Reason::kNone;

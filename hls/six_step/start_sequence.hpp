@@ -5,7 +5,8 @@
 //                  at the speed and angle found.  The other way: kBrake.  Not in time: kSettle
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
 //     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22)
-//     kAccelerate  forced steps, frequency from 0 to hand_over by `ramp` per tick   (t_a, Eq. 23)
+//     kAccelerate  forced steps, frequency from 0 to hand_over by `ramp` per tick   (t_a, Eq. 23),
+//                  a quarter as fast after each failed try, three times
 //     kPullIn      the PLL closes; `good_crossings` in a row are a lock
 //     kRun         speed control
 //     kSlowDown    speed control down to hand-over speed, before a reversal or a braked stop
@@ -43,6 +44,7 @@ class StartSequence {
     bool commutate = false;           // strobe: a new step began
     bool update = false;              // strobe: the phase detector has a new error
     bool good = false;                // with `update`: it is a small one
+    bool lags = false;                // the last error was negative: the rotor lags the VCO
     bool turns_reverse = false;       // while observing: the code last moved downwards
     UInt<3> sector = 0;               // while observing: 0 to 5
     bool lost = false;                // protection: give up this try
@@ -65,6 +67,7 @@ class StartSequence {
     bool load_step = false;             // one clock: take `step`, in its middle
     UInt<3> step = 0;                   // 0 to 5
     bool turn_vco = false;              // the VCO may count
+    UInt<2> gentle = 0;                 // loop filter: the ramp is quartered so often
     bool began = false;                 // one clock: `run` was obeyed
     bool failed = false;                // one clock: a try failed
   };
@@ -197,12 +200,14 @@ class StartSequence {
   }
 
   // Pulling in, the start's torque fades by 1/32 per step: with all of it the rotor would keep its
-  // lead on the VCO and run away from the loop, with too little of it a heavy load would stop it.
+  // lead on the VCO and run away from the loop.  A rotor that lags has too little torque and gets
+  // 1/32 more per step, up to the start's: a heavy load would stop it else.
   void fade(const In& in) {
+    const Duty part = boost_ >> 5;
     if (state_ != State::kPullIn) {
       boost_ = in.words.start_duty;
-    } else if (in.commutate) {
-      boost_ = wrap<Duty>(boost_ - (boost_ >> 5));
+    } else if (in.commutate && (!in.lags || boost_ < in.words.start_duty)) {
+      boost_ = in.lags ? wrap<Duty>(boost_ + part) : wrap<Duty>(boost_ - part);
     }
   }
 
@@ -217,6 +222,8 @@ class StartSequence {
     out.began = began_;
     out.failed = failed_;
     out.stop = state_ == State::kSlowDown;
+    // A load too heavy for the ramp fails; the next try takes a quarter of it.
+    out.gentle = retries_ > 3 ? UInt<2>(3) : wrap<UInt<2>>(retries_);
     switch (state_) {
       case State::kObserve:
         out.turn_vco = true;

@@ -66,7 +66,7 @@ struct StartWords {
   Ticks reset = 0;               // reset pattern: t_r of Eq. (22)
   Duty reset_duty = 0;
   Duty start_duty = 0;           // during acceleration and pull-in
-  UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration
+  UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
   Frequency hand_over = 0;       // f_a: the end of the ramp
   Phase window = 0;              // u0.16: a crossing closer than this to its place is a good one
   UInt<6> good_crossings = 0;    // in a row, for lock (and for catching)

@@ -11,6 +11,8 @@ namespace steplock::design {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kLatestHandOver = 0.4;  // of the set speed
+constexpr double kMostTicks = 3900;      // of a ramp, with some to spare of its 4095
 constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceleration may cause
 constexpr double kSlipMargin = 1.5;    // of the duty that the limit's current takes
 
@@ -117,14 +119,39 @@ double frequency_to_follow(const LoopParameters& l, double acceleration) {
   return 0;  // independent of the frequency: the ramp is what it is
 }
 
+// What a start must overcome in the worst corner of the envelope.
+struct Heaviest {
+  double torque = 0;   // N m, dry: friction and load
+  double share = 1;    // of the nominal torque that the start's duty then gives
+  double inertia = 1;  // factor
+};
+
+Heaviest heaviest(const Settings& s, const MotorConstants& m) {
+  const auto& v = s.envelope;
+  double load = 0;
+  for (const double l : v.load) load = std::max(load, l);
+  return {.torque = s.motor.coulomb_nm + s.load.opposing_nm + load * m.k_e * s.motor.rated_current_a,
+          // The duty is a voltage: the current falls with the bus, and as resistance grows.
+          .share = v.bus[0] / v.resistance[1] * v.flux[0],
+          .inertia = v.inertia[1]};
+}
+
 void set_start(const Settings& s, Design& d) {
   const auto& t = s.start;
   auto& p = d.parameters.start;
   const auto& m = d.motor;
   const double steps = 6 * s.motor.pole_pairs / (2 * kPi);  // per mechanical radian
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
-  d.start_current =
-      t.start_current_a.value_or(std::max(s.motor.rated_current_a / 2, 3 * friction / m.k_e));
+  const Heaviest heavy = heaviest(s, m);
+  const double set = steps_per_second(s, s.scenario.speed_rpm);
+  const double highest =
+      t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : kLatestHandOver * set;
+  const double inertia = heavy.inertia * m.inertia;
+  // The largest inertia to hand-over before a ramp is over.
+  const double swing = inertia * highest / steps / (kMostTicks * d.parameters.pwm.tick());
+  d.start_current = t.start_current_a.value_or(
+      std::max(s.motor.rated_current_a / 2,
+               std::max(1.3 * heavy.torque, 1.15 * heavy.torque + swing) / heavy.share / m.k_e));
   d.reset_current = t.reset_current_a.value_or(d.start_current);
   d.kappa = t.kappa_nm > 0 ? t.kappa_nm
                            : reset_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.reset_current);
@@ -143,12 +170,17 @@ void set_start(const Settings& s, Design& d) {
   for (const double o : e.comparator_offset_v) offset = std::max(offset, std::abs(o));
   const double doubt = offset + e.comparator_hysteresis_v / 2 + 3 * e.comparator_noise_v;
   const double seen = 10 * doubt / s.motor.flux_vs * 6 / (2 * kPi);  // steps/s
-  const double set = steps_per_second(s, s.scenario.speed_rpm);
-  const double derived = std::clamp(
-      std::max(seen, frequency_to_follow(d.parameters.loop, full / 2)), 0.04 * set, 0.4 * set);
+  const double derived =
+      std::clamp(std::max(seen, frequency_to_follow(d.parameters.loop, full / 2)), 0.04 * set,
+                 kLatestHandOver * set);
   p.hand_over = t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : derived;
 
-  p.ramp = 0.4 * full;
+  // Each failed try takes a quarter of the ramp, the last one what the heaviest load can follow.
+  const double left = heavy.share * m.k_e * d.start_current - heavy.torque;
+  const double gentlest = std::max(0.7 * left / inertia * steps,
+                                   p.hand_over / (kMostTicks * d.parameters.pwm.tick()));
+  p.ramp = gentlest;
+  for (int k = std::min(t.retries, 3); k > 0 && 4 * p.ramp < 0.4 * full; --k) p.ramp *= 4;
   std::optional<double> time = t.t_a_s;
   if (!time && t.xi && t.k_v) time = acceleration_time(*t.xi, m.inertia, *t.k_v, m.k_e);
   if (time) p.ramp = p.hand_over / *time;

@@ -104,7 +104,11 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   const bool missed = detector_.missed();
   // A rotor started with more torque than it needs leads the field; less and less lets it fall back
   // to where its crossings show, whatever flux and bus voltage really are.
-  if (sequence_.state() == State::kPullIn && vco_.commutated()) boost_ -= boost_ / 32;
+  // A rotor that lags has too little and gets more, up to the start's.
+  if (sequence_.state() == State::kPullIn && vco_.commutated()) {
+    const bool lags = detector_.error() < 0;
+    if (!lags || boost_ < p_.start.start_duty) boost_ += lags ? boost_ / 32 : -boost_ / 32;
+  }
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 
@@ -204,6 +208,8 @@ void Drive::join(double t, const Joined& other) {
 void Drive::on_tick(double t) {
   const auto& s = p_.start;
   const double f = filter_.frequency();
+  // A load too heavy for the ramp fails; the next try takes a quarter of it, three times.
+  const double ramp = std::ldexp(s.ramp, -2 * std::min(sequence_.retries(), 3));
   double duty = 0;
   switch (sequence_.state()) {
     case State::kSettle:
@@ -214,7 +220,7 @@ void Drive::on_tick(double t) {
       duty = s.brake_duty;
       break;
     case State::kAccelerate:
-      filter_.load(std::min(f + s.ramp * p_.pwm.tick(), s.hand_over));
+      filter_.load(std::min(f + ramp * p_.pwm.tick(), s.hand_over));
       vco_.set_frequency(t, filter_.frequency());
       ramp_done_ = filter_.frequency() >= s.hand_over;
       boost_ = s.start_duty;

@@ -13,21 +13,29 @@ void Judge::commutated(double electrical_rad, int from, int to) {
     return;
   }
   const bool reverse = moved == 5;
-  // A drive that catches a spinning rotor goes to its step from anywhere, then turns with it.
-  if (reverse != reverse_) released();
-  reverse_ = reverse;
   constexpr double kStepDeg = 60;
   const double theta = electrical_rad * 180 / std::numbers::pi;
   const int k = reverse ? (to + 3) % 6 : to;
   const double late = reverse ? 90 + kStepDeg * k - theta : theta - (30 + kStepDeg * k);
   const double error = late + advance_deg_;
+  if (!following_ || reverse != reverse_) {
+    following_ = true;
+    confirmed_ = false;
+    reverse_ = reverse;
+    slot_ = 0;
+    error_deg_ = std::remainder(error, 360);
+    return;
+  }
+  if (!confirmed_) take();
+  confirmed_ = true;
   // The representative nearest to the last error: one commutation cannot hide half a turn.
-  const double near = following_ ? error_deg_ : 0;
-  error_deg_ = near + std::remainder(error - near, 360);
+  error_deg_ += std::remainder(error - error_deg_, 360);
+  take();
+}
 
-  const double astray = error_deg_ - kStepDeg * static_cast<double>(following_ ? slot_ : 0);
-  if (!following_) slot_ = 0;
-  following_ = true;
+void Judge::take() {
+  constexpr double kStepDeg = 60;
+  const double astray = error_deg_ - kStepDeg * static_cast<double>(slot_);
   if (std::abs(astray) > kStepDeg) {
     const long slipped = std::lround(astray / kStepDeg);
     slot_ += slipped;

@@ -21,7 +21,9 @@ class Judge {
   explicit Judge(double advance_deg = 0) : advance_deg_(advance_deg) {}
 
   // The drive, claiming a lock, went from one pattern to another at this angle.  Only neighbours
-  // tell a direction; after any other change, and in another direction, the judge begins afresh.
+  // tell a direction; after any other change, and in another direction, the judge begins afresh.  The
+  // first one counts once a second in its direction confirms it: a drive that catches a spinning rotor
+  // goes to its step from anywhere, then turns with it.
   void commutated(double electrical_rad, int from, int to);
   // The drive no longer claims a lock; the next one is judged afresh.
   void released() { following_ = false; }
@@ -33,8 +35,10 @@ class Judge {
   double last_deg() const { return error_deg_; }
 
  private:
+  void take();
+
+  bool following_ = false, confirmed_ = false, reverse_ = false;
   double advance_deg_;
-  bool following_ = false, reverse_ = false;
   double error_deg_ = 0;  // unwrapped
   long slot_ = 0;         // whole steps slipped so far in this lock
   std::uint64_t step_outs_ = 0, count_ = 0;

@@ -151,6 +151,21 @@ TEST(LoopFilter, ARampGrowsPerTickFromStandstillBelowTheMinimum) {
   for (int n = 1; n <= 20; ++n) EXPECT_EQ(update(dut, in), Frequency(1234 * n));
 }
 
+TEST(LoopFilter, AGentleRampIsQuarteredThreeTimes) {
+  for (int gentle = 0; gentle < 4; ++gentle) {
+    LoopFilter dut;
+    const In in = {.loop = Loop::kRamp, .ramp = 1234, .gentle = gentle, .maximum = Frequency::max()};
+    // Four bits more than the frequency shows: at the last quarter two are lost, once per tick.
+    for (int n = 1; n <= 20; ++n) {
+      const double wanted = 1234.0 * n / (1 << 2 * gentle);
+      const double lost = gentle == 3 ? n / 16.0 : 0;
+      const auto is = static_cast<double>(update(dut, in).raw());
+      EXPECT_LE(is, wanted);
+      EXPECT_GT(is, wanted - 1 - lost);
+    }
+  }
+}
+
 TEST(LoopFilter, StopDropsTheWorkInFlight) {
   auto in = track();
   in.kp = 0x4000;

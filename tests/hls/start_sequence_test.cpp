@@ -100,6 +100,20 @@ TEST(StartSequence, StartsThroughAllItsStates) {
                          State::kPullIn, State::kRun}));
 }
 
+TEST(StartSequence, EachFailedTryMakesTheRampGentlerThreeTimes) {
+  Bench bench;
+  bench.in.words.retries = 6;
+  bench.in.command.run = true;
+  for (const int gentle : {0, 1, 2, 3, 3, 3, 3}) {
+    bench.in.fast = false;
+    EXPECT_EQ(bench.until(State::kAccelerate).gentle, UInt<2>(gentle));
+    bench.in.fast = true;
+    bench.until(State::kPullIn);
+    bench.clocks(20);  // no crossing comes in time
+  }
+  EXPECT_EQ(bench.clocks(2).state, State::kFault);
+}
+
 TEST(StartSequence, KeepsTheGatesOffWhileItObserves) {
   Bench bench;
   bench.in.command.run = true;
@@ -146,6 +160,25 @@ TEST(StartSequence, FadesItsTorquePerStepWhilePullingIn) {
   bench.in.commutate = false;
   EXPECT_EQ(bench.clock().duty, Duty(2000 - 2000 / 32));
   EXPECT_EQ(bench.clock().duty, Duty(2000 - 2000 / 32));
+}
+
+TEST(StartSequence, GivesALaggingRotorItsTorqueBackPerStep) {
+  Bench bench;
+  bench.in.command.run = true;
+  bench.until(State::kAccelerate);
+  bench.in.fast = true;
+  bench.until(State::kPullIn);
+  bench.in.commutate = true;
+  bench.clocks(10);
+  bench.in.lags = true;
+  const Duty faded = bench.clock().duty;
+  const Duty more = bench.clock().duty;
+  EXPECT_EQ(more, Duty(faded.raw() + (faded.raw() >> 5)));
+  // As much as the start's, and a thirty-second more at most.
+  Duty last = more;
+  for (int n = 0; n < 7; ++n) last = bench.clock().duty;
+  EXPECT_LE(last, Duty(2000 + 2000 / 32));
+  EXPECT_GE(last, Duty(1800));
 }
 
 TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {

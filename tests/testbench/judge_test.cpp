@@ -87,6 +87,7 @@ TEST(Judge, AStalledRotorCountsEveryStepThatTheDriveTurnsOn) {
 TEST(Judge, ALockThatBeginsAStepAwayCounts) {
   Judge judge;
   judge.commutated((30 + 95) * kRad, 5, 0);
+  judge.commutated((90 + 95) * kRad, 0, 1);
   EXPECT_EQ(judge.step_outs(), 2u);
 }
 
