@@ -9,6 +9,7 @@ module loop_filter (
     input  logic        update_i,  // strobe: the error is new
     input  logic        tick_i,  // strobe: time base of ramp and per-second form
     input  logic [19:0] ramp_i,  // u0.32, VCO turns per clock, per tick
+    input  logic [1:0]  gentle_i,  // the ramp is quartered so often
     input  logic        bandwidth_i,
     input  logic [9:0]  delay_i,  // clocks / 2^divide
     input  logic [15:0] ki_i,  // u2.14
@@ -50,20 +51,20 @@ module loop_filter (
   logic at_top;  // the output stands at a limit
   logic at_bottom;
 
-  wire [9:0] choice_105 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 105
-  wire [21:0] choice_73 =  // line 73
+  wire [9:0] choice_106 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 106
+  wire [21:0] choice_74 =  // line 74
       (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
       (loop_i != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
-  wire both_120 =  // line 120
+  wire both_121 =  // line 121
       loop_i == Loop_kHall && (error_i[15] || !error_i[14]) && (!error_i[15] || error_i[14]);
-  wire [14:0] choice_73_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
-  wire [15:0] wide_73 = {1'b0, choice_73_2};  // line 73
-  wire [15:0] choice_73_3 =  // line 73
+  wire [14:0] choice_74_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
+  wire [15:0] wide_74 = {1'b0, choice_74_2};  // line 74
+  wire [15:0] choice_74_3 =  // line 74
       (stage == Stage_kIntegral) ?
-      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_120 ? 15'd4096 : 15'd16384}) :
+      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_121 ? 15'd4096 : 15'd16384}) :
       (stage == Stage_kProportional) ? kp_i :
-      wide_73;
+      wide_74;
 
   wire [55:0] multiplier_product;
   wire multiplier_done;
@@ -73,9 +74,9 @@ module loop_filter (
       .rst(rst),
       .start_i(stage - 4'd1 < 4'd6 && !started),
       .a_i((stage == Stage_kKeep || stage == Stage_kDelay) ? {4'd0, y} : work),
-      .b_i((stage == Stage_kDelay) ? {12'd0, choice_105} :
-        (stage == Stage_kScale) ? choice_73 :
-        {6'd0, choice_73_3}),
+      .b_i((stage == Stage_kDelay) ? {12'd0, choice_106} :
+        (stage == Stage_kScale) ? choice_74 :
+        {6'd0, choice_74_3}),
       .shift_i(4'd0),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
@@ -113,19 +114,27 @@ module loop_filter (
           end
           Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep,
           Stage_kIntegral: begin
-            logic [21:0] base;
-            logic [33:0] base_2;
-            logic [33:0] base_3;  // line 83
+            logic [8:0] choice_127;
+            logic [10:0] choice_127_2;
+            logic [12:0] wide_127;
+            logic [12:0] choice_127_3;
+            logic [15:0] error;
+            logic [33:0] base;
+            logic [33:0] base_2;  // line 84
             logic [33:0] sum;
-            base = (loop_i == Loop_kRamp) ? 22'd262144 : {error_i, 6'd0};  // line 127
-            base_2 = {{12{base[21]}}, base};  // line 127
+            choice_127 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 127
+            choice_127_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_127};  // line 127
+            wide_127 = {2'd0, choice_127_2};  // line 127
+            choice_127_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_127;  // line 127
+            error = (loop_i == Loop_kRamp) ? {3'd0, choice_127_3} : error_i;  // line 127
+            base = {{12{error[15]}}, error, 6'd0};  // line 128
             case (stage)
-              Stage_kDelay: base_3 = base_2;
-              Stage_kIntegral, Stage_kProportional: base_3 = x;
-              Stage_kKeep: base_3 = work;
-              default: base_3 = 34'd0;
+              Stage_kDelay: base_2 = base;
+              Stage_kIntegral, Stage_kProportional: base_2 = x;
+              Stage_kKeep: base_2 = work;
+              default: base_2 = 34'd0;
             endcase
-            sum = base_3 + multiplier_product[47:14];  // line 131
+            sum = base_2 + multiplier_product[47:14];  // line 132
             case (stage)
               Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep: begin
                 if (multiplier_done) begin
@@ -151,35 +160,35 @@ module loop_filter (
             endcase
           end
           default: begin
-            logic [25:0] choice_148;
-            logic [25:0] limit;  // line 74
-            logic below_75;
-            choice_148 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 148
+            logic [25:0] choice_157;
+            logic [25:0] limit;  // line 75
+            logic below_76;
+            choice_157 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 157
             case (stage)
-              Stage_kLow: limit = choice_148;
+              Stage_kLow: limit = choice_157;
               Stage_kHigh: limit = maximum_i;
               Stage_kSlow: limit = stall_i;
               default: limit = hand_over_i;
             endcase
-            below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
+            below_76 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 76
             case (stage)
               Stage_kLow: begin
                 stage <= Stage_kHigh;
-                if (below_75) begin
-                  work <= {4'd0, choice_148, 4'd0};
+                if (below_76) begin
+                  work <= {4'd0, choice_157, 4'd0};
                 end
-                at_bottom <= below_75;
+                at_bottom <= below_76;
               end
               Stage_kHigh: begin
                 stage <= Stage_kSlow;
-                if (!below_75) begin
+                if (!below_76) begin
                   work <= {4'd0, maximum_i, 4'd0};
                 end
-                at_top <= !below_75;
+                at_top <= !below_76;
               end
               Stage_kSlow: begin
                 stage <= Stage_kOut;
-                slow <= below_75;
+                slow <= below_76;
               end
               default: begin
                 stage <= Stage_kIdle;

@@ -45,7 +45,7 @@ module six_step_top (
     input  logic [11:0] words_start_reset_i,  // reset pattern: t_r of Eq. (22)
     input  logic [15:0] words_start_reset_duty_i,
     input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration
+    input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
     input  logic [25:0] words_start_hand_over_i,  // f_a: the end of the ramp
     input  logic [15:0] words_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_start_good_crossings_i,  // in a row, for lock (and for catching)
@@ -115,6 +115,7 @@ module six_step_top (
   logic fast;
   logic update;
   logic good;
+  logic lags;
   logic lost;
   logic fatal;
   logic [3:0] cause;
@@ -183,6 +184,7 @@ module six_step_top (
   wire start_load_step;
   wire [2:0] start_step;
   wire start_turn_vco;
+  wire [1:0] start_gentle;
   wire start_began;
   wire start_failed;
   start_sequence start (
@@ -214,6 +216,7 @@ module six_step_top (
       .commutate_i(divided_commutate),
       .update_i(update),
       .good_i(good),
+      .lags_i(lags),
       .turns_reverse_i(hall_reverse),
       .sector_i(hall_sector),
       .lost_i(lost),
@@ -233,12 +236,13 @@ module six_step_top (
       .load_step_o(start_load_step),
       .step_o(start_step),
       .turn_vco_o(start_turn_vco),
+      .gentle_o(start_gentle),
       .began_o(start_began),
       .failed_o(start_failed)
   );
 
   wire [2:0] hall_step = start_reverse ? hall_sector + choice : hall_sector;
-  wire [2:0] step = words_source_i ? hall_step : divided_step;  // line 100
+  wire [2:0] step = words_source_i ? hall_step : divided_step;  // line 101
 
   wire bemf_crossing;
   wire [15:0] bemf_crossing_phase;
@@ -292,7 +296,7 @@ module six_step_top (
       .missed_o(detector_missed)
   );
 
-  wire either_140 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
+  wire either_142 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
 
   wire [25:0] filter_frequency;
   wire filter_fast;
@@ -306,6 +310,7 @@ module six_step_top (
       .update_i(detector_update),
       .tick_i(tick),
       .ramp_i(words_start_ramp_i),
+      .gentle_i(start_gentle),
       .bandwidth_i(words_loop_bandwidth_i),
       .delay_i(words_loop_delay_i >> words_loop_divide_i),
       .ki_i(words_loop_ki_i),
@@ -328,7 +333,7 @@ module six_step_top (
       .clk(clk),
       .rst(rst),
       .enable_i(start_turn_vco),
-      .load_i(either_140),
+      .load_i(either_142),
       .phase_i((start_load_step && words_loop_divide_i == 2'd0) ? 16'd32768 : 16'd0),
       .frequency_i(filter_frequency),
       .phase_o(vco_phase),
@@ -506,7 +511,7 @@ module six_step_top (
       .divide_i(words_loop_divide_i),
       .reverse_i(start_reverse),
       .hold_i(start_watch == 2'd2),
-      .load_i(either_140),
+      .load_i(either_142),
       .step_i(start_load_step ? start_step : hall_step),
       .half_i(start_load_step),
       .step_o(divide_step),
@@ -529,6 +534,7 @@ module six_step_top (
       fast <= 1'b0;
       update <= 1'b0;
       good <= 1'b0;
+      lags <= 1'b0;
       lost <= 1'b0;
       fatal <= 1'b0;
       cause <= Reason_kNone;
@@ -544,6 +550,7 @@ module six_step_top (
       fast <= filter_fast;
       update <= detector_update;
       good <= detector_good;
+      lags <= detector_error[15];  // line 209
       lost <= protection_lost;
       fatal <= protection_fatal;
       cause <= protection_reason;

@@ -1,4 +1,4 @@
-// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:35.
+// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:36.
 // Do not edit: change the C++ and print again.
 
 module start_sequence (
@@ -15,7 +15,7 @@ module start_sequence (
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
     input  logic [15:0] words_reset_duty_i,
     input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration
+    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
     input  logic [25:0] words_hand_over_i,  // f_a: the end of the ramp
     input  logic [15:0] words_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_good_crossings_i,  // in a row, for lock (and for catching)
@@ -30,6 +30,7 @@ module start_sequence (
     input  logic        commutate_i,  // strobe: a new step began
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
+    input  logic        lags_i,  // the last error was negative: the rotor lags the VCO
     input  logic        turns_reverse_i,  // while observing: the code last moved downwards
     input  logic [2:0]  sector_i,  // while observing: 0 to 5
     input  logic        lost_i,  // protection: give up this try
@@ -49,6 +50,7 @@ module start_sequence (
     output logic        load_step_o,  // one clock: take `step`, in its middle
     output logic [2:0]  step_o,  // 0 to 5
     output logic        turn_vco_o,  // the VCO may count
+    output logic [1:0]  gentle_o,  // loop filter: the ramp is quartered so often
     output logic        began_o,  // one clock: `run` was obeyed
     output logic        failed_o  // one clock: a try failed
 );
@@ -125,7 +127,7 @@ module start_sequence (
     endcase
   end
 
-  logic [15:0] out_duty;  // line 73
+  logic [15:0] out_duty;  // line 76
   always_comb begin
     case (state)
       State_kBrake: out_duty = words_brake_duty_i;
@@ -162,73 +164,73 @@ module start_sequence (
     endcase
   end
 
-  wire inverse_262 = !reverse;  // line 262
-  wire both_74 = tick_i && ticks == 12'd0;  // line 74
-  wire both_120 = fresh && words_good_crossings_i <= good;  // line 120
-  wire either_121 = !command_run_i || (command_reverse_i ^ reverse);  // line 121
-  wire [3:0] choice_75 =  // line 75
+  wire inverse_269 = !reverse;  // line 269
+  wire both_77 = tick_i && ticks == 12'd0;  // line 77
+  wire both_123 = fresh && words_good_crossings_i <= good;  // line 123
+  wire either_124 = !command_run_i || (command_reverse_i ^ reverse);  // line 124
+  wire [3:0] choice_78 =  // line 78
       (command_run_i || (!source_i && words_observe_i != 12'd0)) ? State_kObserve : State_kIdle;
-  wire [3:0] choice_75_2 =  // line 75
-      both_120 ? ((!command_run_i || (turns_reverse ^ reverse)) ? State_kBrake : State_kRun) :
-      both_74 ? {2'd0, {2{command_run_i}}} :
+  wire [3:0] choice_78_2 =  // line 78
+      both_123 ? ((!command_run_i || (turns_reverse ^ reverse)) ? State_kBrake : State_kRun) :
+      both_77 ? {2'd0, {2{command_run_i}}} :
       State_kObserve;
 
-  logic [3:0] choice_75_3;  // line 75
+  logic [3:0] choice_78_3;  // line 78
   always_comb begin
     case (state)
-      State_kIdle: choice_75_3 = State_kObserve;
-      State_kObserve: choice_75_3 = choice_75_2;
-      State_kBrake: choice_75_3 = both_74 ? choice_75 : State_kBrake;
-      State_kSettle: choice_75_3 = both_74 ? State_kReset : State_kSettle;
-      State_kReset: choice_75_3 = both_74 ? State_kAccelerate : State_kReset;
-      State_kAccelerate: choice_75_3 =
+      State_kIdle: choice_78_3 = State_kObserve;
+      State_kObserve: choice_78_3 = choice_78_2;
+      State_kBrake: choice_78_3 = both_77 ? choice_78 : State_kBrake;
+      State_kSettle: choice_78_3 = both_77 ? State_kReset : State_kSettle;
+      State_kReset: choice_78_3 = both_77 ? State_kAccelerate : State_kReset;
+      State_kAccelerate: choice_78_3 =
           fast_i ? State_kPullIn :
-          both_74 ? State_kRest :
+          both_77 ? State_kRest :
           State_kAccelerate;
-      State_kPullIn: choice_75_3 =
-          both_120 ? State_kRun :
-          both_74 ? State_kRest :
+      State_kPullIn: choice_78_3 =
+          both_123 ? State_kRun :
+          both_77 ? State_kRest :
           State_kPullIn;
-      State_kRun: choice_75_3 =
+      State_kRun: choice_78_3 =
           lost_i ? State_kRest :
-          either_121 ? State_kSlowDown :
+          either_124 ? State_kSlowDown :
           State_kRun;
-      State_kSlowDown: choice_75_3 =
+      State_kSlowDown: choice_78_3 =
           lost_i ? State_kRest :
-          either_121 ? ((both_74 || !fast_i) ? State_kBrake : State_kSlowDown) :
+          either_124 ? ((both_77 || !fast_i) ? State_kBrake : State_kSlowDown) :
           State_kRun;
-      default: choice_75_3 = both_74 ? State_kObserve : state;
+      default: choice_78_3 = both_77 ? State_kObserve : state;
     endcase
   end
 
-  wire either_118 =  // line 118
+  wire either_121 =  // line 121
       command_run_i ||
       (command_brake_to_stop_i && (running || state == State_kBrake || state == State_kObserve));
-  wire [3:0] wanted =  // line 75
+  wire [3:0] wanted =  // line 78
       (state == State_kFault) ?
       ((command_clear_fault_i && !clear_was && !(command_run_i || fatal_i)) ? State_kIdle :
       State_kFault) :
       (!command_configured_i || fatal_i) ? (command_configured_i ? State_kFault : State_kIdle) :
-      either_118 ? choice_75_3 :
+      either_121 ? choice_78_3 :
       State_kIdle;
 
-  logic [3:0] choice_77;  // line 77
+  logic [3:0] choice_80;  // line 80
   always_comb begin
     case (wanted)
-      State_kObserve: choice_77 =
+      State_kObserve: choice_80 =
           source_i ? State_kRun :
           (words_observe_i == 12'd0) ? State_kSettle :
           State_kObserve;
-      State_kBrake: choice_77 = (brakes == 8'd255) ? State_kFault : State_kBrake;
-      State_kRest: choice_77 = (retries < words_retries_i) ? State_kRest : State_kFault;
-      default: choice_77 = wanted;
+      State_kBrake: choice_80 = (brakes == 8'd255) ? State_kFault : State_kBrake;
+      State_kRest: choice_80 = (retries < words_retries_i) ? State_kRest : State_kFault;
+      default: choice_80 = wanted;
     endcase
   end
 
-  wire unequal_76 = wanted != state;  // line 76
-  wire equal_77 = wanted == state;  // line 77
-  wire [3:0] state_next = equal_77 ? state : choice_77;  // line 77
-  wire both_79 = unequal_76 && state == State_kIdle;  // line 79
+  wire unequal_79 = wanted != state;  // line 79
+  wire equal_80 = wanted == state;  // line 80
+  wire [3:0] state_next = equal_80 ? state : choice_80;  // line 80
+  wire both_82 = unequal_79 && state == State_kIdle;  // line 82
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -247,10 +249,10 @@ module start_sequence (
       turns_reverse <= 1'b0;
       clear_was <= 1'b0;
     end else begin
-      state <= state_next;  // line 77
-      if (both_79 && wanted == State_kObserve) begin
+      state <= state_next;  // line 80
+      if (both_82 && wanted == State_kObserve) begin
         reason <= Reason_kNone;
-      end else if (!equal_77 && (state_next == State_kRest || state_next == State_kFault)) begin
+      end else if (!equal_80 && (state_next == State_kRest || state_next == State_kFault)) begin
         if (wanted == State_kBrake) begin
           reason <= Reason_kCannotStop;
         end else if (fatal_i || lost_i) begin
@@ -259,7 +261,7 @@ module start_sequence (
           reason <= Reason_kNoLock;
         end
       end
-      if (equal_77) begin
+      if (equal_80) begin
         if (tick_i && ticks != 12'd0) begin
           ticks <= ticks - 12'd1;
         end
@@ -276,11 +278,11 @@ module start_sequence (
           default: ticks <= 12'd4095;
         endcase
       end
-      if (unequal_76 || !update_i) begin
-        if (!equal_77) begin
+      if (unequal_79 || !update_i) begin
+        if (!equal_80) begin
           good <= 6'd0;
         end
-        if (unequal_76) begin
+        if (unequal_79) begin
           load_step <=
               state_next == State_kAccelerate ||
               (state == State_kObserve && state_next == State_kRun);
@@ -300,18 +302,18 @@ module start_sequence (
         turns_reverse <= turns_reverse_i;
       end
       fresh <= update_i;
-      if (both_74 && state == State_kRun) begin
+      if (both_77 && state == State_kRun) begin
         retries <= 4'd0;
         brakes <= 8'd0;
       end else begin
         case (wanted)
           State_kObserve: begin
-            if (both_79) begin
+            if (both_82) begin
               retries <= 4'd0;
             end
           end
           State_kRest: begin
-            if (unequal_76) begin
+            if (unequal_79) begin
               retries <= retries + 4'd1;
             end
           end
@@ -321,12 +323,12 @@ module start_sequence (
           State_kIdle: begin
             case (wanted)
               State_kObserve: begin
-                if (unequal_76) begin
+                if (unequal_79) begin
                   brakes <= 8'd0;
                 end
               end
               State_kBrake: begin
-                if (unequal_76) begin
+                if (unequal_79) begin
                   brakes <= brakes + 8'd1;
                 end
               end
@@ -335,7 +337,7 @@ module start_sequence (
           end
           State_kRun: brakes <= 8'd0;
           default: begin
-            if (unequal_76 && wanted == State_kBrake) begin
+            if (unequal_79 && wanted == State_kBrake) begin
               brakes <= brakes + 8'd1;
             end
           end
@@ -344,10 +346,18 @@ module start_sequence (
       case (state)
         State_kIdle: begin
           boost <= words_start_duty_i;
-          began <= unequal_76 && wanted == State_kObserve;
+          began <= unequal_79 && wanted == State_kObserve;
         end
         State_kPullIn: begin
-          boost <= boost - {5'd0, commutate_i ? boost[15:5] : 11'd0};
+          if (commutate_i) begin
+            if (lags_i) begin
+              if (words_start_duty_i > boost) begin
+                boost <= boost + {5'd0, boost[15:5]};
+              end
+            end else begin
+              boost <= boost - {5'd0, boost[15:5]};
+            end
+          end
           began <= 1'b0;
         end
         default: begin
@@ -355,8 +365,8 @@ module start_sequence (
           began <= 1'b0;
         end
       endcase
-      failed <= unequal_76 && wanted == State_kRest;  // line 80
-      clear_was <= command_clear_fault_i;  // line 75
+      failed <= unequal_79 && wanted == State_kRest;  // line 83
+      clear_was <= command_clear_fault_i;  // line 78
     end
   end
 
@@ -373,11 +383,12 @@ module start_sequence (
   assign loop_o = loop;
   assign load_step_o = load_step;
   assign step_o =
-      (state == State_kAccelerate) ? {1'b0, {2{inverse_262}}} :
+      (state == State_kAccelerate) ? {1'b0, {2{inverse_269}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;
   assign turn_vco_o = either_3 || state == State_kRun || state == State_kSlowDown;
+  assign gentle_o = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;
   assign began_o = began;
   assign failed_o = failed;
 

@@ -85,9 +85,17 @@ TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
   EXPECT_TRUE(
       names(only_problem([](S s) { s.start.hand_over_rpm = 2900; }), "start.hand_over_rpm"));
   EXPECT_TRUE(
-      names(only_problem([](S s) { s.start.start_current_a = 0.05; }), "start.start_current_a"));
+      names(only_problem([](S s) {
+                      s.start.start_current_a = 0.05;
+                      s.start.reset_current_a = 2;
+                    }),
+                    "start.start_current_a"));
   EXPECT_TRUE(
-      names(only_problem([](S s) { s.start.start_current_a = 20; }), "start.start_current_a"));
+      names(only_problem([](S s) {
+                      s.start.start_current_a = 20;
+                      s.start.reset_current_a = 2;
+                    }),
+                    "start.start_current_a"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.stop_s = 7; }), "scenario.stop_s"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.load_off_s = 0.1; }), "scenario.load_off_s"));
   EXPECT_TRUE(names(only_problem([](S s) { s.motor.static_nm = 1e-3; }), "motor.static_nm"));
