@@ -1,8 +1,12 @@
 # Random programs, each group of blocks one top: written, generated, verilated and compiled in the build.
 # -D RANDOM_SEEDS="1001;2001" adds groups of 80 from these seeds on.
 find_package(verilator REQUIRED HINTS /usr/share/verilator)
-add_executable(random_programs random/random_programs.cpp random/program.cpp random/statements.cpp
-               random/expressions.cpp)
+add_library(random_writer STATIC random/program.cpp random/statements.cpp random/expressions.cpp)
+add_executable(random_programs random/random_programs.cpp)
+target_link_libraries(random_programs PRIVATE random_writer)
+add_executable(programs_test random/programs_test.cpp)
+target_link_libraries(programs_test PRIVATE random_writer GTest::gtest_main)
+gtest_discover_tests(programs_test DISCOVERY_TIMEOUT 60)
 # What every Verilated model calls.
 add_library(verilated_runtime STATIC ${VERILATOR_ROOT}/include/verilated.cpp
             ${VERILATOR_ROOT}/include/verilated_threads.cpp)
