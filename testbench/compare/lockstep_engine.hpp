@@ -14,7 +14,9 @@ namespace steplock {
 class LockstepEngine {
  public:
   LockstepEngine(const Words& words, double clock_hz)
-      : fixed_(words, clock_hz), rtl_(words, clock_hz) {}
+      : fixed_(words, clock_hz), rtl_(words, clock_hz) {
+    rtl_.look_always();
+  }
 
   void set_pins(const plant::Pins& pins) {
     pins_ = pins;

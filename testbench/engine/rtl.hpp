@@ -49,7 +49,12 @@ class RtlEngine {
   void skip(std::uint64_t) {}
 
   Watch watch() const { return {top_.watch_o}; }
-  DriveView view() const {
+  DriveView view() {
+    if (!looks_always_) {
+      top_.look = 1;
+      top_.eval();  // no edge
+      top_.look = 0;
+    }
     return {.steps_per_second = top_.frequency_o * clock_hz_ / 4294967296.0 /
                                 (1 << top_.words_loop_divide_i),
             .duty = top_.duty_o / 32768.0,
@@ -61,6 +66,8 @@ class RtlEngine {
             .limit_hits = top_.counts_limit_hits_o,
             .retries = top_.counts_retries_o};
   }
+  // From now on all outputs are shown on every clock, for differs().
+  void look_always() { top_.look = looks_always_ = true; }
   // The name of the first output that differs from the block's, or null.
   const char* differs(const SixStepTop::Out& out) const {
     return ports::six_step_top::differs(top_, out);
@@ -94,7 +101,7 @@ class RtlEngine {
   SixStepTop::In in_;
   Synchroniser::Pins shown_pins_;
   double clock_hz_;
-  bool shown_ = false, loaded_ = true;
+  bool shown_ = false, loaded_ = true, looks_always_ = false;
 };
 
 }  // namespace steplock
