@@ -200,7 +200,7 @@ void Drive::join(double t, const Joined& other) {
   vco_.set_frequency(t, other.frequency);
   vco_.load(t, other.step, other.step_phase);
   detector_.restart(other.phase_error);
-  speed_.join(other.duty, target_, other.frequency);
+  speed_.join(other.duty, other.reference, other.frequency);
   pwm_.set_duty(other.duty);
   next_ = std::min(next_, vco_.next());
 }

@@ -37,11 +37,11 @@ class Drive {
   // `bridge`: what it does, if another drive holds it and this one only looks on.
   Output update(double t, const Pins&, const Command&, const std::optional<Bridge>& bridge = {});
 
-  // Where another drive stands that is locked at its set speed.
+  // Where another drive stands that is locked.
   struct Joined {
     int step = 0;
     double step_phase = 0, phase_error = 0;  // turns of a step
-    double frequency = 0;                    // steps/s
+    double frequency = 0, reference = 0;     // steps/s; the slewed set speed
     double duty = 0;
     bool reverse = false;
   };

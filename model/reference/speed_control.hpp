@@ -25,9 +25,9 @@ class SpeedControl {
     integral_ = integral;
     reference_ = f;
   }
-  // In control for long: at the target, and this duty at this frequency.
-  void join(double duty, double target, double f) {
-    follow(duty, std::clamp(duty - p_.kp * (target - f), p_.minimum, p_.maximum), target);
+  // In control for long: the reference got so far, and this duty at this frequency.
+  void join(double duty, double reference, double f) {
+    follow(duty, std::clamp(duty - p_.kp * (reference - f), p_.minimum, p_.maximum), reference);
   }
   void tick(double target, double f, bool limited) {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;

@@ -21,12 +21,14 @@ struct StepChange {
 // The blocks drive, the reference looks over their shoulder.  It could not start with them, because a
 // start needs gates that act; so it joins, soon after clock `from`, at which the blocks must be locked.
 // Its speed control acts on nothing either, so that whatever duty it begins with stays wrong for ever:
-// it joins at a change of the blocks' duty, when that and the frequency belong together.
+// it joins at a change of the blocks' duty, when that and the frequency belong together, with the set
+// speed slewed as far as theirs, from the frequency at which they locked.
 class ShadowEngine {
  public:
   ShadowEngine(const Words& words, const design::Parameters& parameters, double clock_hz,
                std::uint64_t from)
-      : fixed_(words, clock_hz), float_(parameters, clock_hz), clock_hz_(clock_hz), from_(from),
+      : fixed_(words, clock_hz), float_(parameters, clock_hz), speed_(parameters.speed),
+        clock_hz_(clock_hz), from_(from),
         latest_(from + kPatience * words.pwm.period.raw() * words.pwm.tick_periods.raw()) {}
 
   void set_pins(const plant::Pins& pins) {
@@ -43,6 +45,10 @@ class ShadowEngine {
     float_.set_bridge({fixed_.watch().step(), fixed_.output().chop});
     float_.tick();
     look();
+    if (!fixed_.watch().locked()) {
+      lock_clock_ = clock_;
+      lock_frequency_ = fixed_.view().steps_per_second;
+    }
     const bool moved = fixed_.output().duty != duty_;
     duty_ = fixed_.output().duty;
     if (!joined_ && (clock_ >= latest_ || (clock_ > from_ && moved))) join();
@@ -71,7 +77,11 @@ class ShadowEngine {
   void join() {
     joined_ = true;
     float_.set_command(command_);
-    float_.join(fixed_.view(), fixed_.watch().step(), fixed_.output().reverse);
+    const double seconds = static_cast<double>(clock_ - lock_clock_) / clock_hz_;
+    const double most = speed_.slew * seconds;
+    const double reference =
+        lock_frequency_ + std::clamp(speed_.target - lock_frequency_, -most, most);
+    float_.join(fixed_.view(), reference, fixed_.watch().step(), fixed_.output().reverse);
   }
   void look() {
     const double now = static_cast<double>(clock_) / clock_hz_;
@@ -87,10 +97,13 @@ class ShadowEngine {
 
   FixedEngine fixed_;
   FloatEngine float_;
+  design::SpeedParameters speed_;
   double clock_hz_;
   std::uint64_t clock_ = 0, from_, latest_;
   bool joined_ = false;
   Duty duty_ = 0;
+  std::uint64_t lock_clock_ = 0;
+  double lock_frequency_ = 0;
   HostCommand command_;
   int fixed_step_ = 0, float_step_ = 0;
   std::vector<StepChange> fixed_steps_, float_steps_;

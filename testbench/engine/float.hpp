@@ -60,12 +60,14 @@ class FloatEngine {
   void skip(std::uint64_t clocks) { clock_ += clocks; }
 
   // From the coming clock on in speed control, where the other drive stands.
-  void join(const DriveView& v, int step, bool reverse) {
+  // `reference`: steps/s, the other's slewed set speed.
+  void join(const DriveView& v, double reference, int step, bool reverse) {
     drive_.join(static_cast<double>(clock_) / clock_hz_,
                 {.step = step,
                  .step_phase = v.step_phase_deg / 60,
                  .phase_error = v.phase_error_deg / 60,
                  .frequency = v.steps_per_second,
+                 .reference = reference,
                  .duty = v.duty,
                  .reverse = reverse});
   }
