@@ -68,7 +68,9 @@ TEST(Programs, HoldEveryWidthUpTo64) {
     if (width > 40 && width != 48 && width < 63) continue;  // these come as products and slices only
     const std::string digits = std::to_string(width);
     EXPECT_GT(programs_with("UInt<" + digits + ">"), 0) << width;
-    if (width > 1) EXPECT_GT(programs_with("[^U]Int<" + digits + ">"), 0) << width;
+    if (width > 1) {
+      EXPECT_GT(programs_with("[^U]Int<" + digits + ">"), 0) << width;
+    }
   }
 }
 
