@@ -9,7 +9,7 @@
 //     loop ki, kp             u2.14; per second times `scale`, chosen so that kp fills its word;
 //                             the filter reads scale without its lowest four bits, pole (u1.15)
 //                             without its lowest one
-//     speed kp, bemf, loaded          u4.12 and ki u0.16 per tick, per frequency >> shift
+//     speed kp, bemf, loaded  u4.12 and ki u0.16 per tick, per frequency >> shift
 //
 // Doc: docs/design.md   Test: tests/model/design/register_words_test.cpp
 #pragma once

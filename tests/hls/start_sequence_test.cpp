@@ -1,89 +1,10 @@
-#include "hls/six_step/start_sequence.hpp"
-
-#include <gtest/gtest.h>
-
-#include <vector>
+// The way to a lock, and back; what goes wrong on it: start_sequence_failures_test.cpp.
+#include "tests/hls/start_bench.hpp"
 
 namespace steplock {
 namespace {
 
-// A sequence with short times, one tick per clock, and the inputs of a healthy drive.
-struct Bench {
-  StartSequence dut;
-  StartSequence::In in;
-  std::vector<State> visited;
-
-  Bench() {
-    in.tick = true;
-    in.command.configured = true;
-    in.words = {.settle = 3,
-                .reset = 5,
-                .reset_duty = 1000,
-                .start_duty = 2000,
-                .ramp = 100,
-                .hand_over = 1000,
-                .window = 0x4000,
-                .good_crossings = 4,
-                .pull_in = 20,
-                .observe = 10,
-                .slow_down = 30,
-                .brake = 5,
-                .brake_duty = 500,
-                .rest = 6,
-                .retries = 2};
-  }
-
-  // One clock; returns what the outputs are after it.
-  StartSequence::Out clock() {
-    dut.tick(in);
-    in.update = false;
-    auto after = dut;
-    const auto out = after.tick(in);
-    if (visited.empty() || visited.back() != out.state) visited.push_back(out.state);
-    return out;
-  }
-
-  StartSequence::Out clocks(int n) {
-    StartSequence::Out out;
-    for (int i = 0; i < n; ++i) out = clock();
-    return out;
-  }
-
-  // Until the state is reached; fails the test when it never is.
-  StartSequence::Out until(State state) {
-    StartSequence::Out out;
-    for (int i = 0; i < 5000; ++i) {
-      out = clock();
-      if (out.state == state) return out;
-    }
-    ADD_FAILURE() << "state " << int(state) << " was not reached";
-    return out;
-  }
-
-  void crossing(bool good) {
-    in.update = true;
-    in.good = good;
-    clock();
-  }
-
-  StartSequence::Out move(bool reverse, int sector) {
-    in.update = in.good = true;
-    in.turns_reverse = reverse;
-    in.sector = sector;
-    clock();
-    return clock();
-  }
-
-  void run() {
-    in.command.run = true;
-    in.fast = false;
-    until(State::kAccelerate);
-    in.fast = true;
-    until(State::kPullIn);
-    for (int i = 0; i < 4; ++i) crossing(true);
-    clock();
-  }
-};
+using Bench = test::StartBench;
 
 TEST(StartSequence, StaysOffUntilConfigured) {
   Bench bench;
@@ -98,20 +19,6 @@ TEST(StartSequence, StartsThroughAllItsStates) {
   EXPECT_EQ(bench.visited,
             (std::vector{State::kObserve, State::kSettle, State::kReset, State::kAccelerate,
                          State::kPullIn, State::kRun}));
-}
-
-TEST(StartSequence, EachFailedTryMakesTheRampGentlerThreeTimes) {
-  Bench bench;
-  bench.in.words.retries = 6;
-  bench.in.command.run = true;
-  for (const int gentle : {0, 1, 2, 3, 3, 3, 3}) {
-    bench.in.fast = false;
-    EXPECT_EQ(bench.until(State::kAccelerate).gentle, UInt<2>(gentle));
-    bench.in.fast = true;
-    bench.until(State::kPullIn);
-    bench.clocks(20);  // no crossing comes in time
-  }
-  EXPECT_EQ(bench.clocks(2).state, State::kFault);
 }
 
 TEST(StartSequence, KeepsTheGatesOffWhileItObserves) {
@@ -164,6 +71,7 @@ TEST(StartSequence, FadesItsTorquePerStepWhilePullingIn) {
 
 TEST(StartSequence, GivesALaggingRotorItsTorqueBackPerStep) {
   Bench bench;
+  bench.in.words.pull_in = 200;
   bench.in.command.run = true;
   bench.until(State::kAccelerate);
   bench.in.fast = true;
@@ -174,18 +82,11 @@ TEST(StartSequence, GivesALaggingRotorItsTorqueBackPerStep) {
   const Duty faded = bench.clock().duty;
   const Duty more = bench.clock().duty;
   EXPECT_EQ(more, Duty(faded.raw() + (faded.raw() >> 5)));
-  // As much as the start's, and a thirty-second more at most.
-  Duty last = more;
-  for (int n = 0; n < 7; ++n) last = bench.clock().duty;
+  // Until it is as much as the start's: the last step may pass that by a thirty-second.
+  const Duty last = bench.clocks(30).duty;
+  EXPECT_GE(last, Duty(2000));
   EXPECT_LE(last, Duty(2000 + 2000 / 32));
-  EXPECT_GE(last, Duty(1800));
-}
-
-TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {
-  Bench bench;
-  bench.in.command.run = true;
-  bench.until(State::kAccelerate);
-  EXPECT_EQ(bench.until(State::kRest).reason, Reason::kNoLock);
+  EXPECT_EQ(bench.clocks(30).duty, last);
 }
 
 TEST(StartSequence, ABadCrossingBeginsTheCountAgain) {
@@ -228,102 +129,6 @@ TEST(StartSequence, BrakesARotorThatTurnsTheOtherWayAndLooksAgain) {
   EXPECT_EQ(out.duty, Duty(500));
   bench.until(State::kObserve);
   bench.until(State::kSettle);
-}
-
-TEST(StartSequence, ARotorThatNeverStopsIsAFaultInTheEnd) {
-  Bench bench;
-  bench.in.command.run = true;
-  bench.in.words.observe = 100;
-  for (int brakes = 0; brakes < 255; ++brakes) {
-    bench.until(State::kObserve);
-    for (int i = 0; i < 5; ++i) bench.move(true, 1);
-    ASSERT_EQ(bench.visited.back(), State::kBrake);
-  }
-  bench.until(State::kObserve);
-  for (int i = 0; i < 5; ++i) bench.move(true, 1);
-  const auto out = bench.clock();
-  EXPECT_EQ(out.state, State::kFault);
-  EXPECT_EQ(out.reason, Reason::kCannotStop);
-}
-
-TEST(StartSequence, TriesAsOftenAsItMayAndThenLatchesTheReason) {
-  Bench bench;
-  bench.in.command.run = true;
-  bench.in.fast = true;
-  int failures = 0;
-  StartSequence::Out out;
-  for (int i = 0; i < 1000 && out.state != State::kFault; ++i) {
-    out = bench.clock();
-    failures += out.failed;
-  }
-  EXPECT_EQ(failures, 3);  // the first try and two retries
-  EXPECT_EQ(out.reason, Reason::kNoLock);
-  EXPECT_FALSE(out.enable);
-  for (int i = 0; i < 1000; ++i) ASSERT_EQ(bench.clock().state, State::kFault);
-}
-
-TEST(StartSequence, ALostLockRestsAndStartsAgain) {
-  Bench bench;
-  bench.run();
-  bench.in.lost = true;
-  bench.in.cause = Reason::kStepOut;
-  auto out = bench.until(State::kRest);
-  EXPECT_FALSE(out.enable);
-  EXPECT_EQ(out.reason, Reason::kStepOut);
-  bench.in.lost = false;
-  bench.until(State::kObserve);
-}
-
-TEST(StartSequence, ALongLockForgivesEarlierFailures) {
-  Bench bench;
-  bench.in.words.retries = 1;
-  for (int i = 0; i < 4; ++i) {
-    bench.run();
-    bench.clocks(1100);
-    bench.in.lost = true;
-    bench.until(State::kRest);
-    bench.in.lost = false;
-  }
-  bench.run();  // and a short one does not
-  bench.in.lost = true;
-  bench.until(State::kFault);
-}
-
-TEST(StartSequence, AFatalCauseLatchesInAnyState) {
-  for (int clocks = 0; clocks < 60; ++clocks) {
-    Bench bench;
-    bench.in.command.run = true;
-    bench.clocks(clocks);
-    bench.in.fatal = true;
-    bench.in.cause = Reason::kFaultPin;
-    const auto out = bench.clock();
-    ASSERT_EQ(out.state, State::kFault) << clocks;
-    ASSERT_EQ(out.reason, Reason::kFaultPin);
-    ASSERT_FALSE(out.enable);
-  }
-}
-
-TEST(StartSequence, AFaultIsLeftOnlyByARisingClearWithRunLowAndTheCauseGone) {
-  Bench bench;
-  bench.in.command.clear_fault = true;  // held from before: no edge
-  bench.in.fatal = true;
-  bench.clock();
-  bench.in.fatal = false;
-  EXPECT_EQ(bench.clocks(10).state, State::kFault);
-
-  const auto clear = [&] {
-    bench.in.command.clear_fault = false;
-    bench.clock();
-    bench.in.command.clear_fault = true;
-    return bench.clock().state;
-  };
-  bench.in.command.run = true;
-  EXPECT_EQ(clear(), State::kFault);
-  bench.in.command.run = false;
-  bench.in.fatal = true;
-  EXPECT_EQ(clear(), State::kFault);
-  bench.in.fatal = false;
-  EXPECT_EQ(clear(), State::kIdle);
 }
 
 TEST(StartSequence, ReversesThroughSlowingBrakingAndLooking) {

@@ -1,0 +1,89 @@
+// A start sequence with short times, one tick per clock, and the inputs of a healthy drive.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "hls/six_step/start_sequence.hpp"
+
+namespace steplock::test {
+
+struct StartBench {
+  StartSequence dut;
+  StartSequence::In in;
+  std::vector<State> visited;
+
+  StartBench() {
+    in.tick = true;
+    in.command.configured = true;
+    in.words = {.settle = 3,
+                .reset = 5,
+                .reset_duty = 1000,
+                .start_duty = 2000,
+                .ramp = 100,
+                .hand_over = 1000,
+                .window = 0x4000,
+                .good_crossings = 4,
+                .pull_in = 20,
+                .observe = 10,
+                .slow_down = 30,
+                .brake = 5,
+                .brake_duty = 500,
+                .rest = 6,
+                .retries = 2};
+  }
+
+  // One clock; returns what the outputs are after it.
+  StartSequence::Out clock() {
+    dut.tick(in);
+    in.update = false;
+    auto after = dut;
+    const auto out = after.tick(in);
+    if (visited.empty() || visited.back() != out.state) visited.push_back(out.state);
+    return out;
+  }
+
+  StartSequence::Out clocks(int n) {
+    StartSequence::Out out;
+    for (int i = 0; i < n; ++i) out = clock();
+    return out;
+  }
+
+  // Until the state is reached; fails the test when it never is.
+  StartSequence::Out until(State state) {
+    StartSequence::Out out;
+    for (int i = 0; i < 5000; ++i) {
+      out = clock();
+      if (out.state == state) return out;
+    }
+    ADD_FAILURE() << "state " << int(state) << " was not reached";
+    return out;
+  }
+
+  void crossing(bool good) {
+    in.update = true;
+    in.good = good;
+    clock();
+  }
+
+  StartSequence::Out move(bool reverse, int sector) {
+    in.update = in.good = true;
+    in.turns_reverse = reverse;
+    in.sector = sector;
+    clock();
+    return clock();
+  }
+
+  void run() {
+    in.command.run = true;
+    in.fast = false;
+    until(State::kAccelerate);
+    in.fast = true;
+    until(State::kPullIn);
+    for (int i = 0; i < 4; ++i) crossing(true);
+    clock();
+  }
+};
+
+}  // namespace steplock::test
