@@ -106,8 +106,6 @@ TEST(ReferenceBemf, OneBounceDoesNotCountTwice) {
   EXPECT_NEAR(found.place, 0.5, 15e-6 / kStep);
 }
 
-// A crossing inside a blind gap is put into the gap's middle: wrong by half the gap at most, and
-// right on the average.
 // One that only looks on: the phase floats from the bridge's commutation on, whatever its own VCO says.
 TEST(ReferenceBemf, FollowsTheBridgeThatAnotherDriveHolds) {
   Bemf bemf({.blanking = 2e-6, .sample_every = 1e-6, .samples = 4});
@@ -130,6 +128,8 @@ TEST(ReferenceBemf, FollowsTheBridgeThatAnotherDriveHolds) {
   EXPECT_NEAR(bemf.crossing_phase(), 0.5, 1e-3);
 }
 
+// A crossing inside a blind gap is put into the gap's middle: wrong by half the gap at most, and
+// right on the average.
 TEST(ReferenceBemf, BlindGapsLeaveNoBias) {
   auto p = kPlain;
   p.sampling = design::Sampling::kOnTime;

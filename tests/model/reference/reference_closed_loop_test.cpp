@@ -22,6 +22,16 @@ Verdict run(const design::Settings& s, double angle_deg) {
   return ClosedLoop(s, design::design_drive(s).parameters, plant_parameters(s), angle_deg).run();
 }
 
+// Of the limit's current.  Delay and blanking let it overshoot by a fifth.  What a leading rotor drives
+// through two low sides passes the shunt by, so the limit cannot hold it where a shorted motor at set
+// speed already carries more.
+double most_over_limit(const design::Settings& s) {
+  const double w = s.scenario.speed_rpm * M_PI / 30 * s.motor.pole_pairs;
+  const double impedance = std::hypot(s.motor.resistance_ohm + s.inverter.on_resistance_ohm,
+                                      w * (s.motor.inductance_h - s.motor.mutual_h));
+  return w * s.motor.flux_vs / impedance > 1.2 * s.sensors.limit_a ? 1.5 : 1.2;
+}
+
 class Drive : public testing::TestWithParam<const char*> {};
 
 TEST_P(Drive, StartsFromSixAnglesHoldsItsSpeedTakesALoadStepAndReverses) {
@@ -36,8 +46,7 @@ TEST_P(Drive, StartsFromSixAnglesHoldsItsSpeedTakesALoadStepAndReverses) {
     EXPECT_NEAR(v.mean_rpm, s.scenario.speed_rpm, 0.005 * s.scenario.speed_rpm) << angle;
     EXPECT_NEAR(v.loaded_rpm, s.scenario.speed_rpm, 0.01 * s.scenario.speed_rpm) << angle;
     EXPECT_NEAR(v.reversed_rpm, -s.scenario.speed_rpm, 0.01 * s.scenario.speed_rpm) << angle;
-    // What a leading rotor drives through two low sides at hand-over passes the shunt by.
-    EXPECT_LT(v.peak_current, 1.5 * s.sensors.limit_a) << angle;
+    EXPECT_LT(v.peak_current, most_over_limit(s) * s.sensors.limit_a) << angle;
     EXPECT_LT(v.worst_error_deg, 20) << angle;  // a third of a step costs 6 % of torque
   }
 }
