@@ -9,13 +9,28 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "testbench/drive_file/drive_file.hpp"
+#include "testbench/run/run_drive.hpp"
 
 namespace steplock {
 
 enum ExitCode { kWell = 0, kFailed = 1, kBadInput = 2, kBroken = 3, kInterrupted = 130 };
+
+// --engine takes one of these by its name.
+inline CLI::Validator engine_among(const std::vector<EngineKind>& kinds) {
+  std::map<std::string, EngineKind> names;
+  std::string shown;
+  for (const EngineKind kind : kinds) {
+    names[name_of(kind)] = kind;
+    shown += (shown.empty() ? "" : "|") + std::string(name_of(kind));
+  }
+  CLI::Validator validator = CLI::CheckedTransformer(names, CLI::ignore_case);
+  return validator.description(shown);
+}
 
 void add_run_command(CLI::App&, int& exit_code);
 void add_sweep_command(CLI::App&, int& exit_code);

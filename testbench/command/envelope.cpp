@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
@@ -26,26 +25,18 @@ int print_envelope(const Arguments& arguments) {
   {
     Interrupt interrupt;
     ProgressBar bar("load");
-    try {
-      for (std::size_t i = 0; i < files.size(); ++i) {
-        const std::string stem = fs::path(arguments.files[i]).stem().string();
-        all.push_back(measure_envelope(files[i], stem, [&](double done) {
-          bar.show((static_cast<double>(i) + done) / static_cast<double>(files.size()), stem);
-          return !interrupt.asked();
-        }));
-      }
-    } catch (const std::runtime_error&) {
-      if (interrupt.asked()) return kInterrupted;  // nothing was written yet
-      throw;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const std::string stem = fs::path(arguments.files[i]).stem().string();
+      all.push_back(measure_envelope(files[i], stem, [&](double done) {
+        bar.show((static_cast<double>(i) + done) / static_cast<double>(files.size()), stem);
+        return !interrupt.asked();
+      }));
     }
   }
   const fs::path out = arguments.out;
-  fs::create_directories(out / "figures");
-  for (const LoadEnvelope& e : all) {
-    if (!draw(envelope_figure(e), out / "figures")) {
-      throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
-    }
-  }
+  std::vector<Figure> figures;
+  for (const LoadEnvelope& e : all) figures.push_back(envelope_figure(e));
+  draw_all(figures, out / "figures");
   write_file(out / "load.md", envelope_page(all));
   fmt::print("  wrote {}\n", (out / "load.md").string());
   return kWell;

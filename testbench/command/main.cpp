@@ -31,6 +31,8 @@ int main(int argc, char** argv) {
   } catch (const BadInput& e) {
     fmt::print(stderr, "{}\n", e.what());
     return kBadInput;
+  } catch (const Stopped&) {
+    return kInterrupted;
   } catch (const std::exception& e) {
     fmt::print(stderr, "steplock: {}\n", e.what());
     return kBroken;

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <stdexcept>
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
@@ -29,12 +27,7 @@ int print_paper(const Arguments& arguments) {
                                  bar.show(done, what);
                                  return !interrupt.asked();
                                }};
-    try {
-      page = amano2003_page(file.settings, options);
-    } catch (const std::runtime_error&) {
-      if (interrupt.asked()) return kInterrupted;  // nothing was written yet
-      throw;
-    }
+    page = amano2003_page(file.settings, options);
   }
   for (const auto& path : write_paper(page, arguments.out)) fmt::print("  wrote {}\n", path.string());
   int exit_code = kWell;
@@ -56,11 +49,9 @@ void add_paper_command(CLI::App& app, int& exit_code) {
   command->add_option("PAPER", arguments->name, "amano2003")
       ->required()
       ->check(CLI::IsMember({"amano2003"}));
-  const std::map<std::string, EngineKind> kinds = {{"rtl", EngineKind::kRtl},
-                                                   {"fixed", EngineKind::kFixed}};
   command->add_option("--engine", arguments->engine,
                       "rtl (generated SystemVerilog, the default) or fixed (its C++ source, faster)")
-      ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case));
+      ->transform(engine_among({EngineKind::kRtl, EngineKind::kFixed}));
   command->add_option("--drives", arguments->drives, "where the drive file is (default drives)");
   command->add_option("--out", arguments->out,
                       "directory of the page and its figures (default out/papers)");

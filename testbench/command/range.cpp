@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
@@ -24,21 +23,13 @@ int print_range(const Arguments& arguments) {
   {
     Interrupt interrupt;
     ProgressBar bar("range");
-    try {
-      range = measure_range(file.settings, [&](double done) {
-        bar.show(done);
-        return !interrupt.asked();
-      });
-    } catch (const std::runtime_error&) {
-      if (interrupt.asked()) return kInterrupted;  // nothing was written yet
-      throw;
-    }
+    range = measure_range(file.settings, [&](double done) {
+      bar.show(done);
+      return !interrupt.asked();
+    });
   }
   const fs::path out = arguments.out;
-  fs::create_directories(out / "figures");
-  if (!draw(range_figure(range), out / "figures")) {
-    throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
-  }
+  draw_all({range_figure(range)}, out / "figures");
   write_file(out / "range.md", range_page(range));
   fmt::print("  wrote {}\n  wrote {}\n", (out / "figures" / "range.svg").string(),
              (out / "range.md").string());

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "testbench/command/command.hpp"
@@ -146,13 +145,10 @@ void add_run_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Simulate the scenario of a drive file and report.");
   command->add_option("FILE", arguments->file, "drive file, such as drives/amano2003.toml")
       ->required();
-  const std::map<std::string, EngineKind> kinds = {{"rtl", EngineKind::kRtl},
-                                                   {"fixed", EngineKind::kFixed},
-                                                   {"float", EngineKind::kFloat}};
   command->add_option("--engine", arguments->engine,
                       "what plays the drive: rtl (generated SystemVerilog, the default), fixed (its "
                       "C++ source), float (the reference)")
-      ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case));
+      ->transform(engine_among({EngineKind::kRtl, EngineKind::kFixed, EngineKind::kFloat}));
   command->add_option("--out", arguments->out,
                       "directory of the report (default out/<file>-<engine>)");
   command->add_flag("--json", arguments->json, "print summary.json on standard output");
@@ -160,14 +156,14 @@ void add_run_command(CLI::App& app, int& exit_code) {
       "--compare", arguments->compare,
       "then hold fixed against float on the same pins, beside the error budget");
   command->add_flag("--trace", arguments->trace, "write wave.fst and wave.gtkw for GTKWave");
-  command->add_option("--angle", arguments->angle_deg,
+  CLI::Option* angle = command->add_option("--angle", arguments->angle_deg,
                       "electrical degrees of the rotor at the start (default: the file's)");
-  command->add_option("--seed", arguments->seed, "of all noise (default: the file's)")
-      ->check(CLI::NonNegativeNumber);
+  CLI::Option* seed = command->add_option("--seed", arguments->seed, "of all noise (default: the file's)")
+                          ->check(CLI::NonNegativeNumber);
   command->add_option("--replay", arguments->replay,
                       "seed of one run of a sweep, from its runs.csv: that run alone, instead of the "
                       "file's scenario")
-      ->excludes(compare);
+      ->excludes(compare)->excludes(angle)->excludes(seed);
   command->footer("Example: steplock run drives/amano2003.toml --engine fixed --angle 60 --json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

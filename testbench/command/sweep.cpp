@@ -3,7 +3,6 @@
 #include <chrono>
 #include <charconv>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <thread>
 
@@ -105,9 +104,6 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", a->out, "folder (default out/sweep)");
   command->add_flag("--resume", a->resume, "do only the runs that the folder does not hold");
   command->add_flag("--json", a->json, "print sweep.json on standard output");
-  const std::map<std::string, Matrix> matrices = {{"start", Matrix::kStart}};
-  command->add_option("--matrix", a->kind.matrix, "start (the default)")
-      ->transform(CLI::CheckedTransformer(matrices, CLI::ignore_case));
   command->add_option("--outside", a->kind.outside, "part of the runs drawn outside the envelope (default 0)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--rtl", a->kind.rtl, "part of the runs repeated on the RTL (default 0.01)")

@@ -43,6 +43,9 @@ design::Settings per_step_loop(design::Settings);
 // The paper's kind of loop, designed again by Eqs. (15)-(17) around a greater mean frequency.
 design::Settings redesigned_loop(design::Settings, double f_m_hz);
 
+// r/min at which the back-EMF of this winding takes the whole bus.
+double no_load_rpm(const design::Settings&);
+
 PaperSection start_sequence(const design::Settings&, const PaperOptions&);   // Fig. 5
 PaperSection loop_response(const design::Settings&, const PaperOptions&);    // Fig. 6
 PaperSection locked_state(const design::Settings&, const PaperOptions&);     // Fig. 7

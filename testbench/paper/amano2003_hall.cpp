@@ -66,13 +66,13 @@ PaperSection against_hall(const design::Settings& drive, const PaperOptions& opt
       .title = "Fig. 13: against Hall sensors",
       .text = fmt::format(
           "The same drive, fan and speed ({:.0f} r/min), its steps taken from Hall sensors (engine `fixed`, "
-          "which equals the RTL on every clock; the sensorless run: RTL). The paper blames sensor placement "
+          "which equals the RTL on every clock; the sensorless run: `{}`). The paper blames sensor placement "
           "and does not say how much; so the placement is varied, and the one whose amplitude comes nearest to "
           "the paper's is taken: {} degrees electrical late (U, V, W).", base.scenario.speed_rpm,
-          told(like->placement_deg)),
+          name_of(options.engine), told(like->placement_deg)),
       .claims = {
           {"sensorless: smaller amplitude by", "%", kSmaller, "",
-           -percent(ours.wave.amplitude, like->wave.amplitude), "nearest of the placements below"},
+           -percent(ours.wave.amplitude, like->wave.amplitude), "nearest of the placements above"},
           {"Hall drive: rise time / fall time", "", kRiseOverFall, "",
            slow_rise->wave.rise_s / slow_rise->wave.fall_s,
            fmt::format("nearest of the placements: {}; from 10 to 90 % of a pulse's mean height (how the "

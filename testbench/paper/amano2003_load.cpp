@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "model/design/design.hpp"
 #include "testbench/paper/amano2003.hpp"
 #include "testbench/paper/panels.hpp"
 
@@ -68,9 +70,13 @@ PaperSection varied_load(const design::Settings& drive, const PaperOptions& opti
 }
 
 PaperSection high_speed(const design::Settings& drive, const PaperOptions& options) {
-  constexpr double kFast = 21000, kSlow = 5100, kTurns = 0.33, kVolts = 35, kMeanHz = 700;
+  constexpr double kFast = 21000, kSlow = 5100, kTurns = 0.33, kVolts = 35;
+  const double kMeanHz = kFast / 60 * drive.motor.pole_pairs;
   design::Settings s = redesigned_loop(rewound(without_fan(drive), kTurns), kMeanHz);
   s.inverter.bus_v = kVolts;
+  design::Settings at_full_voltage = drive;
+  at_full_voltage.inverter.bus_v = kVolts;
+  const double drag_kw = drive.load.fan_nms2 * std::pow(kFast * std::numbers::pi / 30, 3) / 1e3;
   s.loop.maximum_rpm = 25000;
   s.start.hand_over_rpm = 1500;
   s.speed.slew_rpm_s = 8000;
@@ -79,10 +85,10 @@ PaperSection high_speed(const design::Settings& drive, const PaperOptions& optio
   PaperSection section{
       .title = "Figs. 11 and 12: 21,000 and 5,100 r/min",
       .text = fmt::format(
-          "At {} V Table 1's back-EMF constant allows 8,700 r/min; this run has {} times the turns of the "
-          "printed winding, and no fan, whose drag at this speed would take kilowatts. The loop filter "
-          "is designed again, by Eqs. (15)-(17) with f_m = {} Hz, the electrical frequency of 21,000 r/min.",
-          kVolts, kTurns, kMeanHz),
+          "At {} V Table 1's back-EMF constant allows {:.0f} r/min; this run has {} times the turns of the "
+          "printed winding, and no fan, whose drag would take {:.0f} kW at {:.0f} r/min. The loop filter "
+          "is designed again, by Eqs. (15)-(17) with f_m = {} Hz, the electrical frequency of that speed.",
+          kVolts, no_load_rpm(at_full_voltage), kTurns, drag_kw, kFast, kMeanHz),
       .claims = {{"speed", "r/min", kFast, "", fast.summary.steady.mean_rpm, "set speed"},
                  {"commutation against the ideal, mean", "deg", {}, "not printed",
                   fast.summary.commutation_error_mean_deg, "true angle"},
@@ -115,10 +121,11 @@ PaperSection light_rotor(const design::Settings& drive, const PaperOptions& opti
   PaperSection s{
       .title = "Beyond the paper: coefficients per second and per step",
       .text = fmt::format(
-          "The paper's filter crosses over at 68 rad/s at any speed. A rotor without its fan ({:.3g} kg m^2) "
+          "The paper's filter crosses over at {:.0f} rad/s at any speed. A rotor without its fan ({:.3g} kg m^2) "
           "accelerates faster than such a loop can follow. Coefficients per step let the bandwidth grow "
           "with speed. All three start the light rotor and go to {} r/min (engine `fixed`, which equals the "
-          "RTL on every clock).", drive.motor.inertia_kgm2, rpm),
+          "RTL on every clock).", design::design_drive(drive).components.omega_g(),
+          drive.motor.inertia_kgm2, rpm),
       .claims = {{"per second, 20,000 r/min/s: steps lost", "", {}, "", double(paper.summary.step_outs),
                   told(paper)},
                  {"per second, slew as designed: steps lost", "", {}, "", double(slow.summary.step_outs),

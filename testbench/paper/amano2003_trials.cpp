@@ -2,6 +2,7 @@
 
 #include "model/design/design.hpp"
 #include "testbench/paper/amano2003.hpp"
+#include "testbench/run/units.hpp"
 
 namespace steplock::amano2003 {
 
@@ -17,7 +18,7 @@ Trial run_trial(const design::Settings& s, const PaperOptions& options, EngineKi
                    return !stopped;
                  }};
   Trial trial{s, {}, run_drive(s, run)};
-  if (stopped) throw std::runtime_error("stopped");
+  if (stopped) throw Stopped();
   trial.summary = summarise(s, run, trial.record);
   return trial;
 }
@@ -63,5 +64,7 @@ design::Settings redesigned_loop(design::Settings s, double f_m_hz) {
   s.loop.r_ohm.reset();
   return s;
 }
+
+double no_load_rpm(const design::Settings& s) { return rpm(design::motor_constants(s).no_load); }
 
 }  // namespace steplock::amano2003

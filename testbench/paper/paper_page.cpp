@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "testbench/report/report.hpp"
 
 namespace steplock {
 namespace {
 
-// Four digits say what two drives have in common; more would be noise.
+// Four digits say what two drives have in common, more would be noise; large numbers keep their ones.
 std::string number(double x) {
-  const double zero = std::abs(x) < 1e-12 ? 0 : x;
-  return fmt::format("{:.4g}", zero);
+  if (std::abs(x) >= 1e4) return fmt::format("{:.0f}", x);
+  return fmt::format("{:.4g}", std::abs(x) < 1e-12 ? 0 : x);
 }
 
 std::string with_unit(const std::string& value, const std::string& unit) {
@@ -51,12 +50,9 @@ std::string to_markdown(const PaperPage& page) {
 std::vector<std::filesystem::path> write_paper(const PaperPage& page,
                                                const std::filesystem::path& directory) {
   std::vector<std::filesystem::path> written;
-  std::filesystem::create_directories(directory / page.name);
   for (const PaperSection& s : page.sections) {
+    draw_all(s.figures, directory / page.name);
     for (const Figure& f : s.figures) {
-      if (!draw(f, directory / page.name)) {
-        throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
-      }
       written.push_back(directory / page.name / (f.name + ".svg"));
     }
   }

@@ -119,7 +119,7 @@ LoadEnvelope measure_envelope(const DriveFile& file, const std::string& stem,
   const double low = 1.3 * d.hand_over_rpm, high = std::min(s.scenario.speed_rpm, 0.9 * e.no_load_rpm);
   for (int i = 0; i < kSpeeds; ++i) {
     e.points.push_back(measure_load(s, low + (high - low) * i / (kSpeeds - 1), most));
-    if (progress && !progress(double(i + 1) / kSpeeds)) throw std::runtime_error("stopped");
+    if (progress && !progress(double(i + 1) / kSpeeds)) throw Stopped();
   }
   return e;
 }

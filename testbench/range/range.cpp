@@ -11,6 +11,7 @@
 #include "model/design/words.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/words.hpp"
+#include "testbench/run/run_drive.hpp"
 #include "testbench/paper/ideal_rotor.hpp"
 
 namespace steplock {
@@ -106,7 +107,7 @@ Range measure_range(const design::Settings& drive,
     for (const double erpm : speeds) {
       curve.points.push_back(measure_point(drive, r, kNotRound * erpm));
       done += 1.0 / static_cast<double>(all.size() * speeds.size());
-      if (progress && !progress(done)) throw std::runtime_error("stopped");
+      if (progress && !progress(done)) throw Stopped();
     }
     range.curves.push_back(curve);
   }

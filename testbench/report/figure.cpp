@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <iterator>
+#include <stdexcept>
 
 namespace steplock {
 namespace {
@@ -116,6 +117,15 @@ bool draw(const Figure& figure, const std::filesystem::path& directory) {
   if (gnuplot == nullptr) return false;
   const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
   return pclose(gnuplot) == 0 && written;
+}
+
+void draw_all(const std::vector<Figure>& figures, const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  for (const Figure& f : figures) {
+    if (!draw(f, directory)) {
+      throw std::runtime_error("gnuplot does not run, so no figure can be drawn; install gnuplot-nox");
+    }
+  }
 }
 
 }  // namespace steplock

@@ -46,6 +46,8 @@ std::string gnuplot_script(const Figure&, const std::string& svg_path);
 
 // False if gnuplot is missing or refuses.
 bool draw(const Figure&, const std::filesystem::path& directory);
+// All of them, in a directory that it makes.  Throws std::runtime_error if gnuplot does not run.
+void draw_all(const std::vector<Figure>&, const std::filesystem::path& directory);
 
 // At most `most` points, evenly thinned; a figure shows no more.
 std::vector<Point> thinned(std::vector<Point> points, std::size_t most = 1500);

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "testbench/drive_file/drive_file.hpp"
@@ -13,6 +14,11 @@
 namespace steplock {
 
 class TraceWriter;
+
+// Thrown where the user stopped something of which a part would be of no use.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped") {}
+};
 
 enum class EngineKind { kRtl, kFixed, kFloat };
 const char* name_of(EngineKind);

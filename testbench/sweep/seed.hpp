@@ -2,7 +2,7 @@
 //
 //     bits  52 .. 3   drawn from the sweep's seed and the run's index
 //           2         repeated on the RTL
-//           1         the disturbance matrix, else the start matrix
+//           1         zero
 //           0         drawn from outside the envelope
 //
 // 53 bits, so that it is exact wherever numbers are doubles.
@@ -16,19 +16,15 @@ namespace steplock {
 
 inline constexpr std::uint64_t kSeedEnd = std::uint64_t{1} << 53;
 
-enum class Matrix { kStart, kDisturb };
-
 struct RunSeed {
   std::uint64_t value = 0;
 
   bool outside() const { return (value & 1) != 0; }
-  Matrix matrix() const { return (value & 2) != 0 ? Matrix::kDisturb : Matrix::kStart; }
   bool on_rtl() const { return (value & 4) != 0; }
 };
 
 struct SweepKind {
   std::uint64_t seed = 1;
-  Matrix matrix = Matrix::kStart;
   double outside = 0;  // part of the runs drawn outside the envelope
   double rtl = 0.01;   // part of the runs repeated on the RTL
 };
@@ -36,7 +32,6 @@ struct SweepKind {
 inline RunSeed run_seed(const SweepKind& kind, std::uint64_t index) {
   const Draw draw(scramble(kind.seed) ^ index);
   const std::uint64_t flags = std::uint64_t{draw.unit(1) < kind.outside} |
-                              std::uint64_t{kind.matrix == Matrix::kDisturb} << 1 |
                               std::uint64_t{draw.unit(2) < kind.rtl} << 2;
   return {draw.bits(0) >> 14 << 3 | flags};
 }

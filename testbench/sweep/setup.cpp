@@ -74,7 +74,6 @@ std::vector<std::size_t> drives_of_runs(const SweepSetup& setup) {
 std::string setup_text(const SweepSetup& s) {
   Json j;
   j["seed"] = s.kind.seed;
-  j["matrix"] = s.kind.matrix == Matrix::kDisturb ? "disturb" : "start";
   j["outside"] = s.kind.outside;
   j["rtl"] = s.kind.rtl;
   j["runs"] = s.runs;
@@ -91,7 +90,6 @@ SweepSetup read_setup(const std::string& path) {
     const Json j = Json::parse(in);
     SweepSetup s;
     s.kind = {.seed = j.at("seed"),
-              .matrix = j.at("matrix") == "disturb" ? Matrix::kDisturb : Matrix::kStart,
               .outside = j.at("outside"),
               .rtl = j.at("rtl")};
     s.runs = j.at("runs");
@@ -113,7 +111,6 @@ void check_same_sweep(const SweepSetup& mine, const SweepSetup& other, const std
   };
   const SweepKind &a = mine.kind, &b = other.kind;
   need(a.seed == b.seed, fmt::format("the seed is {}, not {}", b.seed, a.seed));
-  need(a.matrix == b.matrix, "it is another matrix");
   need(a.outside == b.outside, fmt::format("outside is {:g}, not {:g}", b.outside, a.outside));
   need(a.rtl == b.rtl, fmt::format("the RTL's share is {:g}, not {:g}", b.rtl, a.rtl));
   need(mine.drives.size() == other.drives.size(),

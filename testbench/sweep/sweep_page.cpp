@@ -113,12 +113,11 @@ std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
                        const std::vector<PageFigure>& figures) {
   const Json j = sweep_json(setup, rows);
   const bool well = passed(setup, rows);
-  const bool disturb = setup.kind.matrix == Matrix::kDisturb;
   std::string page = fmt::format(
-      "<h1>{} runs<span class=\"verdict {}\">{}</span></h1>\n<p class=\"sub\">{} matrix, seed {}, fixed engine; "
+      "<h1>{} starts<span class=\"verdict {}\">{}</span></h1>\n<p class=\"sub\">Seed {}, fixed engine; "
       "{} runs repeated on the RTL, {} of them differ.</p>\n",
-      rows.size(), well ? "well" : "failed", well ? "passed" : "failed", disturb ? "Disturbance" : "Start",
-      setup.kind.seed, j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
+      rows.size(), well ? "well" : "failed", well ? "passed" : "failed", setup.kind.seed,
+      j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
   page += "<div class=\"box\"><table>\n<tr><th>inside the envelope</th><th>runs</th><th>started</th>"
           "<th>after retries</th><th>latched</th><th>silent step-outs</th><th>unfinished</th>"
           "<th>lock, s: min / median / max</th><th>set speed, s</th><th>peak, A</th><th>kick, deg</th></tr>\n";

@@ -42,23 +42,25 @@ TEST(TonesIn, AreFoundBesideASteadyTurning) {
   EXPECT_NEAR(std::abs(found[1] - std::complex<double>(0, 0.002)), 0, 1e-12);
 }
 
-// The blocks' own loop against the sampled computation of the design library.  A tone of half a degree
-// is read with the drive's 16-bit phase and one clock of time: some 0.02 degrees, so the response
-// at the highest tones, where the loop passes a tenth, is known to a few percent.  Tones stay below
-// 300 rad/s: the computation leaves out aliases, which count near half the crossing rate (754 rad/s).
+// The blocks' own loop against the sampled computation of the design library, which leaves out aliases:
+// a tone's own one lies at the crossing rate less its frequency.  The drive's samples, 2 us apart, place
+// a crossing within 0.03 degrees; over the 720 crossings of the span that is a tenth of a percent of a
+// tone, and where the loop's answer is down to a tenth, one percent.
 TEST(MeasureLoop, IsTheSampledLoopOfTheDesignLibrary) {
   const auto s = load_drive_file(STEPLOCK_DRIVES "/amano2003.toml").settings;
-  const LoopExperiment e{.rpm = 1200, .highest = 300, .tones = 8, .measure_s = 3, .engine = EngineKind::kFixed};
+  const LoopExperiment e{.rpm = 1200, .tones = 8, .measure_s = 3, .engine = EngineKind::kFixed};
   const auto d = design::design_drive(s);
   const auto& loop = d.parameters.loop;
+  constexpr double kCrossings = 240;  // per second
   const auto computed = design::open_loop_sampled({loop.integral, loop.proportional, loop.pole},
-                                                  d.parameters.pwm.tick(), 1.0 / 240);
+                                                  d.parameters.pwm.tick(), 1 / kCrossings);
   const auto measured = measure_loop(s, e);
   ASSERT_GE(measured.size(), 7u);
   for (const LoopPoint& p : measured) {
     const std::complex<double> wanted = computed(p.omega);
-    EXPECT_NEAR(20 * std::log10(std::abs(p.open / wanted)), 0, 1) << p.omega;
-    EXPECT_NEAR(std::arg(p.open / wanted) / kDegree, 0, 4) << p.omega;
+    const double alias = std::abs(computed(2 * std::numbers::pi * kCrossings - p.omega) / wanted);
+    const double noise = 1e-3 * std::max(1.0, 1 / std::abs(p.closed));
+    EXPECT_LT(std::abs(p.open / wanted - 1.0), alias + noise) << p.omega;
   }
 }
 

@@ -21,6 +21,11 @@ TEST(PaperPage, ShowsThePapersNumberOursAndTheDifference) {
               HasSubstr("| speed | 200 r/min | 210 r/min | +5.0 % | why not |"));
 }
 
+TEST(PaperPage, PrintsLargeNumbersInFull) {
+  EXPECT_THAT(to_markdown(page_with({"speed", "r/min", 21000, "", 20987.4, ""})),
+              HasSubstr("| speed | 21000 r/min | 20987 r/min | -0.1 % |  |"));
+}
+
 TEST(PaperPage, SaysInWordsWhereThePaperHasNoNumber) {
   EXPECT_THAT(to_markdown(page_with({"current", "A", {}, "smaller", 2.5, ""})),
               HasSubstr("| current | smaller | 2.5 A |  |  |"));

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock {
@@ -20,8 +22,11 @@ TEST(Range, CommutatesWithinADegreeUpToHalfAMillion) {
     const RangePoint p = measure_point(drone(), kQuick, erpm);
     EXPECT_TRUE(p.locked) << erpm;
     EXPECT_LT(p.worst_deg, 1) << erpm;
-    // Delays are compensated, so what is left has no bias: less than one clock per step, in degrees.
-    EXPECT_LT(std::abs(p.mean_deg), 360 * erpm / 60 / 48e6 + 0.02) << erpm;
+    // Delays are compensated, so what is left has no bias: a clock, and six deviations of a mean over
+    // 240 crossings, each somewhere within the time between two samples.
+    const double degrees_per_second = 360 * erpm / 60;
+    const double spread = kQuick.sample_every_s / std::sqrt(12.0 * 240);
+    EXPECT_LT(std::abs(p.mean_deg), degrees_per_second * (1 / kQuick.clock_hz + 6 * spread)) << erpm;
   }
 }
 
