@@ -17,17 +17,17 @@
 
 namespace hlsgen {
 
-struct Step;
+struct Decision;
 
-struct Block {
-  std::vector<Step> steps;
+struct Branch {
+  std::vector<Decision> steps;
   std::vector<NodeId> wires;  // computed in here, as nothing outside reads them (place.hpp)
 };
 
-struct Step {
+struct Decision {
   struct Arm {
     std::vector<llvm::APInt> labels;  // of a case; none: default
-    Block block;
+    Branch block;
     std::vector<llvm::APInt> rest;    // what the default stands for, if that is worth saying
   };
   unsigned reg = 0;            // reg <= value, if there are no arms
@@ -37,11 +37,11 @@ struct Step {
 };
 
 // Appends restricted values to the module.
-Block decide(Module& module);
+Branch decide(Module& module);
 
 // Calls visit(node, block) for every selector and value, `block` being the one they stand in.
-template <class Block, class Visit>
-void for_each_read(Block& block, const Visit& visit) {
+template <class Branch, class Visit>
+void for_each_read(Branch& block, const Visit& visit) {
   for (auto& step : block.steps) {
     visit(step.arms.empty() ? step.value : step.selector, block);
     for (auto& arm : step.arms) for_each_read(arm.block, visit);

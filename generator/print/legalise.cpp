@@ -211,10 +211,10 @@ class Legaliser {
     spell_signed(e.operands[2]);
   }
 
-  void mark_locals(const Block& block) {
+  void mark_locals(const Branch& block) {
     for (const NodeId id : block.wires) local_[id] = true;
-    for (const Step& step : block.steps)
-      for (const Step::Arm& arm : step.arms) mark_locals(arm.block);
+    for (const Decision& step : block.steps)
+      for (const Decision::Arm& arm : step.arms) mark_locals(arm.block);
   }
 
   void write_registers() {
@@ -230,17 +230,17 @@ class Legaliser {
   }
 
   // Inside of branches the lines of the source would say less than they take.
-  syntax::Block write_block(const Block& block, bool outermost) {
+  syntax::Block write_block(const Branch& block, bool outermost) {
     syntax::Block out;
     for (const NodeId id : block.wires) write_wire(id, out.locals);
-    for (const Step& step : block.steps) {
+    for (const Decision& step : block.steps) {
       out.statements.push_back(write_step(step));
       if (!outermost) out.statements.back().comment.clear();
     }
     return out;
   }
 
-  syntax::Statement write_step(const Step& step) {
+  syntax::Statement write_step(const Decision& step) {
     syntax::Statement s;
     if (step.arms.empty()) {
       s.target = names_.registers[step.reg];
@@ -255,7 +255,7 @@ class Legaliser {
       return s;
     }
     const int enumeration = plan_.enumeration[step.selector];
-    for (const Step::Arm& arm : step.arms) {
+    for (const Decision::Arm& arm : step.arms) {
       syntax::Statement::Arm printed;
       for (const llvm::APInt& label : arm.labels)
         printed.labels.push_back(expressions_.constant(label, enumeration, Expr::Base::kDecimal));
@@ -272,7 +272,7 @@ class Legaliser {
 
   const Design& design_;
   Module m_;       // a copy, to which decide() adds
-  Block clocked_;  // what the registers do
+  Branch clocked_;  // what the registers do
   FixedNames names_;
   Plan plan_;
   Expressions expressions_;

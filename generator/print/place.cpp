@@ -9,8 +9,8 @@ namespace {
 
 // Where a wire may stand: in a block, or, read by several arms of a step, around these arms.
 struct Place {
-  Block* block = nullptr;  // that holds the wire if it stands here
-  Step* step = nullptr;    // null: anywhere in the block
+  Branch* block = nullptr;  // that holds the wire if it stands here
+  Decision* step = nullptr;    // null: anywhere in the block
   bool operator<(const Place& o) const {
     return block != o.block ? std::less<>()(block, o.block) : std::less<>()(step, o.step);
   }
@@ -19,7 +19,7 @@ struct Place {
 
 class Placer {
  public:
-  Placer(const Module& module, const Plan& plan, Block& root)
+  Placer(const Module& module, const Plan& plan, Branch& root)
       : m_(module), plan_(plan), root_(root), at_(module.nodes.size()) {
     for (const Node& n : m_.nodes) read_.emplace_back(n.width, 0);
     parents_[{&root_, nullptr}] = {};
@@ -27,7 +27,7 @@ class Placer {
     for (const Output& o : m_.outputs) read(o.value, root_);
     for (const Instance& i : m_.instances)
       for (const NodeId input : i.inputs) read(input, root_);
-    for_each_read(root_, [this](NodeId id, Block& block) { read(id, block); });
+    for_each_read(root_, [this](NodeId id, Branch& block) { read(id, block); });
     for (NodeId id = static_cast<NodeId>(m_.nodes.size()); id-- > 0;)
       if (at_[id].block != nullptr) place(id);
   }
@@ -41,10 +41,10 @@ class Placer {
   bool group_arms() { return group_arms(root_); }
 
  private:
-  void find_parents(Block& block) {
-    for (Step& step : block.steps) {
+  void find_parents(Branch& block) {
+    for (Decision& step : block.steps) {
       parents_[{&block, &step}] = {&block, nullptr};
-      for (Step::Arm& arm : step.arms) {
+      for (Decision::Arm& arm : step.arms) {
         parents_[{&arm.block, nullptr}] = {&block, &step};
         find_parents(arm.block);
       }
@@ -60,7 +60,7 @@ class Placer {
     return b;
   }
 
-  void read(NodeId id, Block& from) {
+  void read(NodeId id, Branch& from) {
     read(id, {&from, nullptr}, llvm::APInt::getAllOnes(m_.nodes[id].width));
   }
   void read(NodeId id, const Place& from, const llvm::APInt& bits) {
@@ -99,16 +99,16 @@ class Placer {
            op != Op::kSext && op != Op::kNot;
   }
 
-  bool group_arms(Block& block) {
+  bool group_arms(Branch& block) {
     bool changed = false;
-    for (Step& step : block.steps) {
+    for (Decision& step : block.steps) {
       if (step.arms.size() > 2) changed |= group_arms(block, step);
-      for (Step::Arm& arm : step.arms) changed |= group_arms(arm.block);
+      for (Decision::Arm& arm : step.arms) changed |= group_arms(arm.block);
     }
     return changed;
   }
 
-  bool group_arms(Block& block, Step& step) {
+  bool group_arms(Branch& block, Decision& step) {
     std::vector<std::size_t> group(step.arms.size());
     std::iota(group.begin(), group.end(), 0u);
     for (NodeId id = 0; id < m_.nodes.size(); ++id)
@@ -117,7 +117,7 @@ class Placer {
         find_arms(id, step, arms);
         for (const std::size_t arm : arms) merge(group, *arms.begin(), arm);
       }
-    std::vector<Step::Arm> arms;
+    std::vector<Decision::Arm> arms;
     bool changed = false;
     for (std::size_t first = 0; first < group.size(); ++first) {
       if (group[first] != first) continue;
@@ -142,7 +142,7 @@ class Placer {
   }
 
   // The arms in which the value is read, by way of other values as well.
-  void find_arms(NodeId id, const Step& step, std::set<std::size_t>& arms) {
+  void find_arms(NodeId id, const Decision& step, std::set<std::size_t>& arms) {
     std::set<NodeId> seen;
     std::vector<NodeId> todo{id};
     while (!todo.empty()) {
@@ -162,12 +162,13 @@ class Placer {
     }
   }
 
-  static Step::Arm gather(Step& step, const std::vector<std::size_t>& group, std::size_t first) {
+  static Decision::Arm gather(Decision& step, const std::vector<std::size_t>& group,
+                              std::size_t first) {
     const bool holds_default = group.back() == first;
     if (std::count(group.begin(), group.end(), first) == 1)
       return std::move(holds_default ? step.arms.back() : step.arms[first]);
-    Step::Arm out;
-    Step inner;
+    Decision::Arm out;
+    Decision inner;
     inner.reg = step.reg;
     inner.selector = step.selector;
     for (std::size_t a = 0; a < group.size(); ++a) {
@@ -184,7 +185,7 @@ class Placer {
 
   const Module& m_;
   const Plan& plan_;
-  Block& root_;
+  Branch& root_;
   std::map<Place, Place> parents_;
   std::vector<Place> at_;          // no block: no one reads it
   std::vector<llvm::APInt> read_;  // bits
@@ -193,7 +194,7 @@ class Placer {
 
 }  // namespace
 
-void place_wires(const Module& module, const Plan& plan, Block& root) {
+void place_wires(const Module& module, const Plan& plan, Branch& root) {
   while (Placer(module, plan, root).group_arms()) {
   }
   Placer(module, plan, root).write();

@@ -17,7 +17,7 @@
 
 namespace hlsgen {
 
-// Fills Block::wires, in order; what stays out is the module's.
-void place_wires(const Module& module, const Plan& plan, Block& root);
+// Fills Branch::wires, in order; what stays out is the module's.
+void place_wires(const Module& module, const Plan& plan, Branch& root);
 
 }  // namespace hlsgen

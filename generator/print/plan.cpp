@@ -11,7 +11,7 @@ constexpr unsigned kLongestChoice = 20;  // a ?: b : c ?: ... stands on several 
 
 class Planner {
  public:
-  Planner(const Module& module, const Block& clocked)
+  Planner(const Module& module, const Branch& clocked)
       : m_(module), clocked_(clocked), inner_(module.nodes.size(), false) {
     plan_.uses = count_uses(module, {}, &clocked);
     plan_.enumeration = infer_enumerations(module);
@@ -48,11 +48,11 @@ class Planner {
   }
 
   // What registers take, and what their cases select by.
-  void find_clocked(const Block& block) {
-    for (const Step& step : block.steps) {
+  void find_clocked(const Branch& block) {
+    for (const Decision& step : block.steps) {
       if (step.arms.empty()) ++stored_[step.value];
       else if (node(step.selector).width > 1) selectors_.insert(step.selector);
-      for (const Step::Arm& arm : step.arms) find_clocked(arm.block);
+      for (const Decision::Arm& arm : step.arms) find_clocked(arm.block);
     }
   }
 
@@ -164,7 +164,7 @@ class Planner {
   }
 
   const Module& m_;
-  const Block& clocked_;
+  const Branch& clocked_;
   std::map<NodeId, unsigned> stored_;  // in a register, and how often
   std::set<NodeId> selectors_;         // of a case
   Plan plan_;
@@ -174,6 +174,6 @@ class Planner {
 
 }  // namespace
 
-Plan plan(const Module& module, const Block& clocked) { return Planner(module, clocked).run(); }
+Plan plan(const Module& module, const Branch& clocked) { return Planner(module, clocked).run(); }
 
 }  // namespace hlsgen

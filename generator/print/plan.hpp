@@ -43,13 +43,13 @@ struct Factor {
 Factor factor(const Module& module, NodeId operand);
 
 // `clocked` is what the registers do.
-Plan plan(const Module& module, const Block& clocked);
+Plan plan(const Module& module, const Branch& clocked);
 
 // Uses and enumerations alone; the passes need them as well.
 // With `clocked`, its reads count instead of the registers' next values.
 std::vector<unsigned> count_uses(const Module& module,
                                  const std::map<NodeId, CaseChain>& cases = {},
-                                 const Block* clocked = nullptr);
+                                 const Branch* clocked = nullptr);
 std::vector<int> infer_enumerations(const Module& module);
 
 // The chain that starts at this mux, if it has three arms at least.

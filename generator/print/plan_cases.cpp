@@ -71,11 +71,11 @@ Factor factor(const Module& m, NodeId operand) {
 }
 
 std::vector<unsigned> count_uses(const Module& m, const std::map<NodeId, CaseChain>& cases,
-                                 const Block* clocked) {
+                                 const Branch* clocked) {
   std::vector<unsigned> uses(m.nodes.size(), 0);
   for (const Output& o : m.outputs) ++uses[o.value];
   if (clocked != nullptr)
-    for_each_read(*clocked, [&](NodeId id, const Block&) { ++uses[id]; });
+    for_each_read(*clocked, [&](NodeId id, const Branch&) { ++uses[id]; });
   else
     for (const Register& r : m.registers) ++uses[r.next];
   for (const Instance& i : m.instances)
