@@ -59,7 +59,7 @@ Variables Arc::settled(double elapsed) const {
   if (hit_ < 0 || elapsed < length()) return y;
   const Guard guard = guards_[hit_];
   if (guard.kind == Kind::kReversal) y[kSpeed] = 0;
-  if (guard.kind == Kind::kCurrent) {
+  if (guard.kind == Kind::kCurrent || guard.kind == Kind::kContact) {
     y[guard.leg] = 0;
     // The other legs keep the sum at zero: both of them, or the one that conducts.
     const int a = (guard.leg + 1) % 3, b = (guard.leg + 2) % 3;
@@ -80,7 +80,11 @@ void Arc::watch() {
   const auto add = [&](Kind kind, int leg = 0) { guards_[guard_count_++] = {kind, leg}; };
   for (int k = 0; k < 3; ++k) {
     const LegMode mode = regime_.circuit.mode[k];
-    if (mode == LegMode::kLowDiode || mode == LegMode::kHighDiode) add(Kind::kCurrent, k);
+    if (mode == LegMode::kLowDiode || mode == LegMode::kHighDiode) {
+      add(Kind::kCurrent, k);
+    } else if (regime_.opening[k]) {
+      add(Kind::kContact, k);
+    }
     if (mode != LegMode::kFloating) continue;
     if (regime_.circuit.inverse_count > 0) add(Kind::kLowClamp, k);
     add(Kind::kHighClamp, k);
@@ -100,6 +104,8 @@ double Arc::value(Guard guard, const Point& point) const {
   switch (guard.kind) {
     case Kind::kCurrent:
       return regime_.circuit.mode[guard.leg] == LegMode::kLowDiode ? y[guard.leg] : -y[guard.leg];
+    case Kind::kContact:
+      return points_[0].y[guard.leg] > 0 ? y[guard.leg] : -y[guard.leg];
     case Kind::kLowClamp:
       return v + regime_.circuit.drop;
     case Kind::kHighClamp:

@@ -5,6 +5,7 @@
 //
 //     diode current in its direction         floating terminal within its clamps
 //     angle within the piece of the BEMF     speed in the direction that friction assumes
+//     current in a contact that opens at its zero
 //     pull below breakaway, while at rest    bus on the side of the source that conduction assumes
 //
 // They are looked at in the middle and at the end of the step, the crossing is then found on the
@@ -48,7 +49,9 @@ class Arc {
   Variables settled(double elapsed) const;
 
  private:
-  enum class Kind { kCurrent, kLowClamp, kHighClamp, kCorner, kReversal, kBreakaway, kSource };
+  enum class Kind {
+    kCurrent, kContact, kLowClamp, kHighClamp, kCorner, kReversal, kBreakaway, kSource
+  };
   struct Guard {
     Kind kind;
     int leg;
@@ -62,7 +65,7 @@ class Arc {
   Regime regime_;
   DormandPrinceStep<6, 6> step_;
   std::array<Point, 3> points_ = {};
-  std::array<Guard, 10> guards_ = {};
+  std::array<Guard, 12> guards_ = {};
   int guard_count_ = 0;
   int hit_ = -1;  // the guard that ended the arc, or none
 };

@@ -17,13 +17,14 @@ constexpr LegMode kChoice[3] = {LegMode::kFloating, LegMode::kLowDiode, LegMode:
 }  // namespace
 
 Circuit Circuit::resolve(const Bridge& bridge, const Gates& gates, const Phases& current,
-                         const Phases& emf, double bus_voltage) {
+                         const Phases& emf, double bus_voltage, const Legs& open) {
   Circuit circuit;
   circuit.drop = bridge.diode_drop;
   const bool high[3] = {gates.uh, gates.vh, gates.wh}, low[3] = {gates.ul, gates.vl, gates.wl};
   std::array<bool, 3> undecided = {};
   for (int k = 0; k < 3; ++k) {
     circuit.set(k, decided(high[k], low[k], current[k]), bridge);
+    if (open[k]) circuit.disconnect(k);
     undecided[k] = circuit.mode[k] == LegMode::kFloating;
   }
   circuit.count();
@@ -58,6 +59,7 @@ void Circuit::set(int leg, LegMode leg_mode, const Bridge& bridge) {
   share[leg] = lift[leg] = resistance[leg] = 0;
   switch (leg_mode) {
     case LegMode::kFloating:
+    case LegMode::kOpen:
       break;
     case LegMode::kHighSwitch:
       share[leg] = 1;
@@ -80,6 +82,11 @@ void Circuit::set(int leg, LegMode leg_mode, const Bridge& bridge) {
       resistance[leg] = bridge.diode_resistance;
       break;
   }
+}
+
+void Circuit::disconnect(int leg) {
+  mode[leg] = LegMode::kOpen;
+  on[leg] = lift[leg] = resistance[leg] = 0;
 }
 
 void Circuit::count() {

@@ -12,10 +12,13 @@
 //     low diode      0      -drop   diode        i > 0
 //     both on        1/2    0       on / 2       reported by the plant; its own current is not
 //     modelled
+//     open winding   share of its switch, i = 0, the star point does not know it
 //
 // If nothing conducts, three equal resistors from the terminals to ground hold the mean of the
 // terminals at zero, and the low diodes keep the lowest terminal above -drop: the star point is the
-// higher of the two levels.  The resistors' microamperes are neglected everywhere else.
+// higher of the two levels.  The resistors' microamperes are neglected everywhere else.  The terminal
+// of an open winding is the bridge's: at a rail while a switch is on, else its resistor holds it at
+// ground.
 //
 // A switch's channel carries either direction alone; the diode beside it is idle while it is on.
 //
@@ -30,7 +33,8 @@
 
 namespace steplock::plant {
 
-enum class LegMode { kFloating, kHighSwitch, kLowSwitch, kHighDiode, kLowDiode, kBoth };
+enum class LegMode { kFloating, kHighSwitch, kLowSwitch, kHighDiode, kLowDiode, kBoth, kOpen };
+using Legs = std::array<bool, 3>;
 
 struct Terminals {
   Phases voltage;
@@ -41,9 +45,10 @@ class Circuit {
  public:
   // The only consistent state of conduction: legs with a switch on follow it, legs with current and
   // no switch use the diode of that direction, and of those without current a diode starts only if
-  // the terminal would otherwise leave [-drop, v_bus + drop].
+  // the terminal would otherwise leave [-drop, v_bus + drop].  `open`: windings without contact,
+  // which carry no current.
   static Circuit resolve(const Bridge&, const Gates&, const Phases& current, const Phases& emf,
-                         double bus_voltage);
+                         double bus_voltage, const Legs& open = {});
 
   Terminals terminals(const Phases& current, const Phases& emf, double bus_voltage) const {
     Terminals out;
@@ -53,12 +58,9 @@ class Circuit {
       sum += on[k] * (out.voltage[k] - emf[k]);
     }
     out.neutral = sum * inverse_count;
-    if (inverse_count == 0) {
-      out.neutral =
-          std::max(-(emf[0] + emf[1] + emf[2]) / 3, -drop - std::min({emf[0], emf[1], emf[2]}));
-    }
+    if (inverse_count == 0) out.neutral = coasting(emf);
     for (int k = 0; k < 3; ++k) {
-      if (on[k] == 0) out.voltage[k] = out.neutral + emf[k];
+      if (mode[k] == LegMode::kFloating) out.voltage[k] = out.neutral + emf[k];
     }
     return out;
   }
@@ -76,7 +78,19 @@ class Circuit {
   double drop = 0;
 
  private:
+  // The star point when nothing conducts.
+  double coasting(const Phases& emf) const {
+    double sum = 0, lowest = 0;
+    int attached = 0;
+    for (int k = 0; k < 3; ++k) {
+      if (mode[k] == LegMode::kOpen) continue;
+      sum += emf[k];
+      lowest = attached++ == 0 ? emf[k] : std::min(lowest, emf[k]);
+    }
+    return attached == 0 ? 0 : std::max(-sum / attached, -drop - lowest);
+  }
   void set(int leg, LegMode, const Bridge&);
+  void disconnect(int leg);  // its switch keeps the terminal, but not the winding
   void count();
   bool consistent(const std::array<bool, 3>& undecided, const Phases& current, const Phases& emf,
                   double bus_voltage) const;

@@ -59,7 +59,13 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
 
   Phases emf;
   for (int k = 0; k < 3; ++k) emf[k] = torque_constant_ * w * shape[k];
-  regime.circuit = Circuit::resolve(bridge_, in.gates, {y[kIu], y[kIv], y[kIw]}, emf, y[kBus]);
+  Legs open;
+  for (int k = 0; k < 3; ++k) {
+    open[k] = in.open[k] && y[k] == 0;
+    regime.opening[k] = in.open[k] && !open[k];
+  }
+  regime.circuit =
+      Circuit::resolve(bridge_, in.gates, {y[kIu], y[kIv], y[kIw]}, emf, y[kBus], open);
   return regime;
 }
 

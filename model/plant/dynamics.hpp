@@ -38,10 +38,12 @@ struct Inputs {
   double opposing_torque = 0;
   double active_torque = 0;
   double source_voltage = 0;
+  Legs open = {};  // windings whose contact opens as soon as their current is zero
 };
 
 struct Regime {
   Circuit circuit;
+  Legs opening = {};           // contacts that wait for that zero
   BackEmf::Piece piece;
   double direction = 1;        // sign of the speed; of the coming speed when leaving rest
   double turning = 1;          // 0 while friction holds the rotor

@@ -173,6 +173,13 @@ void Plant::set_limit_threshold(double amps) {
   core_->replan();
 }
 
+void Plant::set_open(int k, bool open) {
+  require(k >= 0 && k < 3, "a winding is 0, 1 or 2");
+  if (open == core_->inputs.open[static_cast<std::size_t>(k)]) return;
+  core_->inputs.open[static_cast<std::size_t>(k)] = open;
+  core_->replan();
+}
+
 State Plant::state() const {
   const Core& core = *core_;
   const double elapsed = core.now - core.arc_start;

@@ -85,7 +85,7 @@ struct State {
   double angle = 0;                    // rad, mechanical, unwrapped
   double electrical_angle = 0;         // rad, unwrapped
   bool stuck = false;                  // held by friction
-  std::array<bool, 3> floating = {};   // neither switch nor diode of the leg conducts
+  std::array<bool, 3> floating = {};   // the winding carries nothing: no switch, no diode, or open
   Energy energy = {};
 };
 
@@ -114,6 +114,9 @@ class Plant {
   void set_active_torque(double torque);  // N m, towards negative speed
   void set_bus_voltage(double source);    // V, > 0
   void set_limit_threshold(double amps);  // A, > 0
+  // The contact between phase k's winding and its terminal.  One that opens with current in it arcs
+  // until that current is next zero, and opens then.
+  void set_open(int k, bool open);
 
   // How often a leg had both gates on.  The leg then stands at half the bus; no current spike is
   // modelled, the count is the finding.
