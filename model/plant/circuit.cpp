@@ -1,5 +1,7 @@
 #include "model/plant/circuit.hpp"
 
+#include "model/plant/salient.hpp"
+
 namespace steplock::plant {
 namespace {
 
@@ -17,7 +19,9 @@ constexpr LegMode kChoice[3] = {LegMode::kFloating, LegMode::kLowDiode, LegMode:
 }  // namespace
 
 Circuit Circuit::resolve(const Bridge& bridge, const Gates& gates, const Phases& current,
-                         const Phases& emf, double bus_voltage, const Legs& open) {
+                         const Phases& emf, double bus_voltage, const Legs& open,
+                         const SalientState* salient) {
+  const auto emf_in = [&](const Circuit& c) { return salient ? salient->emf(c) : emf; };
   Circuit circuit;
   circuit.drop = bridge.diode_drop;
   const bool high[3] = {gates.uh, gates.vh, gates.wh}, low[3] = {gates.ul, gates.vl, gates.wl};
@@ -28,7 +32,7 @@ Circuit Circuit::resolve(const Bridge& bridge, const Gates& gates, const Phases&
     undecided[k] = circuit.mode[k] == LegMode::kFloating;
   }
   circuit.count();
-  if (circuit.consistent(undecided, current, emf, bus_voltage)) return circuit;
+  if (circuit.consistent(undecided, current, emf_in(circuit), bus_voltage)) return circuit;
 
   // A linear complementarity problem of three unknowns with one solution: try all, those with the
   // fewest diodes first.
@@ -47,7 +51,7 @@ Circuit Circuit::resolve(const Bridge& bridge, const Gates& gates, const Phases&
         if (undecided[k]) trial.set(k, kChoice[digit[k]], bridge);
       }
       trial.count();
-      if (trial.consistent(undecided, current, emf, bus_voltage)) return trial;
+      if (trial.consistent(undecided, current, emf_in(trial), bus_voltage)) return trial;
     }
   }
   return circuit;  // a tie within rounding: float, and let the guards see the next instant

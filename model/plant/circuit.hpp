@@ -36,6 +36,8 @@ namespace steplock::plant {
 enum class LegMode { kFloating, kHighSwitch, kLowSwitch, kHighDiode, kLowDiode, kBoth, kOpen };
 using Legs = std::array<bool, 3>;
 
+struct SalientState;
+
 struct Terminals {
   Phases voltage;
   double neutral;
@@ -46,9 +48,10 @@ class Circuit {
   // The only consistent state of conduction: legs with a switch on follow it, legs with current and
   // no switch use the diode of that direction, and of those without current a diode starts only if
   // the terminal would otherwise leave [-drop, v_bus + drop].  `open`: windings without contact,
-  // which carry no current.
+  // which carry no current.  `salient`: has the emf instead, which then depends on what conducts.
   static Circuit resolve(const Bridge&, const Gates&, const Phases& current, const Phases& emf,
-                         double bus_voltage, const Legs& open = {});
+                         double bus_voltage, const Legs& open = {},
+                         const SalientState* salient = nullptr);
 
   Terminals terminals(const Phases& current, const Phases& emf, double bus_voltage) const {
     Terminals out;

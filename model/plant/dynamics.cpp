@@ -7,6 +7,8 @@ namespace steplock::plant {
 Dynamics::Dynamics(const Parameters& p)
     : bridge_(p.bridge),
       back_emf_(p.motor.shape),
+      winding_(p.motor),
+      salient_(SalientWinding::needed(p.motor)),
       resistance_(p.motor.resistance),
       inductance_(p.motor.inductance - p.motor.mutual),
       inverse_inductance_(1 / inductance_),
@@ -48,9 +50,14 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
   regime.direction = w < 0 ? -1 : 1;
   regime.piece = back_emf_.piece(y[kAngle], regime.direction);
   const Phases shape = back_emf_(regime.piece, y[kAngle]);
+  const Phases current = {y[kIu], y[kIv], y[kIw]};
+  SalientState state{winding_, {}, current, w, y[kBus]};
+  if (salient_) state.field = winding_.field(y[kAngle], current);
   if (w == 0) {
-    const double pull = torque_constant_ * (shape[0] * y[0] + shape[1] * y[1] + shape[2] * y[2]) +
-                        cogging(regime, y[kAngle]) - regime.active;
+    const double torque =
+        salient_ ? winding_.torque(state.field)
+                 : torque_constant_ * (shape[0] * y[0] + shape[1] * y[1] + shape[2] * y[2]);
+    const double pull = torque + cogging(regime, y[kAngle]) - regime.active;
     regime.turning = std::abs(pull) > regime.hold ? 1 : 0;
     regime.direction = pull < 0 ? -1 : 1;
     regime.piece = back_emf_.piece(y[kAngle], regime.direction);
@@ -64,15 +71,50 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
     open[k] = in.open[k] && y[k] == 0;
     regime.opening[k] = in.open[k] && !open[k];
   }
-  regime.circuit =
-      Circuit::resolve(bridge_, in.gates, {y[kIu], y[kIv], y[kIw]}, emf, y[kBus], open);
+  regime.circuit = Circuit::resolve(bridge_, in.gates, current, emf, y[kBus], open,
+                                    salient_ ? &state : nullptr);
   return regime;
+}
+
+void Dynamics::salient_derivative(const Regime& regime, const Variables& y, Variables& slope,
+                                  Powers& power) const {
+  const Circuit& circuit = regime.circuit;
+  const Phases current = {y[kIu], y[kIv], y[kIw]};
+  const SalientWinding::Field field = winding_.field(y[kAngle], current);
+  const Phases rise = winding_.motion(circuit, field, current, y[kSpeed], y[kBus]).slope;
+  double copper = 0, bridge_loss = 0;
+  for (int k = 0; k < 3; ++k) {
+    slope[k] = rise[k];
+    copper += current[k] * current[k];
+    bridge_loss += (circuit.resistance[k] * current[k] - circuit.lift[k]) * current[k];
+  }
+  power[kCopper] = resistance_ * copper;
+  power[kBridge] = bridge_loss;
+  mechanics(regime, y, winding_.torque(field), circuit.bus_current(current), slope, power);
+}
+
+Outputs Dynamics::salient_outputs(const Regime& regime, const Variables& y) const {
+  Outputs out;
+  const Phases current = {y[kIu], y[kIv], y[kIw]};
+  const SalientWinding::Field field = winding_.field(y[kAngle], current);
+  out.shape = back_emf_(regime.piece, y[kAngle]);
+  for (int k = 0; k < 3; ++k) out.emf[k] = torque_constant_ * y[kSpeed] * out.shape[k];
+  const Phases emf = winding_.motion(regime.circuit, field, current, y[kSpeed], y[kBus]).emf;
+  out.terminals = regime.circuit.terminals(current, emf, y[kBus]);
+  out.torque = winding_.torque(field);
+  out.pull = out.torque + cogging(regime, y[kAngle]) - regime.active;
+  out.bridge_current = regime.circuit.bus_current(current);
+  out.source_current = source_current(regime, y, out.bridge_current);
+  return out;
 }
 
 Energy Dynamics::stored(const Regime& regime, const Variables& y) const {
   Energy energy;
   energy.kinetic = 0.5 * inertia_ * y[kSpeed] * y[kSpeed];
   energy.magnetic = 0.5 * inductance_ * (y[kIu] * y[kIu] + y[kIv] * y[kIv] + y[kIw] * y[kIw]);
+  if (salient_) {
+    energy.magnetic = winding_.stored(winding_.field(y[kAngle], {y[kIu], y[kIv], y[kIw]}));
+  }
   energy.capacitor = 0.5 * capacitance_ * y[kBus] * y[kBus];
   energy.cogging = -cogging_torque_ / cogging_periods_ *
                    std::cos(cogging_rate_ * y[kAngle] + regime.cogging_phase);

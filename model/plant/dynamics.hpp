@@ -9,8 +9,8 @@
 // What switches (conduction, piece of the BEMF, direction of dry friction, a source that blocks) is
 // held in a Regime, constant over a step; regime() is the only place that decides it.
 //
-// The inductance enters in derivative() and in magnetic energy alone; a salient rotor replaces the
-// division by L - M with the inverse of its angle-dependent matrix there.
+// A salient or saturating motor replaces the first line and the torque by salient.hpp's; the round
+// one keeps its own path, which is faster.
 //
 // Doc: docs/plant.md   Test: tests/model/plant/dynamics_test.cpp
 #pragma once
@@ -21,6 +21,7 @@
 #include "model/plant/bemf.hpp"
 #include "model/plant/circuit.hpp"
 #include "model/plant/parameters.hpp"
+#include "model/plant/salient.hpp"
 
 namespace steplock::plant {
 
@@ -81,6 +82,11 @@ class Dynamics {
   bool source_can_block() const { return !source_sinks_ && !stiff_bus_; }
 
  private:
+  void mechanics(const Regime&, const Variables& y, double torque, double bridge_current,
+                 Variables& slope, Powers&) const;
+  void salient_derivative(const Regime&, const Variables& y, Variables& slope, Powers&) const;
+  Outputs salient_outputs(const Regime&, const Variables& y) const;
+
   double cogging(const Regime& regime, double angle) const {
     if (cogging_torque_ == 0) return 0;
     return -cogging_torque_ * std::sin(cogging_rate_ * angle + regime.cogging_phase);
@@ -92,6 +98,8 @@ class Dynamics {
 
   Bridge bridge_;
   BackEmf back_emf_;
+  SalientWinding winding_;
+  bool salient_;
   double resistance_, inductance_, inverse_inductance_;
   double pole_pairs_, torque_constant_;  // flux * pole_pairs
   double inertia_, inverse_inertia_;
@@ -104,6 +112,7 @@ class Dynamics {
 
 inline void Dynamics::derivative(const Regime& regime, const Variables& y, Variables& slope,
                                  Powers& power) const {
+  if (salient_) return salient_derivative(regime, y, slope, power);
   const Circuit& circuit = regime.circuit;
   const double w = y[kSpeed], bus = y[kBus];
   const Phases shape = back_emf_(regime.piece, y[kAngle]);
@@ -125,9 +134,17 @@ inline void Dynamics::derivative(const Regime& regime, const Variables& y, Varia
   for (int k = 0; k < 3; ++k) {
     slope[k] = circuit.on[k] * (drive[k] - neutral) * inverse_inductance_;
   }
+  power[kCopper] = resistance_ * copper;
+  power[kBridge] = bridge_loss;
+  mechanics(regime, y, torque_constant_ * shape_current, bridge_current, slope, power);
+}
 
+// Rotor and bus, and the powers that both windings have in common.
+inline void Dynamics::mechanics(const Regime& regime, const Variables& y, double torque,
+                                double bridge_current, Variables& slope, Powers& power) const {
+  const double w = y[kSpeed];
   const double friction = regime.dry + viscous_ * w + fan_ * regime.direction * w * w;
-  const double pull = torque_constant_ * shape_current + cogging(regime, y[kAngle]) - regime.active;
+  const double pull = torque + cogging(regime, y[kAngle]) - regime.active;
   slope[kSpeed] = regime.turning * (pull - friction) * inverse_inertia_;
   slope[kAngle] = regime.turning * pole_pairs_ * w;
 
@@ -136,14 +153,13 @@ inline void Dynamics::derivative(const Regime& regime, const Variables& y, Varia
 
   const double opposing = regime.dry - regime.direction * coulomb_;
   power[kSupplied] = regime.source_voltage * source;
-  power[kCopper] = resistance_ * copper;
-  power[kBridge] = bridge_loss;
   power[kBusResistance] = bus_resistance_ * source * source;
   power[kFriction] = (friction - opposing) * w;
   power[kLoad] = (opposing + regime.active) * w;
 }
 
 inline Outputs Dynamics::outputs(const Regime& regime, const Variables& y) const {
+  if (salient_) return salient_outputs(regime, y);
   Outputs out;
   const Phases current = {y[kIu], y[kIv], y[kIw]};
   out.shape = back_emf_(regime.piece, y[kAngle]);

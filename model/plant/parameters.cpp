@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/plant/salient.hpp"
+
 namespace steplock::plant {
 namespace {
 
@@ -57,6 +59,13 @@ void check(Checks& c, const Motor& m) {
   c.positive("motor.resistance", m.resistance);
   c.positive("motor.inductance", m.inductance);
   c.that(m.inductance - m.mutual > 0, "motor.mutual must be below motor.inductance");
+  c.not_negative("motor.inductance_d", m.inductance_d);
+  c.not_negative("motor.inductance_q", m.inductance_q);
+  c.range("motor.saturation", m.saturation, 0, 0.9);
+  c.positive("motor.saturation_current", m.saturation_current);
+  c.that(!SalientWinding::needed(m) || m.shape.kind == BackEmfShape::Kind::kSinusoidal,
+         "motor.shape is not sinusoidal; must be with inductance_d, inductance_q or saturation, whose "
+         "equations know one sine");
   c.not_negative("motor.flux", m.flux);
   c.range("motor.pole_pairs", m.pole_pairs, 1, 100);
   check(c, m.shape);

@@ -34,6 +34,10 @@ struct Motor {
   double resistance = 0.382;                       // ohm, per phase, > 0
   double inductance = 188e-6;                      // H, self-inductance L of a phase
   double mutual = 0;                               // H, M (usually negative); L - M > 0
+  // A salient rotor (sinusoidal shape only): 0 stands for L - M, the round one.
+  double inductance_d = 0, inductance_q = 0;  // H, along the magnet and across it, >= 0
+  double saturation = 0;                      // of L_d along the magnet: see salient.hpp, [0, 0.9]
+  double saturation_current = 1;              // A, where 71 % of it has come about, > 0
   double flux = 0.03966 / (2 * std::numbers::pi);  // V s/rad, peak, per electrical rad/s, >= 0
   int pole_pairs = 4;                              // 1 .. 100
   BackEmfShape shape = {};
