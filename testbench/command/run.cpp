@@ -19,7 +19,7 @@ namespace {
 struct Arguments {
   std::string file, out;
   EngineKind engine = EngineKind::kRtl;
-  bool json = false, trace = false, compare = false;
+  bool json = false, trace = false, compare = false, lockstep = false;
   std::optional<double> angle_deg;
   std::optional<int> seed;
   std::optional<std::uint64_t> replay;
@@ -94,12 +94,16 @@ int run(const Arguments& arguments) {
   if (arguments.compare && arguments.engine == EngineKind::kFloat) {
     throw BadInput("--compare holds rtl or fixed against float; choose one of them as --engine");
   }
+  if (arguments.lockstep && arguments.engine != EngineKind::kRtl) {
+    throw BadInput("--lockstep holds the RTL against its source; leave --engine out, or give it rtl");
+  }
   DriveFile file = open_drive_file(arguments.file);
   if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
   const fs::path out = make_folder(arguments);
 
   RunOptions options{.engine = arguments.engine,
-                     .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg)};
+                     .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg),
+                     .lockstep = arguments.lockstep};
   std::unique_ptr<TraceWriter> trace;
   if (arguments.trace) {
     trace = std::make_unique<TraceWriter>((out / "wave.fst").string(),
@@ -155,6 +159,9 @@ void add_run_command(CLI::App& app, int& exit_code) {
   CLI::Option* compare = command->add_flag(
       "--compare", arguments->compare,
       "then hold fixed against float on the same pins, beside the error budget");
+  CLI::Option* lockstep = command->add_flag(
+      "--lockstep", arguments->lockstep,
+      "hold the C++ source beside the RTL: every output on every clock, or the run fails");
   command->add_flag("--trace", arguments->trace, "write wave.fst and wave.gtkw for GTKWave");
   CLI::Option* angle = command->add_option("--angle", arguments->angle_deg,
                       "electrical degrees of the rotor at the start (default: the file's)");
@@ -163,7 +170,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--replay", arguments->replay,
                       "seed of one run of a sweep, from its runs.csv: that run alone, instead of the "
                       "file's scenario")
-      ->excludes(compare)->excludes(angle)->excludes(seed);
+      ->excludes(compare)->excludes(angle)->excludes(seed)->excludes(lockstep);
   command->footer("Example: steplock run drives/amano2003.toml --engine fixed --angle 60 --json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -2,8 +2,8 @@
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
-#include "testbench/compare/lockstep_engine.hpp"
 #include "testbench/compare/shadow.hpp"
+#include "testbench/engine/lockstep_engine.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/drive_loop.hpp"
 
@@ -28,8 +28,7 @@ Comparison compare_engines(const design::Settings& s, const CompareOptions& opti
     engine.invert_comparators(options.wrong_from_clock, options.wrong_to_clock);
     run.progress = progress("rtl = fixed");
     const Record record = run_with(engine, s, run);
-    c.lockstep = {record.clocks, engine.differing_clocks(), engine.first_clock(),
-                  engine.first_port()};
+    c.lockstep = engine.found();
     c.fixed = summarise(s, run, record);  // the fixed engine drove
   } else {
     run.progress = progress("fixed");

@@ -17,13 +17,6 @@
 
 namespace steplock {
 
-struct Lockstep {
-  std::uint64_t clocks = 0, differing_clocks = 0;
-  std::uint64_t first_clock = 0;  // of the differing ones
-  std::string first_port;
-  bool equal() const { return differing_clocks == 0; }
-};
-
 struct Comparison {
   Lockstep lockstep;         // 1
   FloatErrors shadow;        // 2

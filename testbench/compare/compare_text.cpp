@@ -33,11 +33,7 @@ std::vector<Pair> own_runs(const Comparison& c) {
 Json to_json(const Comparison& c) {
   Json j;
   j["passed"] = c.passed();
-  j["rtl_equals_fixed"] = {{"equal", c.lockstep.equal()},
-                           {"clocks", c.lockstep.clocks},
-                           {"differing_clocks", c.lockstep.differing_clocks},
-                           {"first_clock", c.lockstep.first_clock},
-                           {"first_port", c.lockstep.first_port}};
+  j["rtl_equals_fixed"] = to_json(c.lockstep);
   j["fixed_against_float"] = to_json(c.shadow);
   Json own;
   for (const Pair& p : own_runs(c)) {
@@ -51,11 +47,7 @@ Json to_json(const Comparison& c) {
 std::string to_text(const Comparison& c) {
   std::string t;
   if (c.lockstep.clocks > 0) {
-    t += fmt::format("  rtl = fixed: {} clocks, every output: {}\n", c.lockstep.clocks,
-                     c.lockstep.equal() ? "equal"
-                                        : fmt::format("DIFFERENT on {}, first {} at clock {}",
-                                                      c.lockstep.differing_clocks,
-                                                      c.lockstep.first_port, c.lockstep.first_clock));
+    t += fmt::format("  rtl = fixed: {}\n", to_text(c.lockstep));
   }
   t += to_text(c.shadow);
   t += fmt::format("  each with a motor of its own:\n  {:<28}{:<6}{:>12}{:>12}\n", "figure", "unit",

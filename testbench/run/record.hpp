@@ -8,9 +8,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "testbench/engine/lockstep.hpp"
 #include "testbench/engine/watch.hpp"
 
 namespace steplock {
@@ -51,6 +53,7 @@ struct Record {
   double simulated_s = 0, wall_s = 0, cpu_s = 0;
   double energy_residual = 0;    // of the energy supplied; the plant's own accuracy
   bool interrupted = false;
+  std::optional<Lockstep> lockstep;  // if asked for
 };
 
 }  // namespace steplock

@@ -4,6 +4,7 @@
 #include "model/design/words.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/float.hpp"
+#include "testbench/engine/lockstep_engine.hpp"
 #include "testbench/engine/rtl.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/drive_loop.hpp"
@@ -37,6 +38,12 @@ Record run_drive(const design::Settings& s, const RunOptions& options) {
   if (options.engine == EngineKind::kFixed) {
     FixedEngine engine(words, clock_hz);
     return run_with(engine, s, options);
+  }
+  if (options.lockstep) {
+    LockstepEngine engine(words, clock_hz);
+    Record record = run_with(engine, s, options);
+    record.lockstep = engine.found();
+    return record;
   }
   RtlEngine engine(words, clock_hz);
   return run_with(engine, s, options);

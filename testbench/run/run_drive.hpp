@@ -27,6 +27,7 @@ struct RunOptions {
   EngineKind engine = EngineKind::kRtl;
   double angle_deg = 0;          // electrical, of the rotor at t = 0
   TraceWriter* trace = nullptr;
+  bool lockstep = false;         // kRtl: its blocks beside it, every output on every clock
   // Called some ten times a second with the fraction done; false stops the run, which then holds
   // what was simulated so far.
   std::function<bool(double done)> progress = {};

@@ -166,6 +166,7 @@ Summary summarise(const design::Settings& s, const RunOptions& options, const Re
       record.cpu_s > 0 ? static_cast<double>(record.clocks) / record.cpu_s : 0;
   sum.energy_residual = record.energy_residual;
   sum.interrupted = record.interrupted;
+  sum.lockstep = record.lockstep;
   return sum;
 }
 
@@ -188,6 +189,7 @@ std::vector<std::string> Summary::failures() const {
   if (loaded) speed("under load", *loaded, kRecoveredPercent);
   if (reversed) speed("in reverse", *reversed, kRecoveredPercent);
   if (reversed) need(reverse_time_s.has_value(), "no lock in reverse");
+  need(!lockstep || lockstep->equal(), "the RTL is not its C++");
   need(!float_errors || float_errors->within(), "fixed point is beyond its error budget");
   return why;
 }

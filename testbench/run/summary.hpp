@@ -47,6 +47,7 @@ struct Summary {
   std::uint64_t shoot_throughs = 0, clocks = 0;
   double simulated_s = 0, wall_s = 0, clocks_per_cpu_second = 0, energy_residual = 0;
   bool interrupted = false;
+  std::optional<Lockstep> lockstep;         // rtl = fixed, if asked for
   std::optional<FloatErrors> float_errors;  // if asked for
 
   std::vector<std::string> failures() const;  // why it does not pass; empty if it does
@@ -56,6 +57,7 @@ inline constexpr double kSpeedTolerancePercent = 0.5;
 inline constexpr double kRecoveredPercent = 2;
 
 Summary summarise(const design::Settings&, const RunOptions&, const Record&);
+nlohmann::ordered_json to_json(const Lockstep&);
 nlohmann::ordered_json to_json(const Summary&);
 std::string to_text(const Summary&);  // for a terminal
 

@@ -23,6 +23,14 @@ std::string seconds(const std::optional<double>& t) {
 
 }  // namespace
 
+Json to_json(const Lockstep& l) {
+  return {{"equal", l.equal()},
+          {"clocks", l.clocks},
+          {"differing_clocks", l.differing_clocks},
+          {"first_clock", l.first_clock},
+          {"first_port", l.first_port}};
+}
+
 Json to_json(const Summary& s) {
   Json j;
   j["drive"] = s.drive;
@@ -59,6 +67,7 @@ Json to_json(const Summary& s) {
   j["limit_hits"] = s.limit_hits;
   j["shoot_throughs"] = s.shoot_throughs;
   j["energy_residual"] = number(s.energy_residual);
+  j["rtl_equals_fixed"] = s.lockstep ? to_json(*s.lockstep) : Json(nullptr);
   j["fixed_against_float"] = s.float_errors ? to_json(*s.float_errors) : Json(nullptr);
   j["interrupted"] = s.interrupted;
   j["clocks"] = s.clocks;
@@ -100,6 +109,7 @@ std::string to_text(const Summary& s) {
   line("simulated", fmt::format("{:.4g} s in {:.3g} s ({:.3g} s per s), {:.3g} M clocks per CPU second",
                                 s.simulated_s, s.wall_s, s.simulated_s / s.wall_s,
                                 s.clocks_per_cpu_second / 1e6));
+  if (s.lockstep) line("rtl = fixed", to_text(*s.lockstep));
   if (s.float_errors) t += to_text(*s.float_errors);
   for (const std::string& why : s.failures()) t += fmt::format("  FAILED: {}\n", why);
   return t;

@@ -6,7 +6,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
-#include "testbench/compare/lockstep_engine.hpp"
+#include "testbench/engine/lockstep_engine.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/float.hpp"
 #include "testbench/engine/rtl.hpp"
@@ -90,9 +90,9 @@ DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) {
   if (options.rtl_beside) {
     LockstepEngine engine(run.words, clock_hz);
     DrawnResult result = simulate_with(engine, run, options);
-    result.rtl_agrees = engine.differing_clocks() == 0;
+    result.rtl_agrees = engine.found().equal();
     if (!result.rtl_agrees) {
-      result.rtl_difference = fmt::format("{} at clock {}", engine.first_port(), engine.first_clock());
+      result.rtl_difference = fmt::format("{} at clock {}", engine.found().first_port, engine.found().first_clock);
     }
     return result;
   }

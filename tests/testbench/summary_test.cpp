@@ -80,6 +80,16 @@ TEST(Summary, SlippedStepsFail) {
   EXPECT_EQ(summarise(steady_only(), {}, r).failures().size(), 1u);
 }
 
+TEST(Summary, AnRtlThatIsNotItsSourceFails) {
+  Record r = record_at(3000);
+  r.lockstep = Lockstep{.clocks = 1000};
+  EXPECT_TRUE(summarise(steady_only(), {}, r).failures().empty());
+  r.lockstep = Lockstep{.clocks = 1000, .differing_clocks = 1, .first_clock = 7, .first_port = "step_o"};
+  const Summary s = summarise(steady_only(), {}, r);
+  EXPECT_EQ(s.failures().size(), 1u) << why(s);
+  EXPECT_NE(to_text(s).find("DIFFERENT on 1, first step_o at clock 7"), std::string::npos);
+}
+
 TEST(Summary, TheJsonHasEveryKeyThatUsersRelyOn) {
   const auto j = to_json(summarise(short_drive(), {}, record_at(3000)));
   for (const char* key :

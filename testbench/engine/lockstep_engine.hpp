@@ -3,9 +3,8 @@
 // Test: tests/testbench/compare_test.cpp
 #pragma once
 
-#include <string>
-
 #include "testbench/engine/fixed.hpp"
+#include "testbench/engine/lockstep.hpp"
 #include "testbench/engine/rtl.hpp"
 
 namespace steplock {
@@ -28,25 +27,23 @@ class LockstepEngine {
     rtl_.set_command(c);
   }
   void tick() {
-    if (clock_ == wrong_from_ || clock_ == wrong_to_) show_rtl();
+    if (found_.clocks == wrong_from_ || found_.clocks == wrong_to_) show_rtl();
     fixed_.tick();
     rtl_.tick();
     if (const char* port = rtl_.differs(fixed_.output()); port != nullptr) {
-      if (differing_clocks_++ == 0) {
-        first_clock_ = clock_;
-        first_port_ = port;
+      if (found_.differing_clocks++ == 0) {
+        found_.first_clock = found_.clocks;
+        found_.first_port = port;
       }
     }
-    ++clock_;
+    ++found_.clocks;
   }
   std::uint64_t quiet() const { return 0; }
   void skip(std::uint64_t) {}
   Watch watch() const { return fixed_.watch(); }
   DriveView view() const { return fixed_.view(); }
 
-  std::uint64_t differing_clocks() const { return differing_clocks_; }
-  std::uint64_t first_clock() const { return first_clock_; }
-  const std::string& first_port() const { return first_port_; }
+  const Lockstep& found() const { return found_; }
 
   // A negative control: in these clocks the RTL sees its comparators inverted.
   void invert_comparators(std::uint64_t from, std::uint64_t to) {
@@ -57,7 +54,7 @@ class LockstepEngine {
  private:
   void show_rtl() {
     plant::Pins pins = pins_;
-    if (clock_ >= wrong_from_ && clock_ < wrong_to_) {
+    if (found_.clocks >= wrong_from_ && found_.clocks < wrong_to_) {
       for (bool& level : pins.comparator) level = !level;
     }
     rtl_.set_pins(pins);
@@ -65,10 +62,9 @@ class LockstepEngine {
 
   FixedEngine fixed_;
   RtlEngine rtl_;
-  std::uint64_t clock_ = 0, differing_clocks_ = 0, first_clock_ = 0;
   std::uint64_t wrong_from_ = ~std::uint64_t{0}, wrong_to_ = ~std::uint64_t{0};
   plant::Pins pins_;
-  std::string first_port_;
+  Lockstep found_;
 };
 
 }  // namespace steplock
