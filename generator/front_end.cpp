@@ -3,6 +3,7 @@
 #include <llvm/IR/Constants.h>
 #include <llvm/Support/thread.h>
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 
@@ -44,7 +45,9 @@ void drop_native_widths(llvm::Module& module) {
 class FrontEnd {
  public:
   explicit FrontEnd(const FrontEndOptions& options)
-      : program_(compile(options.compile)), opaque_(*program_.module) {
+      : program_(compile(options.compile)),
+        opaque_(*program_.module),
+        any_clocks_(options.any_clocks) {
     drop_native_widths(*program_.module);
     blocks_ = find_blocks(*program_.module, options.compile.source, options.top);
   }
@@ -57,7 +60,11 @@ class FrontEnd {
     check_callees(*blocks_.reset, blocks_);
     find_resets();
     FrontEndResult result;
-    for (const auto& block : blocks_.order) result.design.modules.push_back(module_of(block));
+    for (const auto& block : blocks_.order) {
+      if (!block.has_module) continue;
+      result.design.modules.push_back(block.sample == nullptr ? module_of(block)
+                                                              : scheduled(block, result.schedules));
+    }
     result.read = program_.read;
     return result;
   }
@@ -140,6 +147,31 @@ class FrontEnd {
     }
   }
 
+  Module scheduled(const Block& block, std::vector<ScheduleReport>& reports) {
+    const auto& sample = blocks_.of(block.sample);
+    const auto leaf = [](const Layout& ports, const char* name) {
+      const auto named = [&](const LeafPlace& place) { return place.leaf.name == name; };
+      return std::find_if(ports.leaves.begin(), ports.leaves.end(), named)->leaf;
+    };
+    scheduling::Frame frame{leaf(block.in, "start"), leaf(block.out, "done"),
+                            leaf(block.out, "busy"), leaf(block.out, "missed"), {}};
+    for (const auto& place : sample.out.leaves) {
+      for (std::size_t i = 0; i < block.reset.size(); ++i) {
+        const bool is_shown = block.state.leaves[i].leaf.name == "shown_." + place.leaf.name;
+        if (is_shown) frame.output_resets.push_back(block.reset[i]);
+      }
+    }
+    auto [module, report] = schedule(module_of(sample), block.budget, frame);
+    if (report.clocks != block.budget.clocks && !any_clocks_) {
+      throw Refusal(sample.source,
+                    "a sample of " + sample.cpp_class + " takes " + std::to_string(report.clocks) +
+                        " clocks under its budget, not " + std::to_string(block.budget.clocks),
+                    "write .clocks = " + std::to_string(report.clocks));
+    }
+    reports.push_back(std::move(report));
+    return std::move(module);
+  }
+
   // An index that proves goes bare, and equal ones become one value; that may prove the next.
   static std::vector<unsigned> prove(llvm::Function& function) {
     auto failed = prove_guards(function);
@@ -173,6 +205,7 @@ class FrontEnd {
 
   Program program_;
   Opaque opaque_;
+  bool any_clocks_;
   Blocks blocks_;
 };
 

@@ -6,6 +6,8 @@
 // and nothing has changed), 2 a fault of hlsgen itself, above 100 a wrong command line.
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 
@@ -22,6 +24,7 @@ struct Options {
   hlsgen::FrontEndOptions front_end;
   std::string rtl, ports, plain, depfile;
   bool dump = false;
+  bool schedules = false;
 };
 
 Options parse(int argc, char** argv) {
@@ -39,6 +42,10 @@ Options parse(int argc, char** argv) {
   app.add_option("--ports", options.ports, "Directory for <module>_ports.hpp");
   app.add_option("--plain", options.plain, "Directory for the second, plain print, for proofs");
   app.add_option("--depfile", options.depfile, "Write make rules for <top>.f, of all files read");
+  app.add_flag("--schedules", options.schedules,
+               "Print what each scheduled block takes");
+  app.add_flag("--any-clocks", options.front_end.any_clocks,
+               "Let schedules take other clocks than the source says: to find out how many");
   app.add_flag("--dump-netlist", options.dump, "Print the netlist");
   try {
     app.parse(argc, argv);
@@ -51,7 +58,7 @@ Options parse(int argc, char** argv) {
 
 void run(const Options& options) {
   const auto stem = std::filesystem::path(options.front_end.compile.source).stem().string();
-  auto [design, read] = hlsgen::build_design(options.front_end);
+  auto [design, read, schedules] = hlsgen::build_design(options.front_end);
   hlsgen::check(design);
   hlsgen::optimise(design);
   hlsgen::check(design);
@@ -78,6 +85,11 @@ void run(const Options& options) {
     rules += "\n";
   }
   hlsgen::write_files(files);
+  if (options.schedules) {
+    for (const auto& report : schedules) {
+      std::cout << report.module << ": " << fmt::to_string(fmt::join(report.lines(), " ")) << "\n";
+    }
+  }
   if (options.dump) std::cout << hlsgen::dump(design);
 }
 

@@ -104,6 +104,7 @@ struct Module {
   std::string name;        // gate_guard
   std::string cpp_class;   // steplock::GateGuard<12>
   SourceLine source;       // where the class is defined
+  std::vector<std::string> remarks;  // lines in the header of its print
   std::vector<Leaf> inputs;
   std::vector<Output> outputs;
   std::vector<Register> registers;

@@ -3,6 +3,7 @@
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/Constants.h>
 
+#include "generator/cpp/scheduled.hpp"
 #include "generator/names.hpp"
 #include "generator/refusal.hpp"
 
@@ -56,6 +57,12 @@ std::string module_name(const llvm::DICompositeType* type) {
   return name;
 }
 
+// A schedule is called after what it spreads over clocks.
+std::string module_of(const llvm::DICompositeType* type) {
+  const auto scheduled = scheduled_class(type);
+  return module_name(scheduled ? scheduled->sample : type);
+}
+
 const llvm::DICompositeType* parameter_class(const llvm::DISubprogram* method, unsigned position) {
   const auto types = method->getType()->getTypeArray();
   if (types.size() <= position) return nullptr;
@@ -70,28 +77,46 @@ class Finder {
  public:
   Finder(llvm::Module& module, Blocks& blocks) : module_(module), blocks_(blocks) {}
 
-  void add(const llvm::DICompositeType* type) {
-    if (blocks_.index.count(type) != 0) return;
+  void add(const llvm::DICompositeType* type, bool has_module = true) {
+    const auto known = blocks_.index.find(type);
+    if (known != blocks_.index.end()) {
+      auto& block = blocks_.order[known->second];
+      if (has_module && !block.has_module) claim_module(block);
+      return;
+    }
     Block block;
     block.type = type;
     block.cpp_class = qualified_name(type);
-    block.module = module_name(type);
     block.source = source_line(type->getFile(), type->getLine());
     find_tick(block);
-    block.state = lay_out(type);
-    for (const auto& instance : block.state.instances) add(instance.type);
-    for (const auto& other : blocks_.order) {
-      if (other.module != block.module) continue;
-      throw Refusal(block.source,
-                    "both " + other.cpp_class + " and " + block.cpp_class +
-                        " would be printed as module '" + block.module + "'",
-                    "rename one of the classes");
+    if (const auto scheduled = scheduled_class(type)) {
+      block.sample = scheduled->sample;
+      block.budget = scheduled->budget;
     }
+    block.module = module_of(type);
+    block.state = has_module ? lay_out(type) : flat_layout(type);
+    for (const auto& instance : block.state.instances) {
+      add(instance.type, block.sample == nullptr);
+    }
+    if (has_module) claim_module(block);
     blocks_.index[type] = blocks_.order.size();
     blocks_.order.push_back(std::move(block));
   }
 
  private:
+  void claim_module(Block& block) const {
+    for (const auto& other : blocks_.order) {
+      if (!other.has_module || other.module != block.module) continue;
+      const bool is_own = other.sample == block.type || block.sample == other.type;
+      throw Refusal(block.sample != nullptr ? blocks_.of(block.sample).source : block.source,
+                    "both " + other.cpp_class + " and " + block.cpp_class +
+                        " would be printed as module '" + block.module + "'",
+                    is_own ? "use the block under a schedule or by itself, not both"
+                           : "rename one of the classes");
+    }
+    block.has_module = true;
+  }
+
   void find_tick(Block& block) {
     const auto* declaration = tick_of(block.type);
     if (declaration == nullptr) {
@@ -147,7 +172,7 @@ Blocks find_blocks(llvm::Module& module, const std::string& source, const std::s
   for (auto& function : module) {
     const auto* type = synthesized_class(function);
     if (type == nullptr) continue;
-    const bool chosen = name.empty() || name == module_name(type) || name == base_name(type);
+    const bool chosen = name.empty() || name == module_of(type) || name == base_name(type);
     if (chosen) tops.emplace_back(type, &function);
   }
   if (tops.empty()) {

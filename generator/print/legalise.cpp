@@ -101,6 +101,7 @@ class Legaliser {
         fmt::format("{}: {}, printed by hlsgen from {}:{}.", m_.name, m_.cpp_class, m_.source.file,
                     m_.source.line),
         "Do not edit: change the C++ and print again."};
+    text_.header.insert(text_.header.begin() + 1, m_.remarks.begin(), m_.remarks.end());
     text_.name = m_.name;
     text_.clocked = is_clocked(design_, m_);
     for (std::size_t i = 0; i < m_.inputs.size(); ++i)

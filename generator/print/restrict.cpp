@@ -1,5 +1,7 @@
 #include "generator/print/restrict.hpp"
 
+#include <llvm/ADT/StringExtras.h>
+
 #include "generator/passes/evaluate.hpp"
 #include "generator/print/plan.hpp"
 
@@ -148,6 +150,17 @@ NodeId Restrictor::rewire(const Facts& facts, NodeId id, Memory& memory) {
   if (in == n.in) return id;
   n.in = std::move(in);
   n.name.clear();
+  std::vector<llvm::APInt> constants;
+  for (const NodeId operand : n.in)
+    if (node(operand).op == Op::kConstant) constants.push_back(node(operand).value);
+  if (constants.size() == n.in.size()) {  // no bits can be selected from a number
+    n.value = evaluate(m_, n, constants);
+    n.op = Op::kConstant;
+    n.in.clear();
+    const auto known = folded_.emplace(std::pair(n.width, llvm::toString(n.value, 16, false)), kNone);
+    if (known.second) known.first->second = append(std::move(n));
+    return known.first->second;
+  }
   const Node& inner = node(n.in[0]);
   if (n.op == Op::kSlice) {
     if (n.low == 0 && inner.width == n.width) return n.in[0];

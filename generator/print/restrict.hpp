@@ -70,6 +70,7 @@ class Restrictor {
   std::vector<Domain> domains_;
   std::map<Key, NodeId> made_;
   std::map<std::tuple<Op, unsigned, unsigned, std::vector<NodeId>>, NodeId> wired_;
+  std::map<std::pair<unsigned, std::string>, NodeId> folded_;  // constants
   std::vector<unsigned> uses_;  // in the module as it came
   NodeId bits_[2] = {kNone, kNone};
 };

@@ -19,25 +19,49 @@ add_library(random_harness OBJECT random/random_test.cpp)
 target_compile_definitions(random_harness PRIVATE HLSGEN_ROOT="${PROJECT_SOURCE_DIR}")
 target_link_libraries(random_harness PUBLIC hlsgen_lib GTest::gtest_main)
 
-# random_test(<first seed> <count>)
-function(random_test first count)
-  set(name random_${first})
+# random_test(random|scheduled <first seed> <count>): hlsgen says how many clocks schedules take, and
+# their C++ is written again with them.
+function(random_test kind first count)
+  set(name ${kind}_${first})
+  set(group RandomGroup${first})
+  if(kind STREQUAL scheduled)
+    set(group ScheduledGroup${first})
+  endif()
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/random)
-  set(module random_group${first})
+  set(module ${kind}_group${first})
   set(header ${directory}/${name}.hpp)
   set(source ${directory}/${name}.cpp)
   set(list ${directory}/rtl/${name}.f)
   set(model ${directory}/V${name})
   file(MAKE_DIRECTORY ${model})
-  add_custom_command(OUTPUT ${header} ${source}
-    COMMAND random_programs ${first} ${count} ${directory}/${name}
-    DEPENDS random_programs
-    VERBATIM)
-  add_custom_command(OUTPUT ${list}
-    COMMAND hlsgen ${source} -I ${PROJECT_SOURCE_DIR} -o ${directory}/rtl --ports ${directory}/ports
-    COMMAND ${CMAKE_COMMAND} -E touch ${list}
-    DEPENDS hlsgen ${header} ${source} ${PROJECT_SOURCE_DIR}/hls/numeric/bits.hpp
-    VERBATIM)
+  set(numeric ${PROJECT_SOURCE_DIR}/hls/numeric)
+  if(kind STREQUAL scheduled)
+    set(draft ${directory}/draft/${name})
+    set(clocks ${draft}.clocks)
+    file(MAKE_DIRECTORY ${directory}/draft)
+    add_custom_command(OUTPUT ${clocks}
+      COMMAND random_programs ${first} ${count} ${draft} scheduled
+      COMMAND hlsgen ${draft}.cpp -I ${PROJECT_SOURCE_DIR} -o ${directory}/rtl
+              --ports ${directory}/ports --any-clocks --schedules > ${clocks}
+      DEPENDS hlsgen random_programs ${numeric}/scheduled.hpp
+      VERBATIM)
+    add_custom_command(OUTPUT ${header} ${source} ${list}
+      COMMAND random_programs ${first} ${count} ${directory}/${name} scheduled ${clocks}
+      COMMAND ${CMAKE_COMMAND} -E touch ${list}
+      DEPENDS ${clocks}
+      VERBATIM)
+  else()
+    add_custom_command(OUTPUT ${header} ${source}
+      COMMAND random_programs ${first} ${count} ${directory}/${name}
+      DEPENDS random_programs
+      VERBATIM)
+    add_custom_command(OUTPUT ${list}
+      COMMAND hlsgen ${source} -I ${PROJECT_SOURCE_DIR} -o ${directory}/rtl
+              --ports ${directory}/ports
+      COMMAND ${CMAKE_COMMAND} -E touch ${list}
+      DEPENDS hlsgen ${header} ${source} ${numeric}/bits.hpp
+      VERBATIM)
+  endif()
   # No optimisation: compiling would take longer than the clocks that are run.
   set(library ${model}/V${name}__ALL.a)
   add_custom_command(OUTPUT ${library}
@@ -49,16 +73,20 @@ function(random_test first count)
     VERBATIM)
   add_executable(${name}_test random/group.cpp ${header} ${library})
   target_compile_definitions(${name}_test PRIVATE
-    GROUP_HEADER="${header}" GROUP_SOURCE="${source}" GROUP=RandomGroup${first} MODULE=${module}
+    GROUP_HEADER="${header}" GROUP_SOURCE="${source}" GROUP=${group} MODULE=${module}
     PORTS_HEADER="${directory}/ports/${module}_ports.hpp" VERILATED_HEADER="${model}/V${name}.h"
-    VERILATED=V${name})
+    VERILATED=V${name} SCHEDULED=$<STREQUAL:${kind},scheduled>)
   target_include_directories(${name}_test SYSTEM PRIVATE ${model})
   target_compile_options(${name}_test PRIVATE -O0 -w)
   target_link_libraries(${name}_test PRIVATE random_harness ${library} verilated_runtime)
-  add_test(NAME random_programs_${first} COMMAND ${name}_test)  # one, or each case would read C++ anew
-  set_tests_properties(random_programs_${first} PROPERTIES TIMEOUT 900)
+  set(test ${kind}_programs_${first})
+  add_test(NAME ${test} COMMAND ${name}_test)  # one, or each case would read C++ anew
+  set_tests_properties(${test} PROPERTIES TIMEOUT 900)
 endfunction()
 
 foreach(first 1 81 161 241 ${RANDOM_SEEDS})
-  random_test(${first} 80)
+  random_test(random ${first} 80)
+endforeach()
+foreach(first 81 161 241)
+  random_test(scheduled ${first} 80)
 endforeach()

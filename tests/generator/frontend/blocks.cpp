@@ -8,6 +8,7 @@
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
+#include "tests/generator/frontend/blocks/scheduled.hpp"
 
 namespace steplock {
 
@@ -29,5 +30,8 @@ template struct Synthesize<test::Closure>;
 template struct Synthesize<test::ContinueInWhile>;
 template struct Synthesize<test::Rewritten>;
 template struct Synthesize<test::LimitedIndex>;
+template struct Synthesize<test::ScheduledFilter>;
+template struct Synthesize<test::ScheduledCascade>;
+template struct Synthesize<test::Sampled>;
 
 }  // namespace steplock

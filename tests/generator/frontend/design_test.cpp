@@ -6,6 +6,7 @@
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
+#include "tests/generator/frontend/blocks/scheduled.hpp"
 
 namespace hlsgen::test {
 namespace {
@@ -30,6 +31,15 @@ TEST(Design, NumbersUpTo128BitsEqualTheirCpp) { expect_equal_to_native<Wide>("wi
 TEST(Design, PlainIntegersKeepTheirPromotions) { expect_equal_to_native<Plain>("plain"); }
 TEST(Design, HelpersAndReferencesEqualTheirCpp) { expect_equal_to_native<Calls>("calls"); }
 TEST(Design, BlocksWithinBlocksEqualTheirCpp) { expect_equal_to_native<Hierarchy>("hierarchy"); }
+
+// In every clock: starts while busy, ignored or not, and results that stand still.
+TEST(Design, AScheduleEqualsItsCpp) {
+  expect_equal_to_native<Ported<ScheduledFilter>>("filter");
+}
+TEST(Design, AScheduleOfABlockOfBlocksEqualsItsCpp) {
+  expect_equal_to_native<Ported<ScheduledCascade>>("cascade");
+}
+TEST(Design, AScheduleWithinABlockEqualsItsCpp) { expect_equal_to_native<Sampled>("sampled"); }
 
 // Once wrong, refused, or without end.
 TEST(Regression, EarlyReturnsLeaveNoValueUnwritten) {

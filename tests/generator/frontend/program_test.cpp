@@ -45,6 +45,13 @@ TEST(Program, TwoRunsGiveTheSameBytes) {
   EXPECT_EQ(first.size(), 13U) << "4 modules, 4 plain, 4 headers, 1 list";
 }
 
+TEST(Program, TwoRunsGiveTheSameSchedule) {
+  const std::string arguments = "tests/generator/frontend/blocks.cpp --top cascade";
+  const auto first = print(arguments, "first");
+  EXPECT_EQ(first, print(arguments, "the_second"));
+  EXPECT_EQ(first.size(), 4U) << "a module, plain as well, a header, a list";
+}
+
 TEST(Program, OtherBlocksInTheSourceDoNotChangeAModule) {
   auto among = print("tests/generator/frontend/blocks.cpp --top state_machine", "among");
   auto alone = print("tests/generator/frontend/alone.cpp", "alone");

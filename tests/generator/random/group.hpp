@@ -27,5 +27,6 @@ class Forms {
 
 std::unique_ptr<Forms> make_forms();
 extern const char* const kGroupSource;  // what hlsgen read
+extern const int kPace;  // clocks in which as much happens as in one of a block without a schedule
 
 }  // namespace hlsgen::test

@@ -9,8 +9,8 @@ std::string each(const std::string& calls) {
 
 }  // namespace
 
-Program::Program(std::uint64_t seed, const std::string& name, bool may_have_child)
-    : Statements(seed), name_(name) {
+Program::Program(std::uint64_t seed, const std::string& name, bool may_have_child, bool products)
+    : Statements(seed), name_(name), has_products_(products) {
   draw_enumeration();
   draw_in();
   draw_out();
@@ -160,7 +160,7 @@ std::string Program::body() {
   for (int i = 0; i < children_; ++i) text += tick_of_child(i);
   may_return = true;
   text += statements(any.between(3, 6), 3);
-  return cat({text, last_writes(), finish});
+  return cat({text, last_writes(), has_products_ ? products() : "", finish});
 }
 
 // Most ports and registers end with something that was computed, or little of it would be seen.
@@ -170,6 +170,35 @@ std::string Program::last_writes() {
     const bool is_local = !variable.name.starts_with("out.") && !variable.name.ends_with("_");
     if (!variable.is_writable || is_local || any.chance(40)) continue;
     text += cat({variable.name, " = ", expression(variable.type, 2), ";\n"});
+  }
+  return text;
+}
+
+// Some hang on others; sums of two go to ports and registers, under conditions or not.
+std::string Program::products() {
+  std::string text;
+  std::vector<Variable> made;
+  for (int i = 0, n = any.between(1, 9); i < n; ++i) {
+    const Type left = bits(any.between(3, 30), any.chance(60));
+    const Type right = bits(any.between(3, 30), any.chance(60));
+    const std::string own = "m" + std::to_string(i);
+    const Variable& one = made.empty() || any.chance(60) ? any.of(variables) : made.back();
+    const Variable& two = any.of(variables);
+    text += cat({"const auto ", own, " = ", converted(one.name, one.type, left), " * ",
+                 converted(two.name, two.type, right), ";\n"});
+    made.push_back({own, bits(left.width + right.width, left.is_signed || right.is_signed), false});
+  }
+  for (const auto& variable : std::vector(variables)) {
+    const bool is_local = !variable.name.starts_with("out.") && !variable.name.ends_with("_");
+    if (!variable.is_writable || is_local || variable.type == kBool || any.chance(30)) continue;
+    const Variable& one = any.of(made);
+    const Variable& two = any.of(made);
+    const Type wide = bits(62, true);
+    text += cat({any.chance(40) ? cat({"if (", condition(0), ") "}) : "", variable.name, " = ",
+                 converted(cat({"wrap<", wide.text(), ">(", converted(one.name, one.type, wide),
+                                any.of({" + ", " - "}), converted(two.name, two.type, wide), ")"}),
+                           wide, variable.type),
+                 ";\n"});
   }
   return text;
 }
@@ -199,22 +228,53 @@ std::string Program::formatted(const std::string& text) const {
   return out;
 }
 
-std::string group_text(const std::string& name, int first, int count) {
-  std::string in, out, calls, members;
-  std::string each_member;
+namespace {
+
+// A class whose members are the blocks <kind><first> ...
+std::string group_of(const std::string& name, const std::string& kind, int first, int count,
+                     const std::vector<std::string>& more_in,
+                     const std::vector<std::string>& more_out) {
+  std::string in, out, calls, members, each_in, each_out;
   for (int i = first; i < first + count; ++i) {
     const std::string n = std::to_string(i);
-    in += cat({"    Random", n, "::In p", n, ";\n"});
-    out += cat({"    Random", n, "::Out p", n, ";\n"});
-    each_member += cat({"      p", n, ".each(f);\n"});
+    in += cat({"    ", kind, n, "::In p", n, ";\n"});
+    out += cat({"    ", kind, n, "::Out p", n, ";\n"});
+    each_in += cat({"      p", n, ".each(f);\n"});
+    each_out += cat({"      p", n, ".each(f);\n"});
+    for (const auto& port : more_in) each_in += cat({"      f(p", n, ".", port, ");\n"});
+    for (const auto& port : more_out) each_out += cat({"      f(p", n, ".", port, ");\n"});
     calls += cat({"    out.p", n, " = block", n, "_.tick(in.p", n, ");\n"});
-    members += cat({"  Random", n, " block", n, "_;\n"});
+    members += cat({"  ", kind, n, " block", n, "_;\n"});
   }
-  const std::string all = cat(
-      {"    template <class F>\n    void each(F f) {\n", each_member, "    }\n"});
-  return cat({"class ", name, " {\n public:\n  struct In {\n", in, all, "  };\n  struct Out {\n", out,
-              all, "  };\n  Out tick(const In& in) {\n    Out out;\n", calls,
+  const std::string each = "    template <class F>\n    void each(F f) {\n";
+  return cat({"class ", name, " {\n public:\n  struct In {\n", in, each, each_in,
+              "    }\n  };\n  struct Out {\n", out, each, each_out,
+              "    }\n  };\n  Out tick(const In& in) {\n    Out out;\n", calls,
               "    return out;\n  }\n\n private:\n", members, "};\n\n"});
+}
+
+}  // namespace
+
+std::string group_text(const std::string& name, int first, int count) {
+  return group_of(name, "Random", first, count, {}, {});
+}
+
+std::string scheduled_group_text(const std::string& name, int first,
+                                 const std::vector<int>& clocks) {
+  std::string schedules;
+  for (std::size_t i = 0; i < clocks.size(); ++i) {
+    const int seed = first + static_cast<int>(i);
+    const std::string n = std::to_string(seed);
+    Draw any(static_cast<std::uint64_t>(seed) + 2'000'000'000);
+    schedules += cat({"using Scheduled", n, " = Scheduled<Random", n, ", Budget{.multipliers = ",
+                      std::to_string(any.between(1, 3)), ", .width = ", any.of({"6", "16", "18", "35"}),
+                      ", .second_width = ", any.of({"7", "16", "18", "25"}),
+                      ", .clocks = ", std::to_string(clocks[i]),
+                      ", .levels = ", any.of({"5", "8", "12", "20"}), "}>;\n"});
+  }
+  return schedules + "\n" +
+         group_of(name, "Scheduled", first, static_cast<int>(clocks.size()), {"start"},
+                  {"done", "busy", "missed"});
 }
 
 }  // namespace hlsgen::test

@@ -11,7 +11,8 @@ namespace hlsgen::test {
 
 class Program : private Statements {
  public:
-  Program(std::uint64_t seed, const std::string& name, bool may_have_child);
+  // With `products`, some more of them than chance would have it, and sums of them.
+  Program(std::uint64_t seed, const std::string& name, bool may_have_child, bool products = false);
 
   // The class, behind the class of its child if it has one.
   std::string text();
@@ -31,6 +32,7 @@ class Program : private Statements {
   std::string tick_of_child(int number);
   std::string body();
   std::string last_writes();
+  std::string products();
   std::string port(const std::string& name, Type type);
   std::string formatted(const std::string& text) const;
 
@@ -39,9 +41,15 @@ class Program : private Statements {
   std::vector<Member> given_, gives_;  // members of In and Out, for the parent
   std::vector<Member> child_given_, child_gives_;
   int children_ = 0;
+  bool has_products_ = false;
 };
 
 // class <name>, whose members are the blocks Random<first> ...
 std::string group_text(const std::string& name, int first, int count);
+
+// The same with a schedule around each block, Scheduled<first> ..., under a budget drawn from its seed.
+// `clocks` of each come from hlsgen; 2 where they are not known yet.
+std::string scheduled_group_text(const std::string& name, int first,
+                                 const std::vector<int>& clocks);
 
 }  // namespace hlsgen::test

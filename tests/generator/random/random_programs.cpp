@@ -2,6 +2,9 @@
 //
 //     random_programs 1 80 out/random_1        out/random_1.hpp (blocks) and out/random_1.cpp (top)
 //
+//     random_programs 1 80 out/s_1 scheduled             each under a schedule, of clocks yet unknown
+//     random_programs 1 80 out/s_1 scheduled CLOCKS      of the clocks that hlsgen --schedules found
+//
 // The same seed gives the same text on every machine.
 //
 // Doc: docs/generator.md   Test: tests/generator/random/random_test.cpp
@@ -11,25 +14,53 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
+
+namespace {
+
+// "random17: A sample takes 12 clocks, ..." -> 12, in the order of the seeds; 2 where there is no such line.
+std::vector<int> clocks_of(const std::string& file, int first, int count) {
+  std::ifstream lines(file);
+  std::map<std::string, int> known;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string words = ": A sample takes ";
+    const auto at = line.find(words);
+    if (at != std::string::npos) known[line.substr(0, at)] = std::stoi(line.substr(at + words.size()));
+  }
+  std::vector<int> clocks;
+  for (int i = first; i < first + count; ++i) {
+    const auto found = known.find("random" + std::to_string(i));
+    clocks.push_back(found == known.end() ? 2 : found->second);
+  }
+  return clocks;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using hlsgen::test::Program;
-  if (argc != 4) {
-    std::cerr << "usage: random_programs FIRST COUNT STEM\n";
+  if (argc < 4 || argc > 6 || (argc > 4 && std::string(argv[4]) != "scheduled")) {
+    std::cerr << "usage: random_programs FIRST COUNT STEM [scheduled [CLOCKS]]\n";
     return 1;
   }
   const int first = std::stoi(argv[1]);
   const int count = std::stoi(argv[2]);
   const std::string stem = argv[3];
-  const std::string group = "RandomGroup" + std::to_string(first);
+  const bool is_scheduled = argc > 4;
+  const std::string group =
+      (is_scheduled ? "ScheduledGroup" : "RandomGroup") + std::to_string(first);
 
   std::ofstream header(stem + ".hpp");
-  header << "#pragma once\n\n#include \"hls/numeric/bits.hpp\"\n\n#include <array>\n\n"
-         << "namespace steplock::test {\n\n";
+  header << "#pragma once\n\n#include \"hls/numeric/" << (is_scheduled ? "scheduled" : "bits")
+         << ".hpp\"\n\n#include <array>\n\nnamespace steplock::test {\n\n";
   for (int i = first; i < first + count; ++i) {
-    header << Program(static_cast<std::uint64_t>(i), "Random" + std::to_string(i), true).text();
+    header << Program(static_cast<std::uint64_t>(i), "Random" + std::to_string(i), true, is_scheduled)
+                  .text();
   }
-  header << hlsgen::test::group_text(group, first, count) << "}  // namespace steplock::test\n";
+  header << (is_scheduled ? hlsgen::test::scheduled_group_text(
+                                group, first, clocks_of(argc > 5 ? argv[5] : "", first, count))
+                          : hlsgen::test::group_text(group, first, count))
+         << "}  // namespace steplock::test\n";
 
   std::ofstream source(stem + ".cpp");
   source << "#include \"" << std::filesystem::path(stem).filename().string() << ".hpp\"\n"

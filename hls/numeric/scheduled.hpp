@@ -1,0 +1,84 @@
+// A block whose sample takes several clocks: its arithmetic shares the multipliers of a budget.
+//
+//     using CurrentLoop = Scheduled<CurrentController, Budget{.multipliers = 1, .width = 18, .clocks = 24}>;
+//
+// The block says what one sample does, in one call of its tick; the generator spreads it over `clocks`
+// clocks and prints a module with the block's ports and these:
+//
+//     start    begins a sample; ignored while busy
+//     busy     from the clock after the start to the one before done: the next start may come with done
+//     done     one clock, `clocks` clocks after the start: the results are new, and stay until the next
+//     missed   one clock, the one after a start that was ignored
+//
+// The class below is what the module does in every clock, bit by bit; it is not how.  `clocks` is not
+// free: hlsgen finds the fewest that the budget allows, and says so if the source says something else.
+//
+// Inputs are taken with the start, in registers where they are still needed later.  With
+// Inputs::kHeld the caller holds them from the start to done instead, which costs nothing: outputs of
+// other scheduled blocks, settings.  A caller that does not, gets a sample of old and new numbers.
+//
+// Doc: docs/generator.md   Test: tests/hls/scheduled_test.cpp, tests/generator/schedule_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+
+namespace steplock {
+
+enum class Inputs : std::uint8_t { kTaken, kHeld };
+
+struct Budget {
+  int multipliers = 1;
+  int width = 16;         // bits of a multiplier's first factor, signed; wider products take several turns
+  int second_width = 16;  // of its second
+  int clocks = 2;         // from start to done
+  int levels = 12;        // look-up tables in a row between two registers; 8 bits of a carry count as one
+  Inputs inputs = Inputs::kTaken;
+};
+
+template <class Block, Budget budget>
+class Scheduled {
+  static_assert(budget.multipliers >= 1 && budget.multipliers <= 16, "1 to 16 multipliers");
+  static_assert(budget.width >= 4 && budget.width <= 64, "factors of 4 to 64 bits");
+  static_assert(budget.second_width >= 4 && budget.second_width <= 64, "factors of 4 to 64 bits");
+  static_assert(budget.clocks >= 2 && budget.clocks <= 4095, "2 to 4095 clocks");
+  static_assert(budget.levels >= 3 && budget.levels <= 100, "3 to 100 levels");
+
+ public:
+  struct In : Block::In {
+    bool start = false;  // begins a sample, unless busy
+  };
+
+  struct Out : Block::Out {
+    bool done = false;    // one clock: the results are new
+    bool busy = false;    // a start would be ignored
+    bool missed = false;  // one clock: a start was ignored
+  };
+
+  static constexpr int kClocks = budget.clocks;  // from start to done
+
+  Out tick(const In& in) {
+    const Out out = shown_;
+    shown_.done = left_ == 1;
+    shown_.missed = in.start && left_ != 0;
+    if (left_ == 1) static_cast<typename Block::Out&>(shown_) = block_.tick(sample_);
+    if (left_ != 0) {
+      left_ = wrap<Left>(left_ - 1);
+    } else if (in.start) {
+      sample_ = in;
+      left_ = kClocks - 1;
+    }
+    shown_.busy = left_ != 0;
+    return out;
+  }
+
+ private:
+  using Left = UInt<12>;
+
+  Block block_;
+  typename Block::In sample_;
+  Out shown_;
+  Left left_ = 0;  // clocks until the results are new
+};
+
+}  // namespace steplock
