@@ -167,6 +167,10 @@ void check_envelope(Findings& found, const Settings& s) {
                 "; must not fall: write the lower end first");
     }
   }
+  if (const auto& r = s.disturbance.set_speed; r[0] > r[1]) {
+    found.add("disturbance.set_speed is from ", r[0], " to ", r[1],
+              "; must not fall: write the lower end first");
+  }
   if (v.load.empty() && v.fan == 0) {
     found.add("envelope.load is empty, and there is no fan; must name one load, 0 for none");
   }

@@ -149,6 +149,15 @@ struct EnvelopeSection {
   double weight = 1;
 };
 
+// What a running drive must bear, in the disturbance matrix of a sweep.
+struct DisturbanceSection {
+  double load_step = 1, load_rate = 0.1;
+  std::array<double, 2> set_speed = {0.6, 1};
+  double bus_dip = 0.4;
+  int stuck_steps = 48;
+  double demagnetisation_deg = 30;
+};
+
 struct Settings {
   DriveSection drive;
   MotorSection motor;
@@ -163,6 +172,7 @@ struct Settings {
   ProtectionSection protection;
   ScenarioSection scenario;
   EnvelopeSection envelope;
+  DisturbanceSection disturbance;
 };
 
 }  // namespace steplock::design

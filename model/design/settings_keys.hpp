@@ -234,6 +234,18 @@ void for_each_key(S& s, Visitor&& visit) {
   k("spinning", v.spinning, "", "part of the runs in which the rotor turns when they begin", 0, 1);
   k("speed", v.speed, "", "of that rotor, parts of the set speed; negative is reverse", -3, 3);
   k("weight", v.weight, "", "share of this drive in a sweep over several", 0.001, 1000);
+
+  section = "disturbance";
+  auto& u = s.disturbance;
+  k("load_step", u.load_step, "", "greatest load step, part of the torque of the rated current", 0, 5);
+  k("load_rate", u.load_rate, "",
+    "but at most a step that takes this part of the rotor's speed per commutation step: the loop learns "
+    "of it once a step", 0, 1);
+  k("set_speed", u.set_speed, "", "set speeds before and after a step, parts of scenario.speed_rpm", 0.05, 2);
+  k("bus_dip", u.bus_dip, "", "deepest dip of the bus, part of its voltage", 0, 0.95);
+  k("stuck_steps", u.stuck_steps, "", "most commutation steps for which a comparator is stuck", 1, 1000);
+  k("demagnetisation_deg", u.demagnetisation_deg, "electrical degrees",
+    "longest freewheeling of the commutated current", 0, 60);
 }
 
 }  // namespace steplock::design

@@ -48,7 +48,7 @@ void print_files(const ReportFiles& files, bool json) {
 void print_row(const Row& row, bool json) {
   nlohmann::ordered_json j;
   std::string text = csv_line(row);
-  for_each_column(row, [&](const char* name, const auto&) {
+  for_each_column(row.matrix(), row, [&](const char* name, const auto&) {
     const std::size_t comma = text.find(',');
     j[name] = text.substr(0, comma);
     text.erase(0, comma == text.npos ? comma : comma + 1);
@@ -72,21 +72,26 @@ int replay(const Arguments& arguments) {
   if (arguments.trace) {
     trace = std::make_unique<TraceWriter>((out / "wave.fst").string(), run.settings.motor.pole_pairs);
   }
+  const double end_s = run.seed.disturbed() ? std::max(result.findings.end_s, result.after.end_s)
+                                            : result.findings.end_s;
   Record record;
   result = simulate(run, {.engine = arguments.engine, .trace = trace.get(), .record = &record,
-                          .record_s = result.findings.end_s, .go_on = go_on});
+                          .record_s = end_s, .go_on = go_on});
   if (result.stopped) return kInterrupted;
   trace.reset();
   file.settings = run.settings;
-  file.settings.scenario.duration_s = result.findings.end_s;
+  file.settings.scenario.duration_s = end_s;
   const RunOptions options{.engine = arguments.engine,
                            .angle_deg = run.settings.scenario.start_angle_deg};
   const ReportFiles files = write_report(out, file, summarise(file.settings, options, record), record,
                                          arguments.trace);
   print_row({.index = 0, .drive = stem(arguments), .seed = run.seed.value, .outside = run.seed.outside(),
-             .rtl = "", .conditions = run.conditions, .findings = result.findings}, arguments.json);
+             .rtl = "", .conditions = run.conditions, .findings = result.findings,
+             .disturbance = run.disturbance, .after = result.after}, arguments.json);
   print_files(files, arguments.json);
-  return result.findings.outcome == Outcome::kStarted ? kWell : kFailed;
+  const bool well = run.seed.disturbed() ? ends_well(run.disturbance.kind, result.after.outcome)
+                                         : result.findings.outcome == Outcome::kStarted;
+  return well ? kWell : kFailed;
 }
 
 int run(const Arguments& arguments) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> files;
-  std::string out, shard = "0/1";
+  std::string out, page, shard = "0/1";
   SweepKind kind;
   std::uint64_t runs = 100;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -58,6 +59,12 @@ int conclude(const SweepSetup& setup, const SweepEnd& end, const fs::path& folde
 
 int run_sweep(const Arguments& arguments) {
   const Shard shard = parse_shard(arguments.shard);
+  if (!arguments.page.empty() && arguments.kind.matrix != Matrix::kDisturb) {
+    throw BadInput("--page is for disturbances; add --matrix disturb");
+  }
+  if (arguments.kind.matrix == Matrix::kDisturb && arguments.kind.outside > 0) {
+    throw BadInput("--outside is for starts; leave it out with --matrix disturb");
+  }
   std::vector<DriveFile> files;
   for (const std::string& path : arguments.files) files.push_back(open_drive_file(path));
   const SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
@@ -80,6 +87,7 @@ int run_sweep(const Arguments& arguments) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   fmt::print(stderr, "{} runs in {:.1f} s with {} jobs: {:.2f} runs per second\n", end.done, wall,
              arguments.jobs, static_cast<double>(end.done) / wall);
+  if (!arguments.page.empty() && end.rows.size() == setup.runs) write_sweep_page(setup, end.rows, arguments.page);
   return conclude(setup, end, folder, arguments.json, shard.count == 1);
 }
 
@@ -102,8 +110,13 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", a->jobs, "processes (default: as many as cores)")->check(CLI::Range(1, 4096));
   command->add_option("--shard", a->shard, "i/n: only every n-th run, i from 0 to n - 1; see merge");
   command->add_option("--out", a->out, "folder (default out/sweep)");
+  command->add_option("--page", a->page, "print the committed page of a whole disturbance matrix there, such as docs/disturbances.md");
   command->add_flag("--resume", a->resume, "do only the runs that the folder does not hold");
   command->add_flag("--json", a->json, "print sweep.json on standard output");
+  command->add_option("--matrix", a->kind.matrix,
+                      "start (the default): a start alone; disturb: then one disturbance of the running drive")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Matrix>{{"start", Matrix::kStart}, {"disturb", Matrix::kDisturb}}));
   command->add_option("--outside", a->kind.outside, "part of the runs drawn outside the envelope (default 0)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--rtl", a->kind.rtl, "part of the runs repeated on the RTL (default 0.01)")

@@ -3,6 +3,8 @@
 // Test: tests/testbench/engine_test.cpp
 #pragma once
 
+#include <cmath>
+
 #include "hls/six_step/six_step_top.hpp"
 #include "testbench/engine/watch.hpp"
 
@@ -47,11 +49,20 @@ inline Command command_of(const HostCommand& c) {
           .clear_fault = c.clear_fault};
 }
 
+// The target's word, as the design library rounds it.
+inline Frequency target_of(const HostCommand& c, const Words& words, double clock_hz) {
+  if (c.set_speed == 0) return words.speed.target;
+  const double turns = std::ldexp(c.set_speed / clock_hz, 32 + static_cast<int>(words.loop.divide.raw()));
+  return Frequency::of(static_cast<std::uint64_t>(std::llround(turns)));
+}
+
 class FixedEngine {
  public:
   static constexpr const char* kName = "fixed";
 
-  FixedEngine(const Words& words, double clock_hz) : clock_hz_(clock_hz) { in_.words = words; }
+  FixedEngine(const Words& words, double clock_hz) : words_(words), clock_hz_(clock_hz) {
+    in_.words = words;
+  }
 
   void set_pins(const plant::Pins& pins) {
     put_pins(in_.pins, pins);
@@ -60,6 +71,7 @@ class FixedEngine {
   void set_command(const HostCommand& c) {
     in_.command = command_of(c);
     in_.pins.fault = c.fault_pin;
+    in_.words.speed.target = target_of(c, words_, clock_hz_);
     ticked_ = false;
   }
 
@@ -81,6 +93,7 @@ class FixedEngine {
   const SixStepTop::Out& output() const { return out_; }
 
  private:
+  Words words_;
   SixStepTop top_;
   SixStepTop::In in_;
   SixStepTop::Out out_;

@@ -20,7 +20,7 @@ class FloatEngine {
   static constexpr const char* kName = "float";
 
   FloatEngine(const design::Parameters& parameters, double clock_hz)
-      : drive_(parameters), clock_hz_(clock_hz) {}
+      : drive_(parameters), target_(parameters.speed.target), clock_hz_(clock_hz) {}
 
   void set_pins(const plant::Pins& pins) {
     pins_.comparator = pins.comparator;
@@ -32,6 +32,7 @@ class FloatEngine {
     command_ = {.configured = true, .run = c.run, .reverse = c.reverse,
                 .brake_to_stop = c.brake_to_stop, .clear_fault = c.clear_fault};
     pins_.fault = c.fault_pin;
+    drive_.set_target(c.set_speed == 0 ? target_ : c.set_speed);
     touched_ = true;
   }
 
@@ -107,7 +108,7 @@ class FloatEngine {
   std::optional<reference::Bridge> bridge_;
   reference::Output out_;
   Watch watch_;
-  double clock_hz_;
+  double target_, clock_hz_;
   std::uint64_t clock_ = 0;
   bool touched_ = true, ran_ = false;
   double commutated_at_ = 0;

@@ -19,7 +19,7 @@ class RtlEngine {
  public:
   static constexpr const char* kName = "rtl";
 
-  RtlEngine(const Words& words, double clock_hz) : clock_hz_(clock_hz) {
+  RtlEngine(const Words& words, double clock_hz) : words_(words), clock_hz_(clock_hz) {
     in_.words = words;
     show_command();
     top_.rst = 1;  // until the first edge, which ends the time before clock 0
@@ -36,6 +36,7 @@ class RtlEngine {
   void set_command(const HostCommand& c) {
     in_.command = command_of(c);
     in_.pins.fault = c.fault_pin;
+    in_.words.speed.target = target_of(c, words_, clock_hz_);
     shown_ = loaded_ = false;
   }
 
@@ -97,6 +98,7 @@ class RtlEngine {
     shown_ = true;
   }
 
+  Words words_;
   Vsix_step_bench top_;
   SixStepTop::In in_;
   Synchroniser::Pins shown_pins_;

@@ -54,6 +54,7 @@ const char* name_of(Reason);
 struct HostCommand {
   bool run = false, reverse = false, brake_to_stop = false, clear_fault = false;
   bool fault_pin = false;
+  double set_speed = 0;  // commutation steps per second; 0: that of the words
 };
 
 }  // namespace steplock

@@ -30,12 +30,18 @@ class Cosimulation {
   Cosimulation(Engine& engine, plant::Plant& plant, const Timeline& timeline, Recording& recorder,
                double clock_hz)
       : engine_(engine), plant_(plant), timeline_(timeline), recorder_(recorder),
-        clock_hz_(clock_hz) {}
+        clock_hz_(clock_hz) {
+    for (const PinFault& fault : timeline.faults) faults_.add(fault);
+  }
 
   std::uint64_t clock() const { return clock_; }
 
+  // The timeline may grow while the simulation stands, by events later than clock().
+  void add(const PinFault& fault) { faults_.add(fault); }
+
   // Runs clocks up to `end`, exclusive.
   void run_until(std::uint64_t end) {
+    plan_visit(clock_);
     while (clock_ < end) {
       if (clock_ >= visit_) visit();
       std::uint64_t stop = std::min(end, visit_);
@@ -72,12 +78,14 @@ class Cosimulation {
       load_nm_ = event.load_nm;
       engine_.set_command(command_);
       plant_.set_load_torque(load_nm_);
+      if (event.source_v > 0) plant_.set_bus_voltage(event.source_v);
+      for (int k = 0; k < 3; ++k) plant_.set_open(k, event.open[static_cast<std::size_t>(k)]);
     }
     if (clock_ >= sample_) {
       recorder_.sample(plant_.state(), watch_, engine_.view(), load_nm_);
       sample_ = std::max(clock_at(recorder_.next_sample()), clock_ + 1);
     }
-    show_pins();
+    show_pins(clock_);
   }
 
   void changed(Watch now) {
@@ -89,21 +97,27 @@ class Cosimulation {
       sample_ = std::max(clock_at(recorder_.next_sample()), clock_ + 1);
     }
     if (new_gates) plant_.set_gates(now.gates());
+    if (now.step() != watch_.step()) faults_.commutated(clock_ + 1, now.step());
     watch_ = now;
-    show_pins();
+    show_pins(clock_ + 1);
   }
 
-  void show_pins() {
-    if (plant_.pins() != pins_) {
-      pins_ = plant_.pins();
+  // What the drive sees in clock `first` and after it.
+  void show_pins(std::uint64_t first) {
+    if (const plant::Pins seen = faults_.seen(first, plant_.pins()); seen != pins_) {
+      pins_ = seen;
       engine_.set_pins(pins_);
       recorder_.pins_changed(time(), pins_);
     }
-    visit_ = std::max(clock_at(plant_.next_event()), clock_ + 1);
-    visit_ = std::min(visit_, std::max(sample_, clock_ + 1));
+    plan_visit(clock_ + 1);
+  }
+
+  void plan_visit(std::uint64_t earliest) {
+    visit_ = std::min(clock_at(plant_.next_event()), sample_);
     if (next_event_ < timeline_.events.size()) {
-      visit_ = std::min(visit_, std::max(timeline_.events[next_event_].clock, clock_ + 1));
+      visit_ = std::min(visit_, timeline_.events[next_event_].clock);
     }
+    visit_ = std::max(std::min(visit_, faults_.next(clock_)), earliest);
   }
 
   static constexpr double kFar = 1e9;  // s
@@ -118,6 +132,7 @@ class Cosimulation {
   std::size_t next_event_ = 0;
   HostCommand command_;
   double load_nm_ = 0;
+  PinFaults faults_;
   plant::Pins pins_;
   Watch watch_;
 };

@@ -8,6 +8,7 @@
 // Test: tests/testbench/timeline_test.cpp
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "model/design/settings.hpp"
 #include "testbench/engine/watch.hpp"
+#include "testbench/run/pin_faults.hpp"
 
 namespace steplock {
 
@@ -23,10 +25,13 @@ struct Event {
   HostCommand command;
   double load_nm = 0;  // opposing torque from here on
   std::string what;    // for people: "run", "load step", ...
+  double source_v = 0;              // of the bus from here on; 0: as before
+  std::array<bool, 3> open = {};    // windings without contact from here on
 };
 
 struct Timeline {
   std::vector<Event> events;  // sorted by clock, the first one at clock 0
+  std::vector<PinFault> faults;  // of the comparator pins
   std::uint64_t clocks = 0;   // of the whole scenario
   // The span in which the drive should stand at set speed undisturbed ends here.
   double steady_end_s = 0;

@@ -84,8 +84,25 @@ double greatest_offset(const design::SensorsSection& s) {
 
 }  // namespace
 
+design::EnvelopeSection milder(const design::EnvelopeSection& e) {
+  const auto half_way = [](const Range& r) { return Range{(1 + r[0]) / 2, (1 + r[1]) / 2}; };
+  design::EnvelopeSection m = e;
+  m.load.resize(std::min<std::size_t>(m.load.size(), 2));
+  m.fan = e.fan / 2;
+  m.inertia = {std::sqrt(e.inertia[0]), std::sqrt(e.inertia[1])};
+  m.bus = half_way(e.bus);
+  m.resistance = half_way(e.resistance);
+  m.inductance = half_way(e.inductance);
+  m.flux = half_way(e.flux);
+  m.offset[1] = e.offset[1] / 2;
+  m.noise[1] = e.noise[1] / 2;
+  m.delay = half_way(e.delay);
+  m.spinning = 0;
+  return m;
+}
+
 Conditions draw_conditions(const design::Settings& s, RunSeed seed) {
-  const design::EnvelopeSection& e = s.envelope;
+  const design::EnvelopeSection e = seed.disturbed() ? milder(s.envelope) : s.envelope;
   const Drawing d(e, seed);
   Conditions c;
   c.angle_deg = d.draw().uniform(kAngle, 0, 360);

@@ -22,6 +22,10 @@ struct Conditions {
   double speed = 0;           // of the rotor at t = 0, part of the set speed
 };
 
+// The half of an envelope next to the drive file's own values, from rest: where starts are no question,
+// and a disturbance finds all kinds of motors.
+design::EnvelopeSection milder(const design::EnvelopeSection&);
+
 Conditions draw_conditions(const design::Settings&, RunSeed);
 
 // The file's settings with these conditions in place of its own, and a scenario of a start alone.

@@ -32,12 +32,62 @@ Timeline start_timeline(const design::Settings& s, double limit_s) {
   return timeline(only_start);
 }
 
+WitnessSettings witness_settings(const DrawnRun& run) {
+  const design::Settings& s = run.settings;
+  const design::ScenarioSection& n = s.scenario;
+  const double part = run.seed.disturbed() ? run.disturbance.set_speed : 1;
+  return {.run_s = n.run_s,
+          .set_rpm = part * n.speed_rpm * (n.reverse ? -1 : 1),
+          .pole_pairs = s.motor.pole_pairs,
+          .advance_deg = s.loop.advance_deg,
+          .at_rest = n.start_speed_rpm == 0};
+}
+
+// Whole tenths of a millisecond at a time, so that a run ends at the same clock whoever watches it.
+template <class Simulation, class Decided>
+void run_until(Simulation& simulation, std::uint64_t end, double clock_hz, DrawnResult& result,
+               const SimulateOptions& options, const Decided& decided) {
+  const auto chunk = static_cast<std::uint64_t>(1e-4 * clock_hz);
+  while (simulation.clock() < end && !decided() && !result.stopped) {
+    simulation.run_until(std::min(end, simulation.clock() + chunk));
+    result.stopped = options.go_on && !options.go_on();
+  }
+}
+
+// From a settled start on.
+template <class Simulation>
+void disturb(Simulation& simulation, Timeline& events, Aftermath& aftermath, const DrawnRun& run,
+             DrawnResult& result, const SimulateOptions& options) {
+  const design::Settings& s = run.settings;
+  const double clock_hz = s.control.clock_hz;
+  std::vector<PinFault> faults;
+  const std::uint64_t from =
+      add_disturbance(events, faults, run.disturbance, run.file, s, simulation.clock());
+  for (const PinFault& fault : faults) simulation.add(fault);
+  const Trouble kind = run.disturbance.kind;
+  const double rpm = design::rpm_of(run.file, speed_after(run.file, run.disturbance));
+  const double from_s = static_cast<double>(from) / clock_hz;
+  aftermath.disturb({.from_s = from_s,
+                     .until_s = static_cast<double>(events.events.back().clock) / clock_hz,
+                     .set_rpm = rpm * (s.scenario.reverse ? -1 : 1),
+                     .for_good = for_good(kind),
+                     .look_at_freewheeling = kind == Trouble::kDemagnetisation});
+  const auto end = static_cast<std::uint64_t>((from_s + run.limit_s) * clock_hz);
+  run_until(simulation, end, clock_hz, result, options, [&] { return aftermath.decided(); });
+  aftermath.time_is_over();
+}
+
 template <class Engine>
 DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOptions& options) {
   const design::Settings& s = run.settings;
-  const design::ScenarioSection& n = s.scenario;
-  const Timeline events = start_timeline(s, run.limit_s);
-  plant::Plant plant(plant_parameters(s), initial_state(s, n.start_angle_deg));
+  Timeline events = start_timeline(s, run.limit_s);
+  if (run.seed.disturbed()) {
+    for (Event& e : events.events) {
+      e.command.set_speed =
+          run.disturbance.set_speed * design::steps_per_second(run.file, run.file.scenario.speed_rpm);
+    }
+  }
+  plant::Plant plant(plant_parameters(s), initial_state(s, s.scenario.start_angle_deg));
 
   std::optional<Recorder> recorder;
   if (options.record != nullptr || options.trace != nullptr) {
@@ -45,22 +95,17 @@ DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOpt
     settings.steady_end_s = settings.duration_s = options.record_s > 0 ? options.record_s : run.limit_s;
     recorder.emplace(settings, options.trace);
   }
-  Witness witness({.run_s = n.run_s,
-                   .set_rpm = n.speed_rpm * (n.reverse ? -1 : 1),
-                   .pole_pairs = s.motor.pole_pairs,
-                   .advance_deg = s.loop.advance_deg,
-                   .at_rest = n.start_speed_rpm == 0},
-                  recorder ? &*recorder : nullptr);
-  Cosimulation simulation(engine, plant, events, witness, s.control.clock_hz);
+  Aftermath aftermath(witness_settings(run), recorder ? &*recorder : nullptr);
+  Cosimulation simulation(engine, plant, events, aftermath, s.control.clock_hz);
   const auto began = std::chrono::steady_clock::now();
   DrawnResult result;
-  // Whole tenths of a millisecond, so that a run ends at the same clock whoever watches it.
-  const auto chunk = static_cast<std::uint64_t>(1e-4 * s.control.clock_hz);
-  while (simulation.clock() < events.clocks && !witness.decided() && !result.stopped) {
-    simulation.run_until(std::min(events.clocks, simulation.clock() + chunk));
-    result.stopped = options.go_on && !options.go_on();
+  run_until(simulation, events.clocks, s.control.clock_hz, result, options,
+            [&] { return aftermath.start_decided(); });
+  result.findings = aftermath.start();
+  if (run.seed.disturbed() && result.findings.outcome == Outcome::kStarted) {
+    disturb(simulation, events, aftermath, run, result, options);
   }
-  result.findings = witness.findings();
+  result.after = aftermath.findings();
   if (options.record != nullptr) {
     *options.record = recorder->take();
     Record& r = *options.record;
@@ -77,7 +122,14 @@ DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOpt
 DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
   DrawnRun run;
   run.seed = seed;
+  run.file = file;
   run.conditions = draw_conditions(file, seed);
+  if (seed.disturbed()) run.disturbance = draw_disturbance(file, run.conditions, seed);
+  if (seed.disturbed() && run.disturbance.kind == Trouble::kDemagnetisation) {
+    // The load of this one comes later.
+    run.conditions.load = run.conditions.fan = 0;
+    run.conditions.inductance = inductance_for(file, run.disturbance);
+  }
   run.settings = settings_under(file, run.conditions, seed);
   run.parameters = design::design_drive(file).parameters;
   run.words = hls_words(design::quantise(run.parameters, file.control.clock_hz).words);

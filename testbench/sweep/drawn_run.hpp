@@ -11,24 +11,29 @@
 #include "hls/six_step/words.hpp"
 #include "model/design/parameters.hpp"
 #include "testbench/run/run_drive.hpp"
+#include "testbench/sweep/aftermath.hpp"
 #include "testbench/sweep/conditions.hpp"
+#include "testbench/sweep/disturbance.hpp"
 #include "testbench/sweep/witness.hpp"
 
 namespace steplock {
 
 struct DrawnRun {
   RunSeed seed;
+  design::Settings file;
   Conditions conditions;
   design::Settings settings;        // of the plant: the drawn ones
   design::Parameters parameters;    // of the drive: the file's
   Words words;                      // of the drive: the file's
-  double limit_s = 0;               // the run is over then, whatever became of it
+  double limit_s = 0;               // the start is over then, whatever became of it
+  Disturbance disturbance;          // if the seed says so; its aftermath has limit_s anew
 };
 
 DrawnRun drawn_run(const design::Settings& file, RunSeed);
 
 struct DrawnResult {
-  Findings findings;
+  Findings findings;            // of the start
+  AfterFindings after;          // of the disturbance
   bool stopped = false;         // by go_on(): the findings mean nothing
   bool rtl_agrees = true;       // if it was beside
   std::string rtl_difference;   // where, if not

@@ -20,6 +20,8 @@ std::string cell(std::uint64_t x) { return fmt::format("{}", x); }
 std::string cell(const std::string& x) { return x; }
 std::string cell(Outcome x) { return name_of(x); }
 std::string cell(Reason x) { return name_of(x); }
+std::string cell(Trouble x) { return name_of(x); }
+std::string cell(After x) { return name_of(x); }
 
 template <class Number>
 bool number(const std::string& text, Number& x) {
@@ -57,6 +59,9 @@ bool parse(const std::string& t, Reason& x) {
   return parse(t, x, static_cast<int>(Reason::kHallCode) + 1);
 }
 
+bool parse(const std::string& t, Trouble& x) { return parse(t, x, kTroubles); }
+bool parse(const std::string& t, After& x) { return parse(t, x, kAfters); }
+
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells;
   std::size_t from = 0;
@@ -70,10 +75,10 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-std::string csv_header() {
+std::string csv_header(Matrix matrix) {
   std::string text;
   Row row;
-  for_each_column(row, [&](const char* name, auto&) {
+  for_each_column(matrix, row, [&](const char* name, auto&) {
     text += fmt::format("{}{}", text.empty() ? "" : ",", name);
   });
   return text;
@@ -82,18 +87,18 @@ std::string csv_header() {
 std::string csv_line(const Row& row) {
   std::string text;
   bool first = true;
-  for_each_column(row, [&](const char*, const auto& value) {
+  for_each_column(row.matrix(), row, [&](const char*, const auto& value) {
     text += (first ? "" : ",") + cell(value);
     first = false;
   });
   return text;
 }
 
-Row parse_csv_line(const std::string& text, const std::string& path, int line) {
+Row parse_csv_line(Matrix matrix, const std::string& text, const std::string& path, int line) {
   const std::vector<std::string> cells = split(text);
   Row row;
   std::size_t k = 0;
-  for_each_column(row, [&](const char* name, auto& value) {
+  for_each_column(matrix, row, [&](const char* name, auto& value) {
     if (k >= cells.size() || !parse(cells[k], value)) {
       throw BadInput(fmt::format("{}:{}: {} is \"{}\"; remove this line and go on with --resume", path,
                                  line, name, k < cells.size() ? cells[k] : ""));
@@ -112,10 +117,12 @@ std::vector<Row> read_rows(const std::string& path) {
   if (!in) throw BadInput(fmt::format("{}:1: cannot read this file; check the name", path));
   std::vector<Row> rows;
   std::string text;
+  Matrix matrix = Matrix::kStart;
   for (int line = 1; std::getline(in, text) && !in.eof(); ++line) {
     if (line > 1) {
-      rows.push_back(parse_csv_line(text, path, line));
-    } else if (text != csv_header()) {
+      rows.push_back(parse_csv_line(matrix, text, path, line));
+    } else if (matrix = text == csv_header(Matrix::kDisturb) ? Matrix::kDisturb : Matrix::kStart;
+               text != csv_header(matrix)) {
       throw BadInput(fmt::format("{}:1: these are not the columns of this version; begin anew in "
                                  "another folder", path));
     }

@@ -9,7 +9,8 @@
 #include <string>
 
 #include "testbench/sweep/conditions.hpp"
-#include "testbench/sweep/witness.hpp"
+#include "testbench/sweep/aftermath.hpp"
+#include "testbench/sweep/disturbance.hpp"
 
 namespace steplock {
 
@@ -20,17 +21,17 @@ struct Row {
   bool outside = false;      // drawn outside the envelope
   std::string rtl;           // "": not repeated; "equal"; or where the RTL differed
   Conditions conditions;
-  Findings findings;
+  Findings findings;         // of the start
+  Disturbance disturbance;   // of a seed that says so
+  AfterFindings after;
+
+  Matrix matrix() const { return RunSeed{seed}.disturbed() ? Matrix::kDisturb : Matrix::kStart; }
 };
 
-// visit(name, value) for each column, in order.
+// visit(name, value) for each column of a start or of a disturbance, in order.
 template <class R, class Visitor>
-void for_each_column(R& r, Visitor&& visit) {
-  auto& c = r.conditions;
+void for_each_start_column(R& r, Visitor&& visit) {
   auto& f = r.findings;
-  visit("index", r.index);
-  visit("drive", r.drive);
-  visit("seed", r.seed);
   visit("outside", r.outside);
   visit("outcome", f.outcome);
   visit("reason", f.reason);
@@ -42,6 +43,44 @@ void for_each_column(R& r, Visitor&& visit) {
   visit("lost_locks", f.lost_locks);
   visit("slips", f.slips);
   visit("end_s", f.end_s);
+}
+
+template <class R, class Visitor>
+void for_each_disturbance_column(R& r, Visitor&& visit) {
+  auto& d = r.disturbance;
+  auto& f = r.after;
+  visit("kind", d.kind);
+  visit("size", d.size);
+  visit("duration_s", d.duration_s);
+  visit("set_speed", d.set_speed);
+  visit("steps_per_s", d.steps_per_s);
+  visit("outcome", f.outcome);
+  visit("reason", f.reason);
+  visit("recovery_s", f.recovery_s);
+  visit("lost_s", f.lost_s);
+  visit("fault_s", f.fault_s);
+  visit("dip", f.dip);
+  visit("peak_current_a", f.peak_current_a);
+  visit("demagnetisation_deg", f.demagnetisation_deg);
+  visit("retries", f.retries);
+  visit("lost_locks", f.lost_locks);
+  visit("slips", f.slips);
+  visit("disturbed_s", f.disturbed_s);
+  visit("end_s", f.end_s);
+  visit("start", r.findings.outcome);
+}
+
+template <class R, class Visitor>
+void for_each_column(Matrix matrix, R& r, Visitor&& visit) {
+  auto& c = r.conditions;
+  visit("index", r.index);
+  visit("drive", r.drive);
+  visit("seed", r.seed);
+  if (matrix == Matrix::kStart) {
+    for_each_start_column(r, visit);
+  } else {
+    for_each_disturbance_column(r, visit);
+  }
   visit("angle_deg", c.angle_deg);
   visit("load", c.load);
   visit("fan", c.fan);
@@ -59,10 +98,10 @@ void for_each_column(R& r, Visitor&& visit) {
   visit("rtl", r.rtl);
 }
 
-std::string csv_header();
+std::string csv_header(Matrix);
 std::string csv_line(const Row&);  // without the newline
 // Throws BadInput, `file:line: what; how to mend`.
-Row parse_csv_line(const std::string& text, const std::string& path, int line);
+Row parse_csv_line(Matrix, const std::string& text, const std::string& path, int line);
 // Rows of a whole file; a last line without its newline, left by a machine that stopped, is dropped.
 std::vector<Row> read_rows(const std::string& path);
 

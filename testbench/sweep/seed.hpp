@@ -2,7 +2,7 @@
 //
 //     bits  52 .. 3   drawn from the sweep's seed and the run's index
 //           2         repeated on the RTL
-//           1         zero
+//           1         a disturbance of a running drive, else a start alone
 //           0         drawn from outside the envelope
 //
 // 53 bits, so that it is exact wherever numbers are doubles.
@@ -20,10 +20,14 @@ struct RunSeed {
   std::uint64_t value = 0;
 
   bool outside() const { return (value & 1) != 0; }
+  bool disturbed() const { return (value & 2) != 0; }
   bool on_rtl() const { return (value & 4) != 0; }
 };
 
+enum class Matrix { kStart, kDisturb };
+
 struct SweepKind {
+  Matrix matrix = Matrix::kStart;
   std::uint64_t seed = 1;
   double outside = 0;  // part of the runs drawn outside the envelope
   double rtl = 0.01;   // part of the runs repeated on the RTL
@@ -32,6 +36,7 @@ struct SweepKind {
 inline RunSeed run_seed(const SweepKind& kind, std::uint64_t index) {
   const Draw draw(scramble(kind.seed) ^ index);
   const std::uint64_t flags = std::uint64_t{draw.unit(1) < kind.outside} |
+                              std::uint64_t{kind.matrix == Matrix::kDisturb} << 1 |
                               std::uint64_t{draw.unit(2) < kind.rtl} << 2;
   return {draw.bits(0) >> 14 << 3 | flags};
 }

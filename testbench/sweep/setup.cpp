@@ -16,13 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// FNV-1a, 64 bits.
-std::string fingerprint(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
-}
-
 // Of the file and of what the design library makes of it: either may change the runs.
 std::string fingerprint(const DriveFile& file) {
   std::ostringstream text;
@@ -31,10 +24,16 @@ std::string fingerprint(const DriveFile& file) {
   for (const auto& word : design::quantise(design::design_drive(s).parameters, s.control.clock_hz).rows) {
     text << ' ' << word.word;
   }
-  return fingerprint(text.str());
+  return digest(text.str());
 }
 
 }  // namespace
+
+std::string digest(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
 
 SweepSetup sweep_setup(const SweepKind& kind, std::uint64_t runs, const std::vector<DriveFile>& files) {
   SweepSetup setup{.kind = kind, .runs = runs, .drives = {}};
@@ -74,6 +73,7 @@ std::vector<std::size_t> drives_of_runs(const SweepSetup& setup) {
 std::string setup_text(const SweepSetup& s) {
   Json j;
   j["seed"] = s.kind.seed;
+  j["matrix"] = s.kind.matrix == Matrix::kDisturb ? "disturb" : "start";
   j["outside"] = s.kind.outside;
   j["rtl"] = s.kind.rtl;
   j["runs"] = s.runs;
@@ -89,7 +89,8 @@ SweepSetup read_setup(const std::string& path) {
   try {
     const Json j = Json::parse(in);
     SweepSetup s;
-    s.kind = {.seed = j.at("seed"),
+    s.kind = {.matrix = j.at("matrix") == "disturb" ? Matrix::kDisturb : Matrix::kStart,
+              .seed = j.at("seed"),
               .outside = j.at("outside"),
               .rtl = j.at("rtl")};
     s.runs = j.at("runs");
@@ -110,6 +111,7 @@ void check_same_sweep(const SweepSetup& mine, const SweepSetup& other, const std
     }
   };
   const SweepKind &a = mine.kind, &b = other.kind;
+  need(a.matrix == b.matrix, "this is the other matrix");
   need(a.seed == b.seed, fmt::format("the seed is {}, not {}", b.seed, a.seed));
   need(a.outside == b.outside, fmt::format("outside is {:g}, not {:g}", b.outside, a.outside));
   need(a.rtl == b.rtl, fmt::format("the RTL's share is {:g}, not {:g}", b.rtl, a.rtl));

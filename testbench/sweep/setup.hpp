@@ -39,6 +39,7 @@ SweepSetup sweep_setup(const SweepKind&, std::uint64_t runs, const std::vector<D
 // The drive of each run, as an index into setup.drives.
 std::vector<std::size_t> drives_of_runs(const SweepSetup&);
 
+std::string digest(const std::string& text);  // FNV-1a, 64 bits, in hexadecimal
 std::string setup_text(const SweepSetup&);                   // setup.json
 SweepSetup read_setup(const std::string& path);              // throws BadInput
 // Throws BadInput at `path` if the two are not parts of one sweep; their numbers of runs may differ.

@@ -1,5 +1,7 @@
 #include "testbench/sweep/statistics.hpp"
 
+#include "testbench/sweep/disturbance_statistics.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,11 +72,20 @@ std::size_t with_retries(const Rows& rows) {
 std::vector<const Row*> failures(const std::vector<Row>& rows) {
   return select(rows, [](const Row& r) {
     const Findings& f = r.findings;
+    if (r.matrix() == Matrix::kDisturb) return !disturbance_well(r);
     if (f.outcome == Outcome::kStarted) return false;
     // Outside, a lock that holds but cannot reach the set speed is no failure either.
     const bool holds = f.outcome == Outcome::kUnfinished && f.lock_time_s && f.slips == 0;
     return !(r.outside && (f.outcome == Outcome::kLatched || holds));
   });
+}
+
+std::string prefix_digest(const std::vector<Row>& rows, std::uint64_t count) {
+  std::string text;
+  for (const Row& r : rows) {
+    if (r.index < count) text += csv_line(r) + "\n";
+  }
+  return digest(text);
 }
 
 bool passed(const SweepSetup& setup, const std::vector<Row>& rows) {
@@ -83,6 +94,7 @@ bool passed(const SweepSetup& setup, const std::vector<Row>& rows) {
 }
 
 Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
+  if (setup.kind.matrix == Matrix::kDisturb) return disturbance_json(setup, rows, passed(setup, rows));
   const Rows all = select(rows, [](const Row&) { return true; });
   const Rows inside = select(rows, [](const Row& r) { return !r.outside; });
   const Rows outside = select(rows, [](const Row& r) { return r.outside; });
@@ -116,6 +128,7 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
 }
 
 std::string sweep_text(const SweepSetup& setup, const std::vector<Row>& rows) {
+  if (setup.kind.matrix == Matrix::kDisturb) return disturbance_text(setup, rows, passed(setup, rows));
   const Json j = sweep_json(setup, rows);
   const auto cell = [](const Json& x) { return x.is_null() ? "-" : fmt::format("{:.4g}", x.get<double>()); };
   std::string t = fmt::format("{:<18}{:>7}{:>9}{:>9}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", "inside", "runs",

@@ -24,11 +24,16 @@ std::string sweep_text(const SweepSetup&, const std::vector<Row>&);  // for a te
 
 // Runs inside the envelope that did not start, and runs outside it that did not end as they must.
 std::vector<const Row*> failures(const std::vector<Row>&);
+// A fingerprint of the first `count` runs, which are the same in a longer sweep: with it a page can tell
+// whether it is stale.  The rows are in the order of their index.
+std::string prefix_digest(const std::vector<Row>&, std::uint64_t count);
 // Every run is here, none failed, and the RTL agreed wherever it was asked.
 bool passed(const SweepSetup&, const std::vector<Row>&);
 
 // sweep.json, sweep.html and its figures; returns warnings.
 std::vector<std::string> write_sweep_report(const SweepSetup&, const std::vector<Row>&,
                                             const std::filesystem::path& folder);
+// The sweep as a committed page: PAGE.md, PAGE.json (the statistics and a prefix digest), figures/.
+void write_sweep_page(const SweepSetup&, const std::vector<Row>&, const std::filesystem::path& page);
 
 }  // namespace steplock

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const std::vector<Row>& rows) {
-  std::string text = csv_header() + "\n";
+std::string text_of(const SweepSetup& setup, const std::vector<Row>& rows) {
+  std::string text = csv_header(setup.kind.matrix) + "\n";
   for (const Row& row : rows) text += csv_line(row) + "\n";
   return text;
 }
@@ -55,12 +55,14 @@ std::optional<Row> make_row(std::uint64_t index, const std::string& drive, const
   const DrawnResult result = simulate(run, {.go_on = go_on});
   if (result.stopped) return std::nullopt;
   Row row{.index = index, .drive = drive, .seed = seed.value, .outside = seed.outside(), .rtl = "",
-          .conditions = run.conditions, .findings = result.findings};
+          .conditions = run.conditions, .findings = result.findings, .disturbance = run.disturbance,
+          .after = result.after};
   if (!seed.on_rtl()) return row;
   const DrawnResult again = simulate(run, {.rtl_beside = true, .go_on = go_on});
   if (again.stopped) return std::nullopt;
   Row other = row;
   other.findings = again.findings;
+  other.after = again.after;
   row.rtl = !again.rtl_agrees                  ? again.rtl_difference
             : csv_line(other) != csv_line(row) ? "another outcome"
                                                : "equal";
@@ -74,7 +76,7 @@ SweepEnd sweep(const SweepSetup& setup, const std::vector<DriveFile>& files,
   fs::create_directories(folder);
   replace_file(folder / "setup.json", setup_text(setup));
   // A line that a stopped machine left half written must not be continued.
-  replace_file(folder / "runs.csv", text_of(end.rows));
+  replace_file(folder / "runs.csv", text_of(setup, end.rows));
 
   std::set<std::uint64_t> have;
   for (const Row& row : end.rows) have.insert(row.index);
@@ -96,7 +98,7 @@ SweepEnd sweep(const SweepSetup& setup, const std::vector<DriveFile>& files,
   };
   tasks.take = [&](const std::string& line) {
     if (!(out << line + '\n' << std::flush)) throw std::runtime_error(csv + ": cannot write this file");
-    end.rows.push_back(parse_csv_line(line, csv, static_cast<int>(end.rows.size()) + 2));
+    end.rows.push_back(parse_csv_line(setup.kind.matrix, line, csv, static_cast<int>(end.rows.size()) + 2));
     ++end.done;
   };
   tasks.go_on = [&] {
@@ -106,7 +108,7 @@ SweepEnd sweep(const SweepSetup& setup, const std::vector<DriveFile>& files,
   do_in_processes(tasks);
   out.close();
   sort_rows(end.rows);
-  replace_file(csv, text_of(end.rows));
+  replace_file(csv, text_of(setup, end.rows));
   return end;
 }
 
@@ -133,7 +135,7 @@ SweepEnd merge_sweeps(const std::vector<fs::path>& parts, const fs::path& folder
   for (const auto& [index, row] : rows) end.rows.push_back(row);
   fs::create_directories(folder);
   replace_file(folder / "setup.json", setup_text(setup));
-  replace_file(folder / "runs.csv", text_of(end.rows));
+  replace_file(folder / "runs.csv", text_of(setup, end.rows));
   return end;
 }
 

@@ -6,6 +6,7 @@
 #include "testbench/report/figure.hpp"
 #include "testbench/report/page.hpp"
 #include "testbench/report/report.hpp"
+#include "testbench/sweep/disturbance_statistics.hpp"
 #include "testbench/sweep/statistics.hpp"
 
 namespace steplock {
@@ -63,6 +64,7 @@ Panel dots(const SweepSetup& setup, const std::vector<Row>& rows, const char* la
 }
 
 std::vector<Figure> sweep_figures(const SweepSetup& setup, const std::vector<Row>& rows) {
+  if (setup.kind.matrix == Matrix::kDisturb) return disturbance_figures(setup, rows);
   const auto lock = [](const Row& r) { return started(r) ? r.findings.lock_time_s : std::nullopt; };
   std::vector<Figure> all;
   all.push_back(shares(setup, rows,
@@ -111,6 +113,13 @@ std::string table_row(const std::string& name, const Json& part, const Json& spr
 
 std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
                        const std::vector<PageFigure>& figures) {
+  if (setup.kind.matrix == Matrix::kDisturb) {
+    std::string page = "<h1>Disturbances</h1>\n<pre>" + escaped(sweep_text(setup, rows)) + "</pre>\n";
+    for (const PageFigure& f : figures) {
+      page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg, escaped(f.caption));
+    }
+    return html_page("Sweep", page);
+  }
   const Json j = sweep_json(setup, rows);
   const bool well = passed(setup, rows);
   std::string page = fmt::format(
@@ -159,6 +168,17 @@ std::vector<std::string> write_sweep_report(const SweepSetup& setup, const std::
   }
   write_file(folder / "sweep.html", sweep_page(setup, rows, figures));
   return warnings;
+}
+
+void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {
+  constexpr std::uint64_t kPrefix = 50;
+  draw_all(sweep_figures(setup, rows), page.parent_path() / "figures");
+  Json j = sweep_json(setup, rows);
+  const std::uint64_t prefix = std::min(kPrefix, setup.runs);
+  j["prefix"] = {{"runs", prefix}, {"digest", prefix_digest(rows, prefix)}};
+  std::filesystem::path json = page;
+  write_file(json.replace_extension(".json"), j.dump(1) + "\n");
+  write_file(page, disturbance_page(setup, rows, passed(setup, rows)));
 }
 
 }  // namespace steplock

@@ -91,7 +91,7 @@ TEST_F(Sweep, ResumedIsTheWholeByteForByte) {
 TEST_F(Sweep, IsNotOverwrittenAndNotMixed) {
   const fs::path folder = fresh("mixed");
   fs::create_directories(folder);
-  std::ofstream(folder / "runs.csv") << csv_header() << '\n';
+  std::ofstream(folder / "runs.csv") << csv_header(Matrix::kStart) << '\n';
   std::ofstream(folder / "setup.json") << setup_text(setup_);
   const auto message = [&](const SweepSetup& setup, bool resume) -> std::string {
     try {
@@ -147,7 +147,7 @@ TEST_F(Sweep, ADriveWithoutTorqueIsLatchedAndCounted) {
   EXPECT_EQ(result.findings.outcome, Outcome::kLatched);
   EXPECT_EQ(result.findings.reason, Reason::kNoLock);
   const Row row{.index = 0, .drive = "short", .seed = 8, .outside = false, .rtl = "", .conditions = run.conditions,
-                .findings = result.findings};
+                .findings = result.findings, .disturbance = {}, .after = {}};
   SweepSetup setup = setup_;
   setup.runs = 1;
   EXPECT_FALSE(passed(setup, {row}));
@@ -164,7 +164,7 @@ TEST_F(Sweep, ADriveThatNeverDoubtsOnABlockedRotorIsASilentStepOutAndCounted) {
   const DrawnResult result = simulate(run);
   EXPECT_EQ(result.findings.outcome, Outcome::kSilentStepOut);
   const Row row{.index = 0, .drive = "short", .seed = 8, .outside = true, .rtl = "", .conditions = run.conditions,
-                .findings = result.findings};
+                .findings = result.findings, .disturbance = {}, .after = {}};
   SweepSetup setup = setup_;
   setup.runs = 1;
   EXPECT_FALSE(passed(setup, {row})) << "not even outside the envelope";
