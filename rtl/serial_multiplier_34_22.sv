@@ -31,6 +31,11 @@ module serial_multiplier_34_22 (
       if (start_i) begin
         high <= 34'd0;
         low <= b_i;
+        if (b_i[0]) begin
+          addend <= a_i;
+        end else begin
+          addend <= 34'd0;
+        end
         left <= 5'd22;
         dropping <= 1'b0;
         done <= 1'b0;
@@ -39,13 +44,14 @@ module serial_multiplier_34_22 (
           5'd0: done <= 1'b0;
           default: begin
             logic [34:0] sum;
-            logic [21:0] joined_58;
-            sum = {high[33], high} + {addend[33], addend};  // line 48
-            joined_58 = {sum[0], low[21:1]};  // line 58
+            logic [21:0] joined_59;
+            sum = {high[33], high} + {addend[33], addend};  // line 46
+            joined_59 = {sum[0], low[21:1]};  // line 59
             case (left)
               5'd1: begin
                 high <= sum[34:1];
-                low <= joined_58;
+                low <= joined_59;
+                addend <= 34'd0;
                 if (dropping) begin
                   left <= left - 5'd1;
                   dropping <= 1'b1;
@@ -62,18 +68,18 @@ module serial_multiplier_34_22 (
               end
               default: begin
                 high <= sum[34:1];
-                low <= joined_58;
+                low <= joined_59;
+                if (!low[1] || dropping) begin
+                  addend <= 34'd0;
+                end else begin
+                  addend <= a_i;
+                end
                 left <= left - 5'd1;
                 done <= 1'b0;
               end
             endcase
           end
         endcase
-      end
-      if (start_i ? b_i[0] : low[1] && !(left == 5'd1 || dropping)) begin
-        addend <= a_i;
-      end else begin
-        addend <= 34'd0;
       end
     end
   end

@@ -42,24 +42,24 @@ class SerialMultiplier {
     const Out out{.product = (Int<WA + WB>(high_) << WB) | Int<WA + WB>(low_),
                   .done = done_,
                   .busy = left_ != 0};
-    // The addend of the next clock, so that an adder and nothing else lies between registers.
     const bool last = left_ == 1;
-    const bool next_bit = in.start ? in.b.bit(0) : low_.bit(1) && !last && !dropping_;
     const auto sum = high_ + addend_;
     const bool drops = last && !dropping_ && in.shift != 0;
     done_ = !in.start && last && !drops;
+    // The addend is that of the next clock, so that an adder and nothing else lies between registers.
     if (in.start) {
       high_ = 0;
       low_ = in.b;
       left_ = WB;
       dropping_ = false;
+      addend_ = in.b.bit(0) ? in.a : Int<WA>(0);
     } else if (left_ != 0) {
+      addend_ = low_.bit(1) && !last && !dropping_ ? in.a : Int<WA>(0);
       high_ = wrap<Int<WA>>(sum >> 1);
       low_ = (low_ >> 1) | (UInt<WB>(sum.bit(0)) << (WB - 1));
       left_ = drops ? Left(in.shift) : wrap<Left>(left_ - 1);
       dropping_ = dropping_ || drops;
     }
-    addend_ = next_bit ? in.a : Int<WA>(0);
     return out;
   }
 
