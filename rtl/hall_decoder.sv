@@ -1,4 +1,4 @@
-// hall_decoder: steplock::HallDecoder, printed by hlsgen from hls/six_step/hall_decoder.hpp:26.
+// hall_decoder: steplock::HallDecoder, printed by hlsgen from hls/six_step/hall_decoder.hpp:27.
 // Do not edit: change the C++ and print again.
 
 module hall_decoder (
@@ -10,7 +10,7 @@ module hall_decoder (
     input  logic [9:0] hold_i,  // clocks
     output logic [2:0] sector_o,  // 0 to 5: of the last legal code
     output logic       legal_o,  // the code that stands is legal
-    output logic       moved_o,  // one clock: the sector is new, and a neighbour of the last
+    output logic       moved_o,  // one clock: the sector is new, and the rotor went on to it
     output logic       reverse_o,  // the last move went down
     output logic       jumped_o  // one clock: the sector is new, and says nothing about speed
 );
@@ -18,11 +18,13 @@ module hall_decoder (
   logic [9:0] left;  // clocks until the code counts
   logic [2:0] sector;  // 0 to 5: of the last legal code
   logic legal;  // of the last code that counted
-  logic moved;  // one clock: to a neighbour
+  logic moved;  // one clock: to a neighbour, in earnest
   logic reverse;  // the last move went down
+  logic sure;  // there was a move since the last jump
+  logic back;  // the sector is the one before the last move's
   logic jumped;  // one clock: to no neighbour
 
-  wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 61
+  wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 68
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -32,9 +34,11 @@ module hall_decoder (
       legal <= 1'b0;
       moved <= 1'b0;
       reverse <= 1'b0;
+      sure <= 1'b0;
+      back <= 1'b0;
       jumped <= 1'b0;
     end else begin
-      code <= code_next;  // line 61
+      code <= code_next;  // line 68
       if (code_next == code) begin
         if (left != 10'd0) begin
           left <= left - 10'd1;
@@ -43,14 +47,15 @@ module hall_decoder (
         left <= hold_i;
       end
       if (left == 10'd0) begin
-        logic [2:0] decoded_sector;  // line 49
+        logic [2:0] decoded_sector;  // line 50
+        logic unequal;
         logic either;
         logic either_2;
-        logic equal;
-        logic [2:0] choice_51;
-        logic equal_51;
         logic [2:0] choice_52;
         logic equal_52;
+        logic [2:0] choice_53;
+        logic equal_53;
+        logic both_57;
         case (code)
           3'd4: decoded_sector = 3'd1;
           3'd6: decoded_sector = 3'd2;
@@ -59,17 +64,16 @@ module hall_decoder (
           3'd1: decoded_sector = 3'd5;
           default: decoded_sector = 3'd0;
         endcase
+        unequal = decoded_sector != sector;
         either = code == 3'd5 || code == 3'd4 || code == 3'd6;
         either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
-        equal = decoded_sector == sector;
-        choice_51 = (sector == 3'd5) ? 3'd0 : sector + 3'd1;  // line 51
-        equal_51 = decoded_sector == choice_51;  // line 51
-        choice_52 = (code == 3'd1) ? 3'd0 : decoded_sector + 3'd1;  // line 52
-        equal_52 = sector == choice_52;  // line 52
+        choice_52 = (sector == 3'd5) ? 3'd0 : sector + 3'd1;  // line 52
+        equal_52 = decoded_sector == choice_52;  // line 52
+        choice_53 = (code == 3'd1) ? 3'd0 : decoded_sector + 3'd1;  // line 53
+        equal_53 = sector == choice_53;  // line 53
+        both_57 = sure && (equal_53 ^ reverse);  // line 57
         if (either_2) begin
-          if (legal && equal) begin
-            jumped <= 1'b0;
-          end else begin
+          if (!legal || unequal) begin
             case (code)
               3'd1: sector <= 3'd5;
               3'd2: sector <= 3'd3;
@@ -78,22 +82,40 @@ module hall_decoder (
               3'd5: sector <= 3'd0;
               default: sector <= 3'd2;
             endcase
-            jumped <= !(legal && (equal_51 || equal_52));
+          end
+          if (legal) begin
+            if (unequal) begin
+              logic either_56;
+              either_56 = equal_52 || equal_53;  // line 56
+              sure <= either_56;
+              back <= either_56 && both_57 && !back;
+              jumped <= !either_56;
+            end else begin
+              jumped <= 1'b0;
+            end
+          end else begin
+            sure <= 1'b0;
+            back <= 1'b0;
+            jumped <= 1'b1;
           end
         end else begin
           jumped <= 1'b0;
         end
         legal <= either_2;
         if (legal) begin
-          if (equal) begin
-            moved <= 1'b0;
-          end else if (either_2) begin
-            if (equal_52) begin
-              moved <= 1'b1;
-              reverse <= 1'b1;
+          if (either_2) begin
+            if (unequal) begin
+              if (both_57 ^ back) begin
+                moved <= 1'b0;
+              end else if (equal_53) begin
+                moved <= 1'b1;
+                reverse <= 1'b1;
+              end else begin
+                moved <= equal_52;
+                reverse <= !equal_52 && reverse;
+              end
             end else begin
-              moved <= equal_51;
-              reverse <= !equal_51 && reverse;
+              moved <= 1'b0;
             end
           end else begin
             moved <= 1'b0;

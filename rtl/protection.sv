@@ -1,4 +1,4 @@
-// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:27.
+// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:29.
 // Do not edit: change the C++ and print again.
 
 module protection (
@@ -7,8 +7,9 @@ module protection (
     input  logic        running_i,  // locked and under speed control
     input  logic        tick_i,  // time base of the wrong-lock test
     input  logic        commutate_i,  // a new step began
-    input  logic        good_i,  // strobe: a crossing near its place
-    input  logic        missed_i,  // strobe: a step without a crossing
+    input  logic        update_i,  // strobe: a step had its crossing, or ended without
+    input  logic        good_i,  // with `update`: a crossing near its place
+    input  logic        missed_i,  // with `update`: a step without a crossing
     input  logic        slow_i,  // the VCO's frequency is below `stall`
     input  logic        slips_i,  // the duty is more than the back-EMF explains
     input  logic [15:0] freewheel_i,  // u0.16, of the present or last step
@@ -16,7 +17,7 @@ module protection (
     input  logic        fault_pin_i,  // synchronised
     input  logic        hall_i,  // steps come from the Hall sensors
     input  logic        hall_illegal_i,  // their code is 000 or 111
-    input  logic [5:0]  words_misses_i,  // lost lock: a miss scores 2, a good crossing takes 1; 0 disables
+    input  logic [5:0]  words_misses_i,  // lost lock: a miss scores 2, a far crossing 1, a good one -1; 0: off
     input  logic [25:0] words_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
@@ -35,30 +36,30 @@ module protection (
   localparam logic [3:0] Reason_kWrongLock = 4'd5;
   localparam logic [3:0] Reason_kHallCode = 4'd8;
 
-  logic [6:0] score;  // of missed crossings
+  logic [6:0] score;  // of missed and far crossings
   logic [2:0] slow;  // slow steps in a row
   logic [11:0] wrong;  // ticks more that may look like a wrong lock
   logic [1:0] hall;  // ticks in a row with an illegal code
 
   wire [6:0] choice =
-      missed_i ? score + 7'd2 :
+      (missed_i || (update_i && !(good_i || hall_i))) ? {5'd0, missed_i ? 2'd2 : 2'd1} + score :
       (good_i && score != 7'd0) ? score - 7'd1 :
       score;
   wire [6:0] score_next = running_i ? choice : 7'd0;
-  wire both_68 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 68
-  wire [2:0] choice_93 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 93
-  wire [2:0] choice_93_2 = commutate_i ? choice_93 : slow;  // line 93
-  wire both_69 = running_i && choice_93_2 == 3'd6;  // line 69
-  wire below_53 = words_freewheel_i < freewheel_i;  // line 53
-  wire [11:0] choice_103 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 103
-  wire [11:0] choice_2 = tick_i ? ((slips_i || below_53) ? choice_103 : words_wrong_lock_i) : wrong;
+  wire both_71 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 71
+  wire [2:0] choice_97 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 97
+  wire [2:0] choice_97_2 = commutate_i ? choice_97 : slow;  // line 97
+  wire both_72 = running_i && choice_97_2 == 3'd6;  // line 72
+  wire below_56 = words_freewheel_i < freewheel_i;  // line 56
+  wire [11:0] choice_107 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 107
+  wire [11:0] choice_2 = tick_i ? ((slips_i || below_56) ? choice_107 : words_wrong_lock_i) : wrong;
   wire [11:0] wrong_next = running_i ? choice_2 : words_wrong_lock_i;
-  wire both_70 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 70
-  wire [1:0] choice_110 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 110
-  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_110 : 2'd0) : hall;
-  wire both_71 = running_i && choice_3 == 2'd2;  // line 71
-  wire below_67 = words_over_current_i - 4'd1 < stuck_i;  // line 67
-  wire fatal = fault_pin_i || below_67;  // line 72
+  wire both_73 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 73
+  wire [1:0] choice_114 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 114
+  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_114 : 2'd0) : hall;
+  wire both_74 = running_i && choice_3 == 2'd2;  // line 74
+  wire below_70 = words_over_current_i - 4'd1 < stuck_i;  // line 70
+  wire fatal = fault_pin_i || below_70;  // line 75
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -69,7 +70,7 @@ module protection (
     end else begin
       score <= score_next;
       if (running_i) begin
-        slow <= choice_93_2;
+        slow <= choice_97_2;
         hall <= choice_3;
       end else begin
         slow <= 3'd0;
@@ -79,18 +80,18 @@ module protection (
     end
   end
 
-  assign lost_o = both_68 || both_69 || both_70 || both_71;
+  assign lost_o = both_71 || both_72 || both_73 || both_74;
   assign fatal_o = fatal;
   assign reason_o =
-      (fatal || both_68) ?
+      (fatal || both_71) ?
       (fault_pin_i ? Reason_kFaultPin :
-      below_67 ? Reason_kOverCurrent :
+      below_70 ? Reason_kOverCurrent :
       Reason_kStepOut) :
-      both_69 ? Reason_kStall :
-      both_70 ? Reason_kWrongLock :
-      both_71 ? Reason_kHallCode :
+      both_72 ? Reason_kStall :
+      both_73 ? Reason_kWrongLock :
+      both_74 ? Reason_kHallCode :
       Reason_kNone;
-  assign freewheel_long_o = commutate_i && below_53;
+  assign freewheel_long_o = commutate_i && below_56;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_stall_i, words_slip_i};

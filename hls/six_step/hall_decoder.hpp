@@ -9,10 +9,11 @@
 //
 // A change to a neighbour is a `move`: it tells direction and, by the time since the last one, speed.
 // Any other change, the first legal code after reset or after an illegal one too, is a `jump`: it
-// tells the sector and nothing else.
+// tells the sector and nothing else.  An edge of a slow rotor chatters for longer than any hold: a
+// step back to the last sector and the return from there are no moves; a second step back is one.
 //
 //     latency      hold + 2 clocks from the pins' synchronisers to the outputs
-//     registers    20 bits     multipliers  none
+//     registers    22 bits     multipliers  none
 //
 // Doc: docs/blocks/hall_decoder.md   Test: tests/hls/hall_decoder_test.cpp
 
@@ -35,7 +36,7 @@ class HallDecoder {
   struct Out {
     UInt<3> sector = 0;    // 0 to 5: of the last legal code
     bool legal = false;    // the code that stands is legal
-    bool moved = false;    // one clock: the sector is new, and a neighbour of the last
+    bool moved = false;    // one clock: the sector is new, and the rotor went on to it
     bool reverse = false;  // the last move went down
     bool jumped = false;   // one clock: the sector is new, and says nothing about speed
   };
@@ -52,9 +53,15 @@ class HallDecoder {
     const bool down = sector_ == (decoded.sector == 5 ? UInt<3>(0)
                                                       : wrap<UInt<3>>(decoded.sector + 1));
     const bool changed = accept && decoded.legal && (!legal_ || decoded.sector != sector_);
-    moved_ = changed && legal_ && (up || down);
-    jumped_ = changed && !(legal_ && (up || down));
-    if (changed && legal_ && (up || down)) reverse_ = down;
+    const bool neighbour = changed && legal_ && (up || down);
+    const bool turns = sure_ && down != reverse_;
+    moved_ = neighbour && turns == back_;
+    jumped_ = changed && !neighbour;
+    if (changed) {
+      back_ = neighbour && turns && !back_;
+      sure_ = neighbour;
+    }
+    if (moved_) reverse_ = down;
     if (changed) sector_ = decoded.sector;
     if (accept) legal_ = decoded.legal;
 
@@ -97,8 +104,10 @@ class HallDecoder {
   UInt<10> left_ = 0;     // clocks until the code counts
   UInt<3> sector_ = 0;    // 0 to 5: of the last legal code
   bool legal_ = false;    // of the last code that counted
-  bool moved_ = false;    // one clock: to a neighbour
+  bool moved_ = false;    // one clock: to a neighbour, in earnest
   bool reverse_ = false;  // the last move went down
+  bool sure_ = false;     // there was a move since the last jump
+  bool back_ = false;     // the sector is the one before the last move's
   bool jumped_ = false;   // one clock: to no neighbour
 };
 

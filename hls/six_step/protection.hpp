@@ -1,6 +1,8 @@
 // Protection: says when a lock is no longer one, and what must end the drive at once.
 //
-//     step-out     score + 2 per missed crossing, - 1 per good one, at `misses`
+//     step-out     score + 2 per missed crossing, + 1 per one far from its place, - 1 per good one,
+//                  at `misses`.  Far ones count since a rotor that stands shows some, too: the
+//                  decay of the commutated current, then noise
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   a stable lock on a wrong edge keeps its phase error small; it shows in current
 //                  (duty - duty of the back-EMF > slip: voltage that only resistance can take) or
@@ -30,8 +32,9 @@ class Protection {
     bool running = false;       // locked and under speed control
     bool tick = false;          // time base of the wrong-lock test
     bool commutate = false;     // a new step began
-    bool good = false;          // strobe: a crossing near its place
-    bool missed = false;        // strobe: a step without a crossing
+    bool update = false;        // strobe: a step had its crossing, or ended without
+    bool good = false;          // with `update`: a crossing near its place
+    bool missed = false;        // with `update`: a step without a crossing
     bool slow = false;          // the VCO's frequency is below `stall`
     bool slips = false;         // the duty is more than the back-EMF explains
     Phase freewheel = 0;        // u0.16, of the present or last step
@@ -85,8 +88,9 @@ class Protection {
 
  private:
   void watch_steps(const In& in) {
-    if (in.missed) {
-      score_ = wrap<UInt<7>>(score_ + 2);
+    const bool far = in.update && !in.good && !in.hall;
+    if (in.missed || far) {
+      score_ = wrap<UInt<7>>(score_ + (in.missed ? UInt<2>(2) : UInt<2>(1)));
     } else if (in.good && score_ != 0) {
       score_ = wrap<UInt<7>>(score_ - 1);
     }
@@ -112,7 +116,7 @@ class Protection {
     }
   }
 
-  UInt<7> score_ = 0;  // of missed crossings
+  UInt<7> score_ = 0;  // of missed and far crossings
   UInt<3> slow_ = 0;   // slow steps in a row
   Ticks wrong_ = Ticks::max();  // ticks more that may look like a wrong lock
   UInt<2> hall_ = 0;   // ticks in a row with an illegal code

@@ -183,6 +183,7 @@ class SixStepTop {
     const auto protection = protection_.tick({.running = start.running,
                                               .tick = tick_,
                                               .commutate = divider.commutate || divider.elapsed,
+                                              .update = detector.update,
                                               .good = detector.good,
                                               .missed = detector.missed,
                                               .slow = filter.slow,

@@ -193,7 +193,7 @@ void set_start(const Settings& s, Design& d) {
   p.good_crossings = t.good_crossings;
   p.pull_in = t.pull_in_s.value_or(1.0);
   // Enough changes of sector at hand-over speed; what turns slower, the reset stops.
-  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.1));
+  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.5));
   p.slow_down = t.slow_down_s.value_or(2.0);
   p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
   // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus.

@@ -1,6 +1,7 @@
 // Protection: when a lock is no longer one (ends the try), and what ends the drive at once.
 //
-//     step-out     score + 2 per missed crossing, - 1 per good one, at `misses`
+//     step-out     score + 2 per missed crossing, + 1 per one far from its place, - 1 per good
+//                  one, at `misses`
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   duty - back-EMF's duty > slip, or freewheeling beyond `freewheel` of a step, for
 //                  `wrong_lock` in a row
@@ -22,7 +23,8 @@ class Protection {
       : p_(p), wrong_ticks_(std::lround(p.wrong_lock / tick)) {}
 
   struct In {
-    bool running = false, tick = false, commutated = false, good = false, missed = false;
+    bool running = false, tick = false, commutated = false;
+    bool updated = false, good = false, missed = false;  // the phase detector
     bool hall = false, hall_illegal = false, fault_pin = false;
     double frequency = 0, slip = 0, freewheel = 0;
     int stuck = 0;
@@ -32,6 +34,7 @@ class Protection {
       score_ = slow_ = wrong_ = illegal_ = 0;
     } else {
       if (in.missed) score_ += 2;
+      if (in.updated && !in.good && !in.missed && !in.hall) ++score_;
       if (in.good && score_ > 0) --score_;
       if (in.commutated) slow_ = in.frequency < p_.stall ? slow_ + 1 : 0;
       if (in.tick) {

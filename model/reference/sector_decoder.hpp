@@ -3,6 +3,8 @@
 //     code u v w   101 -> 0   100 -> 1   110 -> 2   010 -> 3   011 -> 4   001 -> 5
 //
 // A code counts once it has held still for `hold` seconds (comparators chatter near a crossing).
+// Chatter may outlast it, so a change has a direction only where the rotor went on: not when it steps
+// back once, and not when it returns from there.
 //
 // Doc: docs/theory.md   Test: tests/model/reference/sector_decoder_test.cpp
 #pragma once
@@ -21,7 +23,7 @@ class SectorDecoder {
     return kSector[4 * code[0] + 2 * code[1] + code[2]];
   }
 
-  void restart() { sector_ = -1, pending_ = false; }
+  void restart() { sector_ = -1, way_ = 0, pending_ = back_ = false; }
   void update(double t, const std::array<bool, 3>& code) {
     direction_ = 0;
     settled_ = false;
@@ -34,17 +36,19 @@ class SectorDecoder {
     pending_ = false;
     const int now = sector_of(code_);
     if (now < 0 || now == sector_) return;
-    settled_ = true;
-    if (sector_ >= 0) {
-      const int moved = (now - sector_ + 6) % 6;
-      direction_ = moved == 1 ? 1 : moved == 5 ? -1 : 0;
-    }
+    const int moved = sector_ < 0 ? 0 : (now - sector_ + 6) % 6;
+    const int step = moved == 1 ? 1 : moved == 5 ? -1 : 0;
+    const bool turns = step == -way_ && step != 0;
+    if (turns == back_) direction_ = step;
+    if (step == 0 || direction_ != 0) way_ = step;
+    back_ = turns && !back_;
+    settled_ = step == 0 || direction_ != 0;
     sector_ = now;
   }
   double next() const { return pending_ ? due_ : kNever; }
 
   int sector() const { return sector_; }        // -1 before the first legal code
-  bool settled() const { return settled_; }     // a new sector in this update
+  bool settled() const { return settled_; }     // a new sector in this update, in earnest
   int direction() const { return direction_; }  // of a change to a neighbour in this update, else 0
   bool illegal() const { return sector_of(code_) < 0; }
 
@@ -52,7 +56,8 @@ class SectorDecoder {
   double hold_, due_ = 0;
   std::array<bool, 3> code_ = {};
   int sector_ = -1, direction_ = 0;
-  bool pending_ = true, settled_ = false;
+  int way_ = 0;  // of the last change with a direction
+  bool pending_ = true, settled_ = false, back_ = false;
 };
 
 }  // namespace steplock::reference

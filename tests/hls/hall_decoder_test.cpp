@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -129,19 +130,35 @@ RC_GTEST_PROP(HallDecoder, AChatteringEdgeIsOneMove, ()) {
   RC_ASSERT(seen.jumps == 0);
 }
 
-// The sector is always the start plus the moves: what a speed measurement counts on.
-RC_GTEST_PROP(HallDecoder, MovesAddUpToTheSector, ()) {
+TEST(HallDecoder, AnEdgeThatChattersForLongIsOneMove) {
   HallDecoder dut;
   settle(dut, signs_at(17));
-  int at = 0;
-  int counted = 0;
-  for (const bool up : *rc::gen::arbitrary<std::vector<bool>>()) {
-    at += up ? 1 : 5;
-    const auto seen = settle(dut, signs_at(60 * (at % 6) + 17));
-    counted += seen.moves * (seen.last.reverse ? 5 : 1);
-    RC_ASSERT(seen.last.sector == UInt<3>(counted % 6));
+  settle(dut, signs_at(77));
+  int moves = settle(dut, signs_at(137)).moves;
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_EQ(settle(dut, signs_at(77)).last.sector, UInt<3>(1));
+    moves += settle(dut, signs_at(137)).moves;
   }
-  RC_ASSERT(counted == at);
+  EXPECT_EQ(moves, 1);
+}
+
+// What a speed measurement counts on: moves follow the rotor like a gear with one sector of play.
+RC_GTEST_PROP(HallDecoder, MovesAddUpToTheSectorButForOneOfPlay, ()) {
+  const auto steps = *rc::gen::nonEmpty(rc::gen::arbitrary<std::vector<bool>>());
+  HallDecoder dut;
+  settle(dut, signs_at(17));
+  int at = 600;                            // sectors
+  int gear = steps.front() ? at : at + 1;  // at or at + 1
+  for (const bool up : steps) {
+    at += up ? 1 : -1;
+    const int next = std::clamp(gear, at, at + 1);
+    const auto seen = settle(dut, signs_at(60 * (at % 6) + 17));
+    RC_ASSERT(seen.moves == std::abs(next - gear));
+    RC_ASSERT(seen.jumps == 0);
+    RC_ASSERT(next == gear || seen.last.reverse == (next < gear));
+    RC_ASSERT(seen.last.sector == UInt<3>(at % 6));
+    gear = next;
+  }
 }
 
 }  // namespace

@@ -63,6 +63,39 @@ TEST(Protection, OneMissInThreeIsForgiven) {
   }
 }
 
+// A rotor that stands under commutated currents shows crossings, more bad ones than good ones.
+TEST(Protection, CrossingsThatAreMostlyFarAreAStepOut) {
+  auto dut = armed();
+  auto in = running();
+  in.update = true;
+  for (int i = 0; i < 3; ++i) {  // to a score of 6
+    for (const bool good : {false, false, false, true}) {
+      in.good = good;
+      ASSERT_FALSE(dut.tick(in).lost);
+    }
+  }
+  in.good = false;
+  ASSERT_FALSE(dut.tick(in).lost);
+  EXPECT_EQ(dut.tick(in).reason, Reason::kStepOut);
+}
+
+TEST(Protection, HalfOfTheCrossingsMayBeFar) {
+  auto dut = armed();
+  auto in = running();
+  in.update = true;
+  for (int i = 0; i < 300; ++i) {
+    in.good = i % 2 == 0;
+    ASSERT_FALSE(dut.tick(in).lost);
+  }
+}
+
+TEST(Protection, WithHallsFarChangesDoNotCount) {
+  auto dut = armed();
+  auto in = running();
+  in.update = in.hall = true;
+  EXPECT_FALSE(repeat(dut, in, 300).lost);
+}
+
 TEST(Protection, MissesOutsideSpeedControlDoNotCount) {
   auto dut = armed();
   auto in = running();

@@ -37,6 +37,14 @@ TEST(ReferenceProtection, OneMissInThreeIsNot) {
   }
 }
 
+TEST(ReferenceProtection, TwelveFarCrossingsInARowAreAStepOutButNotWithHalls) {
+  Case c;
+  EXPECT_EQ(c.after(11, {.updated = true}), Reason::kNone);
+  EXPECT_EQ(c.after(1, {.updated = true}), Reason::kStepOut);
+  Case hall;
+  EXPECT_EQ(hall.after(100, {.updated = true, .hall = true}), Reason::kNone);
+}
+
 TEST(ReferenceProtection, SixSlowStepsAreAStall) {
   Case c;
   EXPECT_EQ(c.after(5, {.commutated = true, .frequency = 30}), Reason::kNone);

@@ -31,13 +31,26 @@ TEST(ReferenceSectorDecoder, TellsTheDirection) {
   EXPECT_EQ(decoder.direction(), 0);  // the first one says nothing
   decoder.update(1, signs(90));
   EXPECT_EQ(decoder.direction(), 1);
-  decoder.update(2, signs(30));
-  EXPECT_EQ(decoder.direction(), -1);
-  decoder.update(3, signs(-30));
+  decoder.update(2, signs(30));  // one step back: chatter?
+  EXPECT_EQ(decoder.direction(), 0);
+  EXPECT_FALSE(decoder.settled());
+  EXPECT_EQ(decoder.sector(), 0);
+  decoder.update(3, signs(-30));  // a second one: no
   EXPECT_EQ(decoder.direction(), -1);
   decoder.update(4, signs(150));  // opposite: no direction
   EXPECT_TRUE(decoder.settled());
   EXPECT_EQ(decoder.direction(), 0);
+}
+
+TEST(ReferenceSectorDecoder, AnEdgeThatChattersForLongHasOneDirection) {
+  SectorDecoder decoder(0);
+  decoder.update(0, signs(30));
+  int changes = 0;
+  for (int k = 0; k < 9; ++k) {
+    decoder.update(1 + k, signs(k % 2 ? 30 : 90));
+    changes += decoder.direction();
+  }
+  EXPECT_EQ(changes, 1);
 }
 
 TEST(ReferenceSectorDecoder, WaitsUntilTheCodeHoldsStill) {
