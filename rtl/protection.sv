@@ -1,4 +1,4 @@
-// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:29.
+// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:30.
 // Do not edit: change the C++ and print again.
 
 module protection (
@@ -17,7 +17,7 @@ module protection (
     input  logic        fault_pin_i,  // synchronised
     input  logic        hall_i,  // steps come from the Hall sensors
     input  logic        hall_illegal_i,  // their code is 000 or 111
-    input  logic [5:0]  words_misses_i,  // lost lock: a miss scores 2, a far crossing 1, a good one -1; 0: off
+    input  logic [5:0]  words_misses_i,  // lost lock: a miss scores 3, a far crossing 1, a good one -1; 0: off
     input  logic [25:0] words_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
@@ -42,24 +42,24 @@ module protection (
   logic [1:0] hall;  // ticks in a row with an illegal code
 
   wire [6:0] choice =
-      (missed_i || (update_i && !(good_i || hall_i))) ? {5'd0, missed_i ? 2'd2 : 2'd1} + score :
+      (missed_i || (update_i && !(good_i || hall_i))) ? {5'd0, missed_i ? 2'd3 : 2'd1} + score :
       (good_i && score != 7'd0) ? score - 7'd1 :
       score;
   wire [6:0] score_next = running_i ? choice : 7'd0;
-  wire both_71 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 71
-  wire [2:0] choice_97 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 97
-  wire [2:0] choice_97_2 = commutate_i ? choice_97 : slow;  // line 97
-  wire both_72 = running_i && choice_97_2 == 3'd6;  // line 72
-  wire below_56 = words_freewheel_i < freewheel_i;  // line 56
-  wire [11:0] choice_107 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 107
-  wire [11:0] choice_2 = tick_i ? ((slips_i || below_56) ? choice_107 : words_wrong_lock_i) : wrong;
+  wire both_72 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 72
+  wire [2:0] choice_98 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 98
+  wire [2:0] choice_98_2 = commutate_i ? choice_98 : slow;  // line 98
+  wire both_73 = running_i && choice_98_2 == 3'd6;  // line 73
+  wire below_57 = words_freewheel_i < freewheel_i;  // line 57
+  wire [11:0] choice_108 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 108
+  wire [11:0] choice_2 = tick_i ? ((slips_i || below_57) ? choice_108 : words_wrong_lock_i) : wrong;
   wire [11:0] wrong_next = running_i ? choice_2 : words_wrong_lock_i;
-  wire both_73 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 73
-  wire [1:0] choice_114 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 114
-  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_114 : 2'd0) : hall;
-  wire both_74 = running_i && choice_3 == 2'd2;  // line 74
-  wire below_70 = words_over_current_i - 4'd1 < stuck_i;  // line 70
-  wire fatal = fault_pin_i || below_70;  // line 75
+  wire both_74 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 74
+  wire [1:0] choice_115 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 115
+  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_115 : 2'd0) : hall;
+  wire both_75 = running_i && choice_3 == 2'd2;  // line 75
+  wire below_71 = words_over_current_i - 4'd1 < stuck_i;  // line 71
+  wire fatal = fault_pin_i || below_71;  // line 76
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -70,7 +70,7 @@ module protection (
     end else begin
       score <= score_next;
       if (running_i) begin
-        slow <= choice_97_2;
+        slow <= choice_98_2;
         hall <= choice_3;
       end else begin
         slow <= 3'd0;
@@ -80,18 +80,18 @@ module protection (
     end
   end
 
-  assign lost_o = both_71 || both_72 || both_73 || both_74;
+  assign lost_o = both_72 || both_73 || both_74 || both_75;
   assign fatal_o = fatal;
   assign reason_o =
-      (fatal || both_71) ?
+      (fatal || both_72) ?
       (fault_pin_i ? Reason_kFaultPin :
-      below_70 ? Reason_kOverCurrent :
+      below_71 ? Reason_kOverCurrent :
       Reason_kStepOut) :
-      both_72 ? Reason_kStall :
-      both_73 ? Reason_kWrongLock :
-      both_74 ? Reason_kHallCode :
+      both_73 ? Reason_kStall :
+      both_74 ? Reason_kWrongLock :
+      both_75 ? Reason_kHallCode :
       Reason_kNone;
-  assign freewheel_long_o = commutate_i && below_56;
+  assign freewheel_long_o = commutate_i && below_57;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_stall_i, words_slip_i};

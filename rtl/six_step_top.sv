@@ -66,7 +66,7 @@ module six_step_top (
     input  logic [15:0] words_speed_minimum_i,
     input  logic [15:0] words_speed_maximum_i,
     input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // lost lock: a miss scores 2, a far crossing 1, a good one -1; 0: off
+    input  logic [5:0]  words_protection_misses_i,  // lost lock: a miss scores 3, a far crossing 1, a good one -1; 0: off
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong

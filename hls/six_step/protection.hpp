@@ -1,8 +1,9 @@
 // Protection: says when a lock is no longer one, and what must end the drive at once.
 //
-//     step-out     score + 2 per missed crossing, + 1 per one far from its place, - 1 per good one,
+//     step-out     score + 3 per missed crossing, + 1 per one far from its place, - 1 per good one,
 //                  at `misses`.  Far ones count since a rotor that stands shows some, too: the
-//                  decay of the commutated current, then noise
+//                  decay of the commutated current, then noise.  A third of the crossings missed
+//                  for good, as a comparator that is stuck misses them, climbs: 3 > 2 * 1
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   a stable lock on a wrong edge keeps its phase error small; it shows in current
 //                  (duty - duty of the back-EMF > slip: voltage that only resistance can take) or
@@ -90,7 +91,7 @@ class Protection {
   void watch_steps(const In& in) {
     const bool far = in.update && !in.good && !in.hall;
     if (in.missed || far) {
-      score_ = wrap<UInt<7>>(score_ + (in.missed ? UInt<2>(2) : UInt<2>(1)));
+      score_ = wrap<UInt<7>>(score_ + (in.missed ? UInt<2>(3) : UInt<2>(1)));
     } else if (in.good && score_ != 0) {
       score_ = wrap<UInt<7>>(score_ - 1);
     }

@@ -121,7 +121,7 @@ struct SpeedSection {
 };
 
 struct ProtectionSection {
-  int misses = 12;
+  int misses = 18;
   std::optional<double> stall_rpm, slip_duty;
   double freewheel_deg = 28;
   double wrong_lock_s = 0.1;

@@ -33,7 +33,7 @@ class Protection {
     if (!in.running) {
       score_ = slow_ = wrong_ = illegal_ = 0;
     } else {
-      if (in.missed) score_ += 2;
+      if (in.missed) score_ += 3;
       if (in.updated && !in.good && !in.missed && !in.hall) ++score_;
       if (in.good && score_ > 0) --score_;
       if (in.commutated) slow_ = in.frequency < p_.stall ? slow_ + 1 : 0;

@@ -8,7 +8,7 @@ namespace {
 Protection::In running() {
   Protection::In in;
   in.running = true;
-  in.words = {.misses = 8,
+  in.words = {.misses = 12,
               .stall = 100,
               .slip = 5000,
               .freewheel = 0x8000,
@@ -53,14 +53,27 @@ TEST(Protection, FourMissesInARowAreAStepOut) {
   EXPECT_EQ(out.reason, Reason::kStepOut);
 }
 
-TEST(Protection, OneMissInThreeIsForgiven) {
+TEST(Protection, OneMissInFourIsForgiven) {
   auto dut = armed();
   auto in = running();
   for (int i = 0; i < 300; ++i) {
-    in.missed = i % 3 == 0;
+    in.missed = i % 4 == 0;
     in.good = !in.missed;
     ASSERT_FALSE(dut.tick(in).lost);
   }
+}
+
+// What a comparator that is stuck does to every third step.
+TEST(Protection, OneMissInThreeIsAStepOutInTime) {
+  auto dut = armed();
+  auto in = running();
+  bool lost = false;
+  for (int i = 0; i < 33 && !lost; ++i) {
+    in.missed = i % 3 == 0;
+    in.good = !in.missed;
+    lost = dut.tick(in).lost;
+  }
+  EXPECT_TRUE(lost);
 }
 
 // A rotor that stands under commutated currents shows crossings, more bad ones than good ones.
@@ -68,7 +81,7 @@ TEST(Protection, CrossingsThatAreMostlyFarAreAStepOut) {
   auto dut = armed();
   auto in = running();
   in.update = true;
-  for (int i = 0; i < 3; ++i) {  // to a score of 6
+  for (int i = 0; i < 5; ++i) {  // to a score of 10
     for (const bool good : {false, false, false, true}) {
       in.good = good;
       ASSERT_FALSE(dut.tick(in).lost);

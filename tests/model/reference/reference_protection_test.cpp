@@ -6,7 +6,7 @@
 namespace steplock::reference {
 namespace {
 
-constexpr design::ProtectionParameters kLimits{.misses = 12,
+constexpr design::ProtectionParameters kLimits{.misses = 18,
                                                .stall = 40,
                                                .slip = 0.5,
                                                .freewheel = 0.45,
@@ -29,17 +29,24 @@ TEST(ReferenceProtection, SixMissesInARowAreAStepOut) {
   EXPECT_EQ(c.after(1, {.missed = true}), Reason::kStepOut);
 }
 
-TEST(ReferenceProtection, OneMissInThreeIsNot) {
+TEST(ReferenceProtection, OneMissInFourIsNotButOneInThreeIs) {
   Case c;
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(c.after(1, {.missed = true}), Reason::kNone);
-    EXPECT_EQ(c.after(2, {.good = true}), Reason::kNone);
+    EXPECT_EQ(c.after(3, {.good = true}), Reason::kNone);
   }
+  Case stuck;
+  Reason reason = Reason::kNone;
+  for (int k = 0; k < 17 && reason == Reason::kNone; ++k) {
+    stuck.after(2, {.good = true});
+    reason = stuck.after(1, {.missed = true});
+  }
+  EXPECT_EQ(reason, Reason::kStepOut);
 }
 
-TEST(ReferenceProtection, TwelveFarCrossingsInARowAreAStepOutButNotWithHalls) {
+TEST(ReferenceProtection, EighteenFarCrossingsInARowAreAStepOutButNotWithHalls) {
   Case c;
-  EXPECT_EQ(c.after(11, {.updated = true}), Reason::kNone);
+  EXPECT_EQ(c.after(17, {.updated = true}), Reason::kNone);
   EXPECT_EQ(c.after(1, {.updated = true}), Reason::kStepOut);
   Case hall;
   EXPECT_EQ(hall.after(100, {.updated = true, .hall = true}), Reason::kNone);
