@@ -1,5 +1,5 @@
-// Whether a class is a block under a schedule: steplock::Scheduled<Block, Budget{...}>, known by its
-// name and its two template arguments (hls/numeric/scheduled.hpp).
+// Whether a class is a block under a schedule: steplock::Scheduled<Block, Budget{...}>, known by
+// its name and its two template arguments (hls/numeric/scheduled.hpp).
 //
 // Doc: docs/generator.md   Test: tests/generator/schedule_test.cpp
 

@@ -1,5 +1,5 @@
-// What a decision is worth: the operators that a clock saves, on the average over the branches, once
-// the condition is known.
+// What a decision is worth: the operators that a clock saves, on the average over the branches,
+// once the condition is known.
 //
 //     a <= c ? x * y : a   on c:   all that x * y takes, half of the clocks
 //

@@ -7,7 +7,7 @@
 namespace hlsgen::scheduling {
 namespace {
 
-constexpr double kFree = 2;       // values that a register takes for nothing
+constexpr double kFree = 1;         // values that a register takes for nothing
 constexpr double kChoiceBit = 0.6;  // logic cells per bit of every further one
 
 // Logic cells that a value more in this register costs.
@@ -65,7 +65,9 @@ void bind_factors(const Operations& ops, const Order& order, const Keeping& k,
         needs[id].first <= ops.budget.width && needs[id].second <= ops.budget.second_width;
     const bool may_change =
         needs[id].second <= ops.budget.width && needs[id].first <= ops.budget.second_width;
-    const auto known = [&](const Source& s, const Source& t) { return one.count(s) + two.count(t); };
+    const auto known = [&](const Source& s, const Source& t) {
+      return one.count(s) + two.count(t);
+    };
     b.exchanged[id] = !may_stay || (may_change && known(y, x) > known(x, y));
     one.insert(b.exchanged[id] ? y : x);
     two.insert(b.exchanged[id] ? x : y);

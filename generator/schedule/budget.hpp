@@ -1,4 +1,5 @@
-// What a scheduled block may take, as its C++ says it: steplock::Budget of hls/numeric/scheduled.hpp.
+// What a scheduled block may take, as its C++ says it: steplock::Budget of
+// hls/numeric/scheduled.hpp.
 
 #pragma once
 

@@ -2,27 +2,27 @@
 
 #include <fmt/format.h>
 
-#include "generator/dataflow/nodes.hpp"
-
-#include <algorithm>
-#include <functional>
 #include <map>
+
+#include "generator/schedule/steps.hpp"
 
 namespace hlsgen::scheduling {
 namespace {
-
-unsigned bits_for(unsigned value) {
-  unsigned bits = 1;
-  while ((value >> bits) != 0) ++bits;
-  return bits;
-}
 
 class Builder {
  public:
   Builder(const Operations& ops, const Order& order, const Keeping& k, const Binding& b,
           const Frame& frame)
-      : ops_(ops), order_(order), k_(k), b_(b), frame_(frame), old_(ops.module),
-        out_(header(ops.module)), nodes_(out_.nodes), value_(old_.nodes.size(), kNone) {}
+      : ops_(ops),
+        order_(order),
+        k_(k),
+        b_(b),
+        frame_(frame),
+        old_(ops.module),
+        out_(header(ops.module)),
+        nodes_(out_.nodes),
+        steps_(nodes_, order.last),
+        value_(old_.nodes.size(), kNone) {}
 
   Module run() {
     make_sources();
@@ -37,10 +37,6 @@ class Builder {
   }
 
  private:
-  struct Load {
-    unsigned step;
-    NodeId value;
-  };
   struct Port {
     unsigned reg;
     std::vector<Load> loads;
@@ -79,13 +75,13 @@ class Builder {
   }
 
   void make_sources() {
-    const unsigned last = order_.last;
     start_ = nodes_.source_node(Op::kInput, 1, static_cast<unsigned>(out_.inputs.size()));
     out_.inputs.push_back(frame_.start);
-    step_ = new_register("step", bits_for(last), "0: waiting for a start");
+    step_ = new_register("step", steps_.width(), "0: waiting for a start");
+    steps_.count_in(present(step_));
     for (const Shared& shared : b_.registers)
-      kept_.push_back(new_register(fmt::format("kept_{}", kept_.size()), shared.width,
-                                   times_of(shared)));
+      kept_.push_back(
+          new_register(fmt::format("kept_{}", kept_.size()), shared.width, times_of(shared)));
   }
 
   // "steps 3-7 error, 9-12"
@@ -96,10 +92,6 @@ class Builder {
       if (!old_.nodes[id].name.empty()) text += " " + old_.nodes[id].name;
     }
     return text;
-  }
-
-  NodeId at(unsigned step) {
-    return nodes_.compare(Op::kEq, present(step_), nodes_.constant(bits_for(order_.last), step));
   }
 
   NodeId resized(NodeId a, unsigned width) {
@@ -133,7 +125,8 @@ class Builder {
     const unsigned widths[] = {ops_.budget.width, ops_.budget.second_width};
     for (unsigned i = 0; i < 2; ++i)
       unit.ports.push_back({new_register(fmt::format("factor_{}{}", i == 0 ? "a" : "b", suffix),
-                                         widths[i], "of the shared multiplier"), {}});
+                                         widths[i], "of the shared multiplier"),
+                            {}});
     unit.result_width = widths[0] + widths[1];
     unit.result = new_register("product" + suffix, unit.result_width, "of the factors before");
     return unit;
@@ -184,39 +177,18 @@ class Builder {
     value_[id] = resized(present(unit.result), n.width);
   }
 
-  // What stands in the way in that step; the last needs no condition where the rest is never used.
-  NodeId chosen(std::vector<Load> loads, NodeId otherwise) {
-    std::stable_sort(loads.begin(), loads.end(),
-                     [](const Load& a, const Load& b) { return a.step < b.step; });
-    if (otherwise == kNone) {
-      otherwise = loads.back().value;
-      loads.pop_back();
-    }
-    NodeId value = otherwise;
-    for (std::size_t i = loads.size(); i-- > 0;)
-      value = nodes_.mux(at(loads[i].step), loads[i].value, value);
-    return value;
-  }
-
-  NodeId any_of(const std::vector<Load>& loads) {
-    NodeId any = kNone;
-    for (const Load& load : loads)
-      any = any == kNone ? at(load.step) : nodes_.binary(Op::kOr, any, at(load.step));
-    return any;
-  }
-
   void finish(Unit& unit) {
     nodes_.set_source(unit.source);
     if (unit.pool != 0) {
       const NodeId entry =
-          nodes_.table(unit.result_width, chosen(unit.addresses, kNone), unit.pool - 1);
+          nodes_.table(unit.result_width, steps_.chosen(unit.addresses), unit.pool - 1);
       out_.registers[unit.result].next =
-          nodes_.mux(any_of(unit.addresses), entry, present(unit.result));
+          nodes_.mux(steps_.any_of(unit.addresses), entry, present(unit.result));
       return;
     }
     for (const Port& port : unit.ports) {
       out_.registers[port.reg].next =
-          nodes_.mux(any_of(port.loads), chosen(port.loads, kNone), present(port.reg));
+          nodes_.mux(steps_.any_of(port.loads), steps_.chosen(port.loads), present(port.reg));
     }
     out_.registers[unit.result].next =
         nodes_.binary(Op::kMul, nodes_.sext(present(unit.ports[0].reg), unit.result_width),
@@ -229,8 +201,8 @@ class Builder {
       std::vector<Load> loads;
       for (const NodeId id : b_.registers[r].values)
         loads.push_back({k_.from[id], nodes_.zext(value_[id], b_.registers[r].width)});
-      out_.registers[kept_[r]].next = nodes_.mux(any_of(loads), chosen(loads, kNone),
-                                                 present(kept_[r]));
+      out_.registers[kept_[r]].next =
+          nodes_.mux(steps_.any_of(loads), steps_.chosen(loads), present(kept_[r]));
     }
   }
 
@@ -240,7 +212,7 @@ class Builder {
       const bool early = k_.early[r];
       const unsigned step = early ? order_.step[next] : order_.last;
       const NodeId value = early ? value_[next] : read(next, step);
-      out_.registers[r].next = nodes_.mux(at(step), value, present(r));
+      out_.registers[r].next = nodes_.mux(steps_.at(step), value, present(r));
     }
   }
 
@@ -261,23 +233,22 @@ class Builder {
         out_.registers[reg].leaf.is_signed = output.leaf.is_signed;
         out_.registers[reg].leaf.enumeration = output.leaf.enumeration;
         out_.registers[reg].next =
-            nodes_.mux(at(order_.last), read(output.value, order_.last), present(reg));
+            nodes_.mux(steps_.at(order_.last), read(output.value, order_.last), present(reg));
       }
       out_.outputs.push_back({output.leaf, present(reg)});
     }
   }
 
   void make_control() {
-    const unsigned width = bits_for(order_.last);
+    const unsigned width = steps_.width();
     const NodeId step = present(step_);
-    const NodeId waiting = at(0);
+    const NodeId waiting = steps_.at(0);
     const NodeId counted = nodes_.binary(Op::kAdd, step, nodes_.constant(width, 1));
-    const NodeId following =
-        nodes_.mux(at(order_.last), nodes_.constant(width, 0), counted);
+    const NodeId following = nodes_.mux(steps_.at(order_.last), nodes_.constant(width, 0), counted);
     out_.registers[step_].next = nodes_.mux(waiting, nodes_.zext(start_, width), following);
     const NodeId busy = nodes_.unary_not(waiting);
     const unsigned done = new_register("done", 1, "");
-    out_.registers[done].next = at(order_.last);
+    out_.registers[done].next = steps_.at(order_.last);
     const unsigned missed = new_register("missed", 1, "");
     out_.registers[missed].next = nodes_.binary(Op::kAnd, start_, busy);
     out_.outputs.push_back({frame_.done, present(done)});
@@ -293,6 +264,7 @@ class Builder {
   const Module& old_;
   Module out_;
   NodeBuilder nodes_;
+  Steps steps_;
   std::vector<NodeId> value_;  // per old node, as computed
   std::vector<std::size_t> unit_of_;
   std::vector<Unit> units_;

@@ -1,5 +1,5 @@
-// The scheduled block as an ordinary module: a counter of steps, shared units with choices in front of
-// their registers, kept values, and the sample's own logic in between.
+// The scheduled block as an ordinary module: a counter of steps, shared units with choices in front
+// of their registers, kept values, and the sample's own logic in between.
 //
 //     step         0: waiting; counts from the start to the last step
 //     factor_a, factor_b -> product     per multiplier: chosen by the step, multiplied in the next

@@ -1,22 +1,27 @@
 #include "generator/schedule/keep.hpp"
 
-#include "generator/backend.hpp"
-
 #include <algorithm>
 #include <optional>
+
+#include "generator/backend.hpp"
 
 namespace hlsgen::scheduling {
 namespace {
 
-// A bit that is kept takes a flip-flop while it lives, and a choice in front of it when others share it.
+// A bit that is kept takes a flip-flop while it lives, and a choice in front of it when others
+// share it.
 constexpr double kShared = 0.4;
 constexpr int kRounds = 3;
 
 class Keeper {
  public:
   Keeper(const Operations& ops, const Order& order)
-      : ops_(ops), order_(order), count_(ops.module.nodes.size()), left_(count_, false),
-        old_(ops.module.registers.size(), kNone), early_(old_.size(), false) {
+      : ops_(ops),
+        order_(order),
+        count_(ops.module.nodes.size()),
+        left_(count_, false),
+        old_(ops.module.registers.size(), kNone),
+        early_(old_.size(), false) {
     for (NodeId id = 0; id < count_; ++id)
       if (ops_.node(id).op == Op::kRegister) old_[ops_.node(id).index] = id;
     find_windows();
@@ -109,7 +114,9 @@ class Keeper {
     switch (ops_.kind[id]) {
       case Kind::kSource:
         return;
-      case Kind::kTaken: case Kind::kProduct: case Kind::kEntry:
+      case Kind::kTaken:
+      case Kind::kProduct:
+      case Kind::kEntry:
         k.kept[id] = last > window_[id];
         k.from[id] = window_[id];
         if (ops_.is_unit(id)) k.times[id].set(order_.issue[id]);
@@ -117,8 +124,10 @@ class Keeper {
       case Kind::kLogic:
         k.kept[id] = k.early_of[id] != 0 || (!left_[id] && last > order_.step[id]);
         k.from[id] = order_.step[id];
-        if (k.kept[id] || !left_[id]) k.times[id].set(order_.step[id]);
-        else k.times[id] = read;
+        if (k.kept[id] || !left_[id])
+          k.times[id].set(order_.step[id]);
+        else
+          k.times[id] = read;
         break;
     }
     k.until[id] = last;
@@ -171,8 +180,8 @@ class Keeper {
   const Operations& ops_;
   const Order& order_;
   std::size_t count_;
-  std::vector<bool> left_;        // to its operands
-  std::vector<NodeId> old_;       // present values of the registers
+  std::vector<bool> left_;   // to its operands
+  std::vector<NodeId> old_;  // present values of the registers
   std::vector<bool> early_;
   std::vector<unsigned> window_;  // the last step in which a value is there by itself
 };

@@ -1,14 +1,15 @@
 // What is kept in registers, and from when until when.
 //
-// A value that is read in a later step than it comes in has to be kept, or its operands have to be, and
-// it is there again whenever they are: logic costs nothing a second time.  All are kept at first; then
-// each is left to its operands as long as that needs fewer bits, and as long as the delays allow it.
+// A value that is read in a later step than it comes in has to be kept, or its operands have to be,
+// and it is there again whenever they are: logic costs nothing a second time.  All are kept at
+// first; then each is left to its operands as long as that needs fewer bits, and as long as the
+// delays allow it.
 //
 //     e = i_set - i      operands held      nothing is kept
 //     p = a * b >> 14    32 bits, then 18   the 18 are kept
 //
-// A register of the block takes its next value as soon as it is there, when nobody reads the old one any
-// more ("early"); all others, and the outputs, take theirs in the last step.
+// A register of the block takes its next value as soon as it is there, when nobody reads the old
+// one any more ("early"); all others, and the outputs, take theirs in the last step.
 //
 // Test: tests/generator/schedule_test.cpp
 

@@ -22,18 +22,32 @@ unsigned delay_of(const Module& m, const Node& n) {
   const unsigned operand = n.in.empty() ? 0 : m.nodes[n.in[0]].width;
   const bool by_constant = n.in.size() > 1 && m.nodes[n.in[1]].op == Op::kConstant;
   switch (n.op) {
-    case Op::kAdd: case Op::kSub: return kQuarters + 2 + n.width / 2;
-    case Op::kUlt: case Op::kUle: case Op::kSlt: case Op::kSle:
+    case Op::kAdd:
+    case Op::kSub:
+      return kQuarters + 2 + n.width / 2;
+    case Op::kUlt:
+    case Op::kUle:
+    case Op::kSlt:
+    case Op::kSle:
       return kQuarters + 2 + operand / 2;
-    case Op::kEq: case Op::kNe: return kQuarters * tree(by_constant ? operand : 2 * operand);
-    case Op::kAnd: case Op::kOr: case Op::kXor: case Op::kMux: return kQuarters;
-    case Op::kShl: case Op::kLshr: case Op::kAshr:
+    case Op::kEq:
+    case Op::kNe:
+      return kQuarters * tree(by_constant ? operand : 2 * operand);
+    case Op::kAnd:
+    case Op::kOr:
+    case Op::kXor:
+    case Op::kMux:
+      return kQuarters;
+    case Op::kShl:
+    case Op::kLshr:
+    case Op::kAshr:
       return by_constant ? 0 : kQuarters * std::min(bits_of(n.width) + 1, m.nodes[n.in[1]].width);
     case Op::kTable: {
       const unsigned address = bits_of(m.tables[n.index].entries.size());
       return kQuarters * (address <= 4 ? 1 : address - 3);
     }
-    default: return 0;  // wiring; an inverter goes into its reader
+    default:
+      return 0;  // wiring; an inverter goes into its reader
   }
 }
 

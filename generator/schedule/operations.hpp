@@ -1,9 +1,10 @@
-// What there is to schedule: the nodes of a block's sample, sorted by what a clock can do with them.
+// What there is to schedule: the nodes of a block's sample, sorted by what a clock can do with
+// them.
 //
 //     source    a constant, a register of the block, an input that is held: there in every step
 //     taken     an input in the step of the start; later only where a register keeps it
 //     logic     anything computed between registers, with an estimate of its delay
-//     product   of a multiplier: factors into registers in one step, the product's register in the next
+//     product   of a multiplier: factors into registers in one step, the product in the next
 //     entry     of a large table: a register behind the table, one step
 //
 // Delays count quarters of a look-up table with its wire; a carry of two bits is one quarter.

@@ -1,9 +1,9 @@
 #include "generator/schedule/order.hpp"
 
-#include "generator/backend.hpp"
-
 #include <algorithm>
 #include <set>
+
+#include "generator/backend.hpp"
 
 namespace hlsgen::scheduling {
 namespace {
@@ -48,9 +48,8 @@ class Scheduler {
     for (const NodeId sink : ops_.sinks) behind_[sink].depth = kUpdate;
     for (NodeId id = static_cast<NodeId>(ops_.module.nodes.size()); id-- > 0;) {
       if (!ops_.lives[id]) continue;
-      const Moment before = ops_.is_unit(id)
-                                ? Moment{behind_[id].step + ops_.latency(id), kChoice}
-                                : after(ops_, behind_[id], ops_.delay[id]);
+      const Moment before = ops_.is_unit(id) ? Moment{behind_[id].step + ops_.latency(id), kChoice}
+                                             : after(ops_, behind_[id], ops_.delay[id]);
       for (const NodeId operand : ops_.node(id).in)
         behind_[operand] = std::max(behind_[operand], before);
     }
@@ -92,8 +91,10 @@ class Scheduler {
         unsigned earliest = 0;
         for (const NodeId operand : n.in) earliest = std::max(earliest, end_of(operand, kChoice));
         missing = true;
-        if (!limited_) issue(id, earliest, 0);
-        else if (earliest <= step) ready[ops_.pool(id)].push_back(id);
+        if (!limited_)
+          issue(id, earliest, 0);
+        else if (earliest <= step)
+          ready[ops_.pool(id)].push_back(id);
         continue;
       }
       Moment latest;
@@ -148,8 +149,8 @@ unsigned bound_of(const Operations& ops, const Scheduler& scheduler, const Order
     }
     for (const unsigned start : starts) {
       for (const unsigned end : ends) {
-        const auto among = static_cast<unsigned>(
-            std::count_if(units.begin(), units.end(), [&](const auto& u) {
+        const auto among =
+            static_cast<unsigned>(std::count_if(units.begin(), units.end(), [&](const auto& u) {
               return u.first >= start && u.second >= end;
             }));
         if (among == 0) continue;

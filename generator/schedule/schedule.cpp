@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/backend.hpp"
 #include "generator/passes/known_bits.hpp"
 #include "generator/schedule/split_products.hpp"
-
-#include <algorithm>
 
 namespace hlsgen {
 namespace {
@@ -40,11 +40,13 @@ bool computes(const Node& n) {
 
 std::vector<std::string> ScheduleReport::lines() const {
   const std::string tables = entries == 0 ? "" : fmt::format(", {} entries of tables", entries);
-  return {fmt::format("A sample takes {} clocks, and in no order fewer than {}: {} operations, {} products{}",
-                      clocks, bound, operations, products, tables),
-          fmt::format("on {} multiplier{} of {} x {} bits; {} register bits, {} of them between steps.",
-                      budget.multipliers, budget.multipliers == 1 ? "" : "s", budget.width,
-                      budget.second_width, registers, kept)};
+  return {
+      fmt::format(
+          "A sample takes {} clocks, and in no order fewer than {}: {} operations, {} products{}",
+          clocks, bound, operations, products, tables),
+      fmt::format("on {} multiplier{} of {} x {} bits; {} register bits, {} of them between steps.",
+                  budget.multipliers, budget.multipliers == 1 ? "" : "s", budget.width,
+                  budget.second_width, registers, kept)};
 }
 
 Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame& frame) {

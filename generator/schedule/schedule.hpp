@@ -1,4 +1,5 @@
-// A sample's worth of logic, spread over clocks: the flat netlist of a tick in, an ordinary module out.
+// A sample's worth of logic, spread over clocks: the flat netlist of a tick in, an ordinary module
+// out.
 //
 //     optimise -> split_products -> order -> keep -> bind -> build
 //

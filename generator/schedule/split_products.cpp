@@ -1,9 +1,9 @@
 #include "generator/schedule/split_products.hpp"
 
+#include <algorithm>
+
 #include "generator/passes/known_bits.hpp"
 #include "generator/passes/rebuild.hpp"
-
-#include <algorithm>
 
 namespace hlsgen {
 namespace {
@@ -37,8 +37,8 @@ NodeId sum_of_products(Rebuild& b, const std::vector<Piece>& left, const std::ve
       const unsigned shift = x.shift + y.shift;
       if (shift >= width) continue;
       const unsigned own = std::min(width - shift, x.width + y.width);
-      products.push_back({b.binary(Op::kMul, resized(b, x.value, own), resized(b, y.value, own)),
-                          own, shift});
+      products.push_back(
+          {b.binary(Op::kMul, resized(b, x.value, own), resized(b, y.value, own)), own, shift});
     }
   }
   std::stable_sort(products.begin(), products.end(),

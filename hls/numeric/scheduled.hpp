@@ -1,21 +1,23 @@
 // A block whose sample takes several clocks: its arithmetic shares the multipliers of a budget.
 //
-//     using CurrentLoop = Scheduled<CurrentController, Budget{.multipliers = 1, .width = 18, .clocks = 24}>;
+//     using CurrentLoop = Scheduled<CurrentControl, Budget{.multipliers = 1, .clocks = 24}>;
 //
-// The block says what one sample does, in one call of its tick; the generator spreads it over `clocks`
-// clocks and prints a module with the block's ports and these:
+// The block says what one sample does, in one call of its tick; the generator spreads it over
+// `clocks` clocks and prints a module with the block's ports and these:
 //
 //     start    begins a sample; ignored while busy
-//     busy     from the clock after the start to the one before done: the next start may come with done
-//     done     one clock, `clocks` clocks after the start: the results are new, and stay until the next
+//     busy     from the clock after the start to the one before done; a start may come with done
+//     done     one clock, `clocks` after the start: the results are new, and stay until the next
 //     missed   one clock, the one after a start that was ignored
 //
-// The class below is what the module does in every clock, bit by bit; it is not how.  `clocks` is not
-// free: hlsgen finds the fewest that the budget allows, and says so if the source says something else.
+// The class below is what the module does in every clock, bit by bit; it is not how.  `clocks` is
+// not free: hlsgen finds the fewest that the budget allows, and says so if the source says
+// something else.
 //
 // Inputs are taken with the start, in registers where they are still needed later.  With
-// Inputs::kHeld the caller holds them from the start to done instead, which costs nothing: outputs of
-// other scheduled blocks, settings.  A caller that does not, gets a sample of old and new numbers.
+// Inputs::kHeld the caller holds them from the start to done instead, which costs nothing: outputs
+// of other scheduled blocks, settings.  A caller that does not, gets a sample of old and new
+// numbers.
 //
 // Doc: docs/generator.md   Test: tests/hls/scheduled_test.cpp, tests/generator/schedule_test.cpp
 
@@ -29,10 +31,10 @@ enum class Inputs : std::uint8_t { kTaken, kHeld };
 
 struct Budget {
   int multipliers = 1;
-  int width = 16;         // bits of a multiplier's first factor, signed; wider products take several turns
+  int width = 16;         // bits of a multiplier's first factor, signed; wider ones take turns
   int second_width = 16;  // of its second
   int clocks = 2;         // from start to done
-  int levels = 12;        // look-up tables in a row between two registers; 8 bits of a carry count as one
+  int levels = 12;        // look-up tables in a row; 8 bits of a carry count as one
   Inputs inputs = Inputs::kTaken;
 };
 
@@ -56,6 +58,7 @@ class Scheduled {
   };
 
   static constexpr int kClocks = budget.clocks;  // from start to done
+  static constexpr bool kInputsAreHeld = budget.inputs == Inputs::kHeld;
 
   Out tick(const In& in) {
     const Out out = shown_;

@@ -1,5 +1,5 @@
-// Schedules: a sample spread over clocks gives what the sample gives, under its budget, and no later than
-// has to be.
+// Schedules: a sample spread over clocks gives what the sample gives, under its budget, and no
+// later than has to be.
 
 #include "generator/schedule/schedule.hpp"
 
@@ -50,8 +50,9 @@ bool ends_with(const Values& outputs, bool done, bool busy, bool missed) {
   return outputs[n - 3] == done && outputs[n - 2] == busy && outputs[n - 1] == missed;
 }
 
-// The first sample in which the schedule differs from its block, or -1.  Starts come while it is busy as
-// well, inputs change unless they are to be held, and results stand still from done to done.
+// The first sample in which the schedule differs from its block, or -1.  Starts come while it is
+// busy as well, inputs change unless they are to be held, and results stand still from done to
+// done.
 int first_difference(const Module& sample, const Scheduled& scheduled, unsigned seed, int samples) {
   RandomNetlist any(seed);
   const Design plain = alone(sample), spread_out = alone(scheduled.module);
@@ -259,8 +260,7 @@ TEST(Schedule, ALargeTableIsShared) {
 
 TEST(Schedule, ManyMultipliersReachTheBound) {
   for (unsigned seed = 0; seed < 100; ++seed) {
-    const auto scheduled =
-        spread(RandomNetlist(seed).make("random", 60), {50, 8, 8, 0, 6, true});
+    const auto scheduled = spread(RandomNetlist(seed).make("random", 60), {50, 8, 8, 0, 6, true});
     EXPECT_EQ(scheduled.report.clocks, scheduled.report.bound) << "seed " << seed;
   }
 }

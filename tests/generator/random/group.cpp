@@ -1,5 +1,5 @@
-// One group, named by the build: GROUP, MODULE, VERILATED and their headers; SCHEDULED is 1 where its
-// blocks take several clocks.
+// One group, named by the build: GROUP, MODULE, VERILATED and their headers; SCHEDULED is 1 where
+// its blocks take several clocks.
 
 #include "tests/generator/random/group.hpp"
 

@@ -1,7 +1,7 @@
 // A group of random blocks as both of its compiled forms, in step: C++ and Verilated print.
 //
-// The harness knows neither class: numbers cross as words, in the order of the members.  So each group
-// is compiled without LLVM and GoogleTest, and the harness once.
+// The harness knows neither class: numbers cross as words, in the order of the members.  So each
+// group is compiled without LLVM and GoogleTest, and the harness once.
 //
 // Test: tests/generator/random/random_test.cpp
 
@@ -20,8 +20,9 @@ using Words = std::vector<steplock::ports::Word>;
 class Forms {
  public:
   virtual ~Forms() = default;
-  // One clock of both.  Gives what the C++ gave; `differing` becomes the first port at which the print
-  // gave something else, or null.  `is_wrong` turns one bit of what the C++ gave before they meet.
+  // One clock of both.  Gives what the C++ gave; `differing` becomes the first port at which the
+  // print gave something else, or null.  `is_wrong` turns one bit of what the C++ gave before they
+  // meet.
   virtual Words clock(const Words& in, bool is_wrong, const char*& differing) = 0;
 };
 

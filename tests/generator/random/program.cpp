@@ -267,7 +267,8 @@ std::string scheduled_group_text(const std::string& name, int first,
     const std::string n = std::to_string(seed);
     Draw any(static_cast<std::uint64_t>(seed) + 2'000'000'000);
     schedules += cat({"using Scheduled", n, " = Scheduled<Random", n, ", Budget{.multipliers = ",
-                      std::to_string(any.between(1, 3)), ", .width = ", any.of({"6", "16", "18", "35"}),
+                      std::to_string(any.between(1, 3)),
+                      ", .width = ", any.of({"6", "16", "18", "35"}),
                       ", .second_width = ", any.of({"7", "16", "18", "25"}),
                       ", .clocks = ", std::to_string(clocks[i]),
                       ", .levels = ", any.of({"5", "8", "12", "20"}), "}>;\n"});

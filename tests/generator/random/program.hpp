@@ -1,7 +1,8 @@
 // A random block, and the group that holds many as its members.
 //
-// A block has ports and registers of all kinds, an enumeration (perhaps with gaps), a struct within In,
-// Out and the state, arrays, a table, helpers, and perhaps a block of its own, or two in an array.
+// A block has ports and registers of all kinds, an enumeration (perhaps with gaps), a struct within
+// In, Out and the state, arrays, a table, helpers, and perhaps a block of its own, or two in an
+// array.
 
 #pragma once
 
@@ -47,8 +48,8 @@ class Program : private Statements {
 // class <name>, whose members are the blocks Random<first> ...
 std::string group_text(const std::string& name, int first, int count);
 
-// The same with a schedule around each block, Scheduled<first> ..., under a budget drawn from its seed.
-// `clocks` of each come from hlsgen; 2 where they are not known yet.
+// The same with a schedule around each block, Scheduled<first> ..., under a budget drawn from its
+// seed. `clocks` of each come from hlsgen; 2 where they are not known yet.
 std::string scheduled_group_text(const std::string& name, int first,
                                  const std::vector<int>& clocks);
 

@@ -2,8 +2,8 @@
 //
 //     random_programs 1 80 out/random_1        out/random_1.hpp (blocks) and out/random_1.cpp (top)
 //
-//     random_programs 1 80 out/s_1 scheduled             each under a schedule, of clocks yet unknown
-//     random_programs 1 80 out/s_1 scheduled CLOCKS      of the clocks that hlsgen --schedules found
+//     random_programs 1 80 out/s_1 scheduled           each under a schedule, of clocks yet unknown
+//     random_programs 1 80 out/s_1 scheduled CLOCKS    of the clocks that hlsgen --schedules found
 //
 // The same seed gives the same text on every machine.
 //
@@ -18,14 +18,16 @@
 
 namespace {
 
-// "random17: A sample takes 12 clocks, ..." -> 12, in the order of the seeds; 2 where there is no such line.
+// "random17: A sample takes 12 clocks, ..." -> 12, in the order of the seeds; 2 where there is no
+// such line.
 std::vector<int> clocks_of(const std::string& file, int first, int count) {
   std::ifstream lines(file);
   std::map<std::string, int> known;
   for (std::string line; std::getline(lines, line);) {
     const std::string words = ": A sample takes ";
     const auto at = line.find(words);
-    if (at != std::string::npos) known[line.substr(0, at)] = std::stoi(line.substr(at + words.size()));
+    if (at == std::string::npos) continue;
+    known[line.substr(0, at)] = std::stoi(line.substr(at + words.size()));
   }
   std::vector<int> clocks;
   for (int i = first; i < first + count; ++i) {
@@ -54,8 +56,8 @@ int main(int argc, char** argv) {
   header << "#pragma once\n\n#include \"hls/numeric/" << (is_scheduled ? "scheduled" : "bits")
          << ".hpp\"\n\n#include <array>\n\nnamespace steplock::test {\n\n";
   for (int i = first; i < first + count; ++i) {
-    header << Program(static_cast<std::uint64_t>(i), "Random" + std::to_string(i), true, is_scheduled)
-                  .text();
+    const std::string name = "Random" + std::to_string(i);
+    header << Program(static_cast<std::uint64_t>(i), name, true, is_scheduled).text();
   }
   header << (is_scheduled ? hlsgen::test::scheduled_group_text(
                                 group, first, clocks_of(argc > 5 ? argv[5] : "", first, count))

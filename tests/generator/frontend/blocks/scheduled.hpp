@@ -8,7 +8,8 @@
 
 namespace steplock::test {
 
-// Products of several widths, state that is read before and after it changes, an output that is state.
+// Products of several widths, state that is read before and after it changes, an output that is
+// state.
 class Filter {
  public:
   struct In {

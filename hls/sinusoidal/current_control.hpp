@@ -1,0 +1,119 @@
+// Current control in the assumed frame: phase currents in, the voltage vector out.
+//
+//     Clarke      i_alpha = i_u,  i_beta = (i_u + 2 i_v) / sqrt 3
+//     Park        i_gamma =  i_alpha cos + i_beta sin,   i_delta = -i_alpha sin + i_beta cos
+//     PI          x += k_i e,  u = x + k_p e,  e = set - i                   (one for each axis)
+//     decoupling  u_gamma -= w L i_delta,  u_delta += w L i_gamma + w K_E   Matsui 1996, (5)
+//     limit       |u_gamma| <= U/2,  |u_delta| <= U - 7/16 |u_gamma|: an octagon in the circle
+//     back        v_alpha = u_gamma cos - u_delta sin,   v_beta = u_gamma sin + u_delta cos
+//
+// An integrator stands still while its output is limited and the error would drive it further.
+// Without `enable` voltages and integrators are 0, so that control begins from rest.
+//
+//     currents, voltages     s0.15 of a full scale each; w: s0.15 of a full scale of the speed
+//     x                      s0.27, so that small gains still integrate
+//     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u0.15
+//     latency                one sample; as CurrentLoop the clocks of its budget
+//     multipliers            20 products of 16 x 16 bits: one multiplier, in turn
+//
+// Doc: docs/blocks/current_control.md   Test: tests/hls/current_control_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/scheduled.hpp"
+#include "hls/sinusoidal/sine.hpp"
+
+namespace steplock {
+
+class CurrentControl {
+ public:
+  struct In {
+    bool enable = false;      // false: no voltage, integrators at 0
+    Int<16> i_u = 0;          // s0.15
+    Int<16> i_v = 0;          // s0.15
+    UInt<16> angle = 0;       // u0.16, electrical turns, of the gamma axis
+    Int<16> speed = 0;        // s0.15
+    Int<16> set_gamma = 0;    // s0.15
+    Int<16> set_delta = 0;    // s0.15
+    UInt<15> k_p = 0;         // u3.12
+    UInt<15> k_i = 0;         // u0.15, per sample
+    UInt<15> inductance = 0;  // u0.15, voltage per current and speed
+    UInt<15> emf = 0;         // u0.15, voltage per speed
+    UInt<15> limit = 0;       // u0.15, length of the voltage vector
+  };
+
+  struct Out {
+    Int<16> v_alpha = 0;   // s0.15
+    Int<16> v_beta = 0;    // s0.15
+    Int<16> i_gamma = 0;   // s0.15
+    Int<16> i_delta = 0;   // s0.15
+    bool limited = false;  // the voltage would have been longer
+  };
+
+  Out tick(const In& in) {
+    const auto [sine, cosine] = sine_cosine(in.angle);
+    const Int<16> alpha = in.i_u;
+    const auto beta = saturate<Int<16>>(((in.i_v + in.i_v + in.i_u) * kInverseRoot3) >> 15);
+    const auto i_gamma = rounded(alpha * cosine + beta * sine);
+    const auto i_delta = rounded(beta * cosine - alpha * sine);
+
+    const auto coupling = rounded(in.speed * in.inductance);
+    const auto emf = rounded(in.speed * in.emf);
+    const auto gamma = control(integral_gamma_, in, saturate<Int<16>>(in.set_gamma - i_gamma),
+                               -rounded(coupling * i_delta), UInt<15>(in.limit >> 1));
+    const auto length = gamma.voltage.negative() ? -gamma.voltage : Int<17>(gamma.voltage);
+    const auto seven = (Int<20>(length) << 3) - length;
+    const auto left = in.limit - (seven >> 4);
+    const auto delta = control(integral_delta_, in, saturate<Int<16>>(in.set_delta - i_delta),
+                               rounded(coupling * i_gamma) + emf, saturate<UInt<15>>(left));
+
+    return {.v_alpha = rounded(gamma.voltage * cosine - delta.voltage * sine),
+            .v_beta = rounded(gamma.voltage * sine + delta.voltage * cosine),
+            .i_gamma = i_gamma,
+            .i_delta = i_delta,
+            .limited = gamma.limited || delta.limited};
+  }
+
+ private:
+  using Integral = Int<28>;  // s0.27
+  static constexpr Int<16> kInverseRoot3 = 18919;  // s0.15
+
+  struct Axis {
+    Int<16> voltage = 0;
+    bool limited = false;
+  };
+
+  // s.30 to s0.15.
+  template <int W>
+  static Int<16> rounded(Int<W> product) {
+    return saturate<Int<16>>((product + (1 << 14)) >> 15);
+  }
+
+  template <int W>
+  static Axis control(Integral& integral, const In& in, Int<16> error, Int<W> ahead,
+                      UInt<15> limit) {
+    const auto moved = saturate<Integral>(integral + ((error * in.k_i) >> 3));
+    const auto wanted = (moved >> 12) + ((error * in.k_p) >> 12) + ahead;
+    const bool above = wanted > limit;
+    const bool below = wanted < -limit;
+    if (!in.enable) {
+      integral = 0;
+      return {};
+    }
+    // Further in the direction of the limit it would only have to come back.
+    if (!(above && !error.negative()) && !(below && error.negative())) integral = moved;
+    if (above) return {wrap<Int<16>>(Int<17>(limit)), true};
+    if (below) return {wrap<Int<16>>(-limit), true};
+    return {wrap<Int<16>>(wanted), false};
+  }
+
+  Integral integral_gamma_ = 0;  // s0.27, voltage
+  Integral integral_delta_ = 0;  // s0.27, voltage
+};
+
+// One multiplier; settings, currents and angle are held by those who give them.
+using CurrentLoop = Scheduled<
+    CurrentControl, Budget{.multipliers = 1, .clocks = 24, .inputs = Inputs::kHeld}>;
+
+}  // namespace steplock

@@ -1,0 +1,144 @@
+// Current control against its equations in doubles, within what the words' last places allow.
+
+#include "hls/sinusoidal/current_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace steplock {
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+constexpr double kPlace = 1.0 / 32768;  // the last of s0.15
+
+double value(Int<16> x) { return double(x.raw()) * kPlace; }
+Int<16> word(double x) { return static_cast<int>(std::lround(x / kPlace)); }
+UInt<15> gain(double x, int fraction) {
+  return static_cast<int>(std::lround(std::ldexp(x, fraction)));
+}
+
+// Two roundings of half a place each, and the second order that is left out: a sixth of a place.
+TEST(SineCosine, IsRightToTwoPlacesAtEveryAngle) {
+  for (int angle = 0; angle < 65536; ++angle) {
+    const auto [sine, cosine] = sine_cosine(UInt<16>(angle));
+    ASSERT_NEAR(value(sine), std::sin(kTurn * angle / 65536), 2 * kPlace) << angle;
+    ASSERT_NEAR(value(cosine), std::cos(kTurn * angle / 65536), 2 * kPlace) << angle;
+  }
+}
+
+struct Numbers {
+  double i_u, i_v, angle, speed, set_gamma, set_delta, k_p, k_i, inductance, emf, limit;
+
+  CurrentControl::In in() const {
+    CurrentControl::In in;
+    in.enable = true;
+    in.i_u = word(i_u);
+    in.i_v = word(i_v);
+    in.angle = static_cast<int>(std::lround(angle * 65536));
+    in.speed = word(speed);
+    in.set_gamma = word(set_gamma);
+    in.set_delta = word(set_delta);
+    in.k_p = gain(k_p, 12);
+    in.k_i = gain(k_i, 15);
+    in.inductance = gain(inductance, 15);
+    in.emf = gain(emf, 15);
+    in.limit = gain(limit, 15);
+    return in;
+  }
+};
+
+struct Voltages {
+  double alpha, beta, i_gamma, i_delta;
+};
+
+// The header's equations, one sample after a reset; nothing limits.
+Voltages reference(const Numbers& n) {
+  const double sine = std::sin(kTurn * n.angle), cosine = std::cos(kTurn * n.angle);
+  const double beta = (n.i_u + 2 * n.i_v) / std::sqrt(3.0);
+  const double i_gamma = n.i_u * cosine + beta * sine;
+  const double i_delta = -n.i_u * sine + beta * cosine;
+  const double gain = n.k_p + n.k_i;
+  const double coupling = n.speed * n.inductance;
+  const double u_gamma = gain * (n.set_gamma - i_gamma) - coupling * i_delta;
+  const double u_delta = gain * (n.set_delta - i_delta) + coupling * i_gamma + n.speed * n.emf;
+  return {u_gamma * cosine - u_delta * sine, u_gamma * sine + u_delta * cosine, i_gamma, i_delta};
+}
+
+Numbers drawn(std::mt19937& any) {
+  const auto between = [&](double a, double b) {
+    return std::uniform_real_distribution<>(a, b)(any);
+  };
+  const auto current = [&] { return between(-0.3, 0.3); };
+  return {current(),         current(),         between(0, 0.9999), between(-0.9, 0.9),
+          current(),         current(),         between(0, 0.4),    between(0, 0.1),
+          between(0, 0.3),   between(0, 0.3),   0.999};
+}
+
+TEST(CurrentControl, OneSampleIsTheEquations) {
+  std::mt19937 any(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const Numbers n = drawn(any);
+    CurrentControl dut;
+    const auto out = dut.tick(n.in());
+    const auto expected = reference(n);
+    ASSERT_FALSE(out.limited);
+    // Currents: rounded inputs (half a place each, twice that through 2 i_v / sqrt 3), beta cut, sine
+    // and cosine off by up to 2 places times 0.9, rounded: below 6.  Voltages: those through gains up
+    // to 0.8, three words of cut products, sine and cosine again: below 14.
+    ASSERT_NEAR(value(out.i_gamma), expected.i_gamma, 6 * kPlace);
+    ASSERT_NEAR(value(out.i_delta), expected.i_delta, 6 * kPlace);
+    ASSERT_NEAR(value(out.v_alpha), expected.alpha, 14 * kPlace);
+    ASSERT_NEAR(value(out.v_beta), expected.beta, 14 * kPlace);
+  }
+}
+
+Numbers still(double set_delta) { return {0, 0, 0, 0, 0, set_delta, 0, 0.01, 0, 0, 0.5}; }
+
+TEST(CurrentControl, TheIntegratorAddsUpSampleBySample) {
+  CurrentControl dut;
+  for (int sample = 1; sample <= 20; ++sample) {
+    const auto out = dut.tick(still(0.2).in());
+    ASSERT_NEAR(value(out.v_beta), sample * 0.01 * 0.2, (2 + sample * 0.2) * kPlace) << sample;
+  }
+}
+
+TEST(CurrentControl, TheVoltageStaysInItsCircle) {
+  std::mt19937 any(2);
+  CurrentControl dut;
+  int limited = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    Numbers n = drawn(any);
+    n.k_p = 5;
+    n.limit = std::uniform_real_distribution<>(0.1, 0.9)(any);
+    const auto out = dut.tick(n.in());
+    limited += out.limited ? 1 : 0;
+    ASSERT_LE(std::hypot(value(out.v_alpha), value(out.v_beta)), n.limit + 4 * kPlace);
+  }
+  EXPECT_GT(limited, 10'000);
+}
+
+TEST(CurrentControl, ALimitedIntegratorComesBackAtOnce) {
+  CurrentControl dut;
+  for (int sample = 0; sample < 5'000; ++sample) dut.tick(still(0.5).in());
+  const double at_limit = value(dut.tick(still(0.5).in()).v_beta);
+  EXPECT_NEAR(at_limit, 0.5, 0.01 * 0.5);  // within one step of the integrator
+  const double after = value(dut.tick(still(-0.5).in()).v_beta);
+  EXPECT_NEAR(after, at_limit - 0.01 * 0.5, 0.01 * 0.5 + 4 * kPlace);
+}
+
+TEST(CurrentControl, WithoutEnableItRests) {
+  CurrentControl dut;
+  for (int sample = 0; sample < 100; ++sample) dut.tick(still(0.5).in());
+  auto off = still(0.5).in();
+  off.enable = false;
+  const auto out = dut.tick(off);
+  EXPECT_EQ(out.v_alpha, 0);
+  EXPECT_EQ(out.v_beta, 0);
+  EXPECT_NEAR(value(dut.tick(still(0.5).in()).v_beta), 0.01 * 0.5, 3 * kPlace) << "from 0 again";
+}
+
+}  // namespace
+}  // namespace steplock
