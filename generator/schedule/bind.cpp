@@ -7,7 +7,7 @@
 namespace hlsgen::scheduling {
 namespace {
 
-constexpr double kFree = 1;         // values that a register takes for nothing
+constexpr std::size_t kFree = 1;    // values that a register takes without a choice
 constexpr double kChoiceBit = 0.6;  // logic cells per bit of every further one
 
 // Logic cells that a value more in this register costs.

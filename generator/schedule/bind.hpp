@@ -1,9 +1,9 @@
 // Which register keeps what, and which factor goes where.
 //
 // Values whose times do not meet share a register: in the order of their beginning, each goes into
-// the one that fits it best (left edge).  A second value in a register is free, as its choice finds
-// room in front of the flip-flop; later ones cost nearly as much as a register of their own.  A
-// product's factors are exchanged where that saves a source of the multiplier's.
+// the one that fits it best (left edge).  A choice in front of a register costs some two thirds of a
+// logic cell per bit, a register of its own up to one.  A product's factors are exchanged where that
+// saves a source of the multiplier's.
 //
 // Test: tests/generator/schedule_test.cpp
 
