@@ -5,6 +5,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
+#include "model/design/sinusoidal/design.hpp"
 #include "model/design/words.hpp"
 
 namespace steplock::design {
@@ -185,6 +186,7 @@ std::vector<std::string> problems(const Settings& s) {
   check_scenario(found, s);
   check_envelope(found, s);
   if (!found.lines.empty()) return found.lines;  // the rest divides by what may be zero
+  if (s.drive.kind == DriveKind::kSinusoidal) return sinusoidal::problems(s);
   check_control(found, s);
   const Design d = design_drive(s);
   check_speeds(found, s, d);

@@ -22,14 +22,21 @@ enum class Source { kBemf, kHall };
 enum class Sampling { kOnTime, kOffTime, kBoth };
 enum class Detector { kOncePerTurn, kEveryStep };
 enum class LoopForm { kPerSecond, kPerStep };
+enum class DriveKind { kSixStep, kSinusoidal };
+enum class Estimator { kVoltage, kCurrent };
+enum class Modulation { kSpaceVector, kSine };
+enum class StartBy { kPattern, kArbitrary, kPilot };
 
 struct DriveSection {
   std::string name, source, notes;
+  DriveKind kind = DriveKind::kSixStep;
   std::vector<std::string> assumed;  // "section.key: reason", for what the source does not publish
 };
 
 struct MotorSection {
   double resistance_ohm = 0, inductance_h = 0, mutual_h = 0, flux_vs = 0;
+  std::optional<double> inductance_d_h, inductance_q_h;
+  double saturation = 0, saturation_a = 1;
   int pole_pairs = 0;
   Shape shape = Shape::kTrapezoidal;
   double flat_top_deg = 120;
@@ -128,6 +135,40 @@ struct ProtectionSection {
   int over_current = 8;
 };
 
+struct AdcSection {
+  int bits = 12;
+  std::optional<double> current_a, voltage_v;
+  std::array<double, 3> current_offset_a = {};
+  double current_noise_a = 0, voltage_noise_v = 0;
+};
+
+struct SinusoidalSection {
+  Estimator estimator = Estimator::kCurrent;
+  Modulation modulation = Modulation::kSpaceVector;
+  int moving_average = 8;
+  double k_em = 1, angle_gain = 2;
+  std::optional<double> emf_bandwidth_rad_s, current_bandwidth_rad_s, speed_bandwidth_rad_s;
+  std::optional<double> slew_rpm_s, current_limit_a;
+  double i_gamma_a = 0;
+  bool compensate = true, knows_drop = true;
+};
+
+struct SinusoidalStartSection {
+  StartBy by = StartBy::kPattern;
+  std::optional<double> pattern_s, pattern_current_a, lock_rpm, stop_rpm;
+  double lock_s = 0.02, give_up_s = 2, brake_s = 0.2, rest_s = 0.3;
+  int retries = 3;
+  std::optional<double> pilot_short_s, pilot_long_s;
+  int pilot_repeats = 4;
+  double least_saliency = 0.03, least_polarity = 0.02;
+};
+
+struct SinusoidalProtectionSection {
+  double saturated_s = 0.3, slow_s = 0.5, emf_low = 0.4, emf_high = 2.5, emf_s = 0.1;
+  std::optional<double> slow_rpm;
+  int lost_samples = 3;
+};
+
 struct ScenarioSection {
   double speed_rpm = 0, duration_s = 2, start_angle_deg = 0, start_speed_rpm = 0;
   double run_s = 1e-3;
@@ -170,6 +211,10 @@ struct Settings {
   StartSection start;
   SpeedSection speed;
   ProtectionSection protection;
+  AdcSection adc;
+  SinusoidalSection sinusoidal;
+  SinusoidalStartSection sinusoidal_start;
+  SinusoidalProtectionSection sinusoidal_protection;
   ScenarioSection scenario;
   EnvelopeSection envelope;
   DisturbanceSection disturbance;

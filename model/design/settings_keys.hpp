@@ -35,7 +35,23 @@ constexpr auto enum_words(Chopping) { return std::to_array({"high_side", "comple
 constexpr auto enum_words(Source) { return std::to_array({"bemf", "hall"}); }
 constexpr auto enum_words(Sampling) { return std::to_array({"on_time", "off_time", "both"}); }
 constexpr auto enum_words(Detector) { return std::to_array({"once_per_turn", "every_step"}); }
+constexpr auto enum_words(DriveKind) { return std::to_array({"six_step", "sinusoidal"}); }
+constexpr auto enum_words(Estimator) { return std::to_array({"voltage", "current"}); }
+constexpr auto enum_words(Modulation) { return std::to_array({"space_vector", "sine"}); }
+constexpr auto enum_words(StartBy) { return std::to_array({"pattern", "arbitrary", "pilot"}); }
 constexpr auto enum_words(LoopForm) { return std::to_array({"per_second", "per_step"}); }
+
+// Sections that belong to one kind of drive alone; the others serve both.
+constexpr bool belongs(std::string_view section, DriveKind kind) {
+  for (const std::string_view s : {"loop", "start", "speed", "protection", "envelope"}) {
+    if (section == s) return kind == DriveKind::kSixStep;
+  }
+  for (const std::string_view s :
+       {"adc", "sinusoidal", "sinusoidal_start", "sinusoidal_protection"}) {
+    if (section == s) return kind == DriveKind::kSinusoidal;
+  }
+  return true;
+}
 
 // S is Settings or const Settings.
 template <class S, class Visitor>
@@ -51,6 +67,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("name", d.name, "", "what the drive is called in reports", 0, 0, required);
   k("source", d.source, "", "who publishes the numbers", 0, 0, required);
   k("notes", d.notes, "", "what a reader should know");
+  k("kind", d.kind, "", "which drive turns the motor");
   k("assumed", d.assumed, "", "\"section.key: reason\" for each value that nobody publishes");
 
   section = "motor";
@@ -58,6 +75,10 @@ void for_each_key(S& s, Visitor&& visit) {
   k("resistance_ohm", m.resistance_ohm, "ohm", "phase to neutral", 1e-4, 1e3, required);
   k("inductance_h", m.inductance_h, "H", "self-inductance of a phase", 1e-7, 1, required);
   k("mutual_h", m.mutual_h, "H", "between two phases, usually negative", -1, 1);
+  k("inductance_d_h", m.inductance_d_h, "H", "salient rotor: along the magnet; default: L - M", 1e-7, 1);
+  k("inductance_q_h", m.inductance_q_h, "H", "salient rotor: across the magnet; default: L - M", 1e-7, 1);
+  k("saturation", m.saturation, "", "part of L_d that iron loses at large positive i_d", 0, 0.9);
+  k("saturation_a", m.saturation_a, "A", "i_d at which 71 % of that is lost", 1e-3, 1e4);
   k("flux_vs", m.flux_vs, "V s", "peak phase back-EMF per electrical rad/s", 1e-6, 10, required);
   k("pole_pairs", m.pole_pairs, "", "electrical per mechanical turns", 1, 100, required);
   k("shape", m.shape, "", "of the back-EMF");
@@ -70,8 +91,8 @@ void for_each_key(S& s, Visitor&& visit) {
   k("static_nm", m.static_nm, "N m", "breakaway friction; default: coulomb_nm", 0, 100);
   k("cogging_nm", m.cogging_nm, "N m", "amplitude of the cogging torque", 0, 100);
   k("cogging_periods", m.cogging_periods, "", "of cogging per mechanical turn", 1, 1000);
-  k("rated_current_a", m.rated_current_a, "A", "continuous, in the two conducting phases", 1e-3,
-    1e4, required);
+  k("rated_current_a", m.rated_current_a, "A",
+    "continuous: six-step, in the two conducting phases; sinusoidal, peak of a phase", 1e-3, 1e4, required);
 
   section = "load";
   auto& l = s.load;
@@ -202,6 +223,59 @@ void for_each_key(S& s, Visitor&& visit) {
   k("wrong_lock_s", q.wrong_lock_s, "s", "for how long; 0 disables the test", 0, 4);
   k("over_current", q.over_current, "", "limit hits in a row that never release; 0 disables", 0,
     15);
+
+  section = "adc";
+  auto& x = s.adc;
+  k("bits", x.bits, "", "of every converter", 4, 24);
+  k("current_a", x.current_a, "A", "range, either sign; default: 4 x rated", 1e-3, 1e4);
+  k("voltage_v", x.voltage_v, "V", "range of the bus voltage's; default: 1.5 x bus_v", 1, 1e4);
+  k("current_offset_a", x.current_offset_a, "A", "of u, v, w", -1e3, 1e3);
+  k("current_noise_a", x.current_noise_a, "A", "standard deviation", 0, 1e3);
+  k("voltage_noise_v", x.voltage_noise_v, "V", "standard deviation", 0, 1e3);
+
+  section = "sinusoidal";
+  auto& y = s.sinusoidal;
+  k("estimator", y.estimator, "", "Eqs. (6)-(11) or (12)-(20)");
+  k("modulation", y.modulation, "", "of the three duties");
+  k("moving_average", y.moving_average, "", "voltage model: samples of Eq. (7)'s speed; 1 is none", 1, 64);
+  k("k_em", y.k_em, "", "the drive's K_E over the motor's", 0.1, 10);
+  k("angle_gain", y.angle_gain, "1/rad", "angle correction: part of the error per electrical radian turned", 0.05, 20);
+  k("emf_bandwidth_rad_s", y.emf_bandwidth_rad_s, "rad/s", "current model: of e_c; default: 4 x speed", 1, 1e5);
+  k("current_bandwidth_rad_s", y.current_bandwidth_rad_s, "rad/s", "default: 0.12 per sample", 1, 1e5);
+  k("speed_bandwidth_rad_s", y.speed_bandwidth_rad_s, "rad/s", "default: a quarter of the current's, at most 150", 0.1, 1e4);
+  k("slew_rpm_s", y.slew_rpm_s, "rpm/s", "of the set speed; default: a quarter of the rated torque", 1, 1e8);
+  k("current_limit_a", y.current_limit_a, "A", "phase peak that the speed regulator may ask for; default: 1.5 x rated", 1e-3, 1e4);
+  k("i_gamma_a", y.i_gamma_a, "A", "set-point of the gamma current, phase peak", -1e4, 1e4);
+  k("compensate", y.compensate, "", "the duty makes up for dead time");
+  k("knows_drop", y.knows_drop, "", "the drive takes the diodes' drop into account");
+
+  section = "sinusoidal_start";
+  auto& z = s.sinusoidal_start;
+  k("by", z.by, "", "where the rotor stands: turned by a held pattern, not known, or found by pilot pulses");
+  k("pattern_s", z.pattern_s, "s", "V+ U- W- for half of it, U+ V- W- after; default: from the inertia", 1e-3, 100);
+  k("pattern_current_a", z.pattern_current_a, "A", "phase peak; default: rated", 1e-3, 1e4);
+  k("lock_rpm", z.lock_rpm, "rpm", "the estimate is trusted above; default: 2 % of no-load speed", 0.1, 1e6);
+  k("lock_s", z.lock_s, "s", "for so long", 0, 10);
+  k("give_up_s", z.give_up_s, "s", "no lock in this time is a failed try", 1e-3, 100);
+  k("stop_rpm", z.stop_rpm, "rpm", "the drive lets go below; default: lock_rpm", 0.1, 1e6);
+  k("brake_s", z.brake_s, "s", "three low sides on, at the end of a stop", 0, 100);
+  k("rest_s", z.rest_s, "s", "gates off before the next try", 0, 100);
+  k("retries", z.retries, "", "failed tries before the fault latches", 0, 100);
+  k("pilot_short_s", z.pilot_short_s, "s", "pulse; default: to 0.3 x rated current", 1e-6, 0.1);
+  k("pilot_long_s", z.pilot_long_s, "s", "pulse for the polarity; default: to 1.2 x rated current", 1e-6, 0.1);
+  k("pilot_repeats", z.pilot_repeats, "", "rounds of six short pulses, averaged", 1, 64);
+  k("least_saliency", z.least_saliency, "", "less variation of the peaks is no position", 0, 1);
+  k("least_polarity", z.least_polarity, "", "less difference of the long peaks is no polarity", 0, 1);
+
+  section = "sinusoidal_protection";
+  auto& g = s.sinusoidal_protection;
+  k("saturated_s", g.saturated_s, "s", "a regulator at its limit for so long; 0 disables", 0, 100);
+  k("slow_rpm", g.slow_rpm, "rpm", "too slow for the estimator; default: from the converter's step", 0, 1e6);
+  k("slow_s", g.slow_s, "s", "for so long; 0 disables", 0, 100);
+  k("emf_low", g.emf_low, "", "least EMF over K_E speed", 0, 1);
+  k("emf_high", g.emf_high, "", "greatest", 1, 100);
+  k("emf_s", g.emf_s, "s", "outside of these for so long; 0 disables", 0, 100);
+  k("lost_samples", g.lost_samples, "", "in a row", 1, 1000);
 
   section = "scenario";
   auto& n = s.scenario;

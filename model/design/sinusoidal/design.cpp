@@ -1,0 +1,188 @@
+// See design.hpp for the rules.
+#include "model/design/sinusoidal/design.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace steplock::design::sinusoidal {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+const double kRoot = std::sqrt(1.5);  // power-invariant length of a peak
+
+double longest(Modulation m, double v_dc) {
+  return kRoot * v_dc * (m == Modulation::kSpaceVector ? 1 / std::numbers::sqrt3 : 0.5);
+}
+
+void set_motor(const Settings& s, Design& d) {
+  auto& m = d.parameters.motor;
+  const double round = s.motor.inductance_h - s.motor.mutual_h;
+  m = {.resistance = s.motor.resistance_ohm + s.inverter.on_resistance_ohm,
+       .inductance_d = s.motor.inductance_d_h.value_or(round),
+       .inductance_q = s.motor.inductance_q_h.value_or(round),
+       .k_e = s.sinusoidal.k_em * kRoot * s.motor.flux_vs,
+       .pole_pairs = s.motor.pole_pairs};
+  d.saliency = (m.inductance_q - m.inductance_d) / (m.inductance_q + m.inductance_d);
+  d.rated_torque = 1.5 * m.pole_pairs * s.motor.flux_vs * s.motor.rated_current_a;
+  d.no_load_rpm =
+      rpm_of(s, longest(s.sinusoidal.modulation, s.inverter.bus_v) / (kRoot * s.motor.flux_vs));
+  const double range = s.adc.current_a.value_or(4 * s.motor.rated_current_a);
+  d.current_step = std::ldexp(range, 1 - s.adc.bits);
+}
+
+void set_estimators(const Settings& s, Design& d, double period) {
+  auto& p = d.parameters;
+  const double gain = s.sinusoidal.angle_gain;
+  p.estimator = s.sinusoidal.estimator;
+  p.current_model = {
+      .k_e = p.motor.inductance_q / period * -std::expm1(-d.emf_bandwidth * period),
+      .k_theta = gain * p.motor.inductance_q / p.motor.k_e};
+  p.voltage_model = {.k_sp = gain / p.motor.k_e,
+                     .k_si = 10 * gain / p.motor.k_e,
+                     .samples = s.sinusoidal.moving_average};
+  d.slowest_rpm = rpm_of(
+      s, 0.5 * kRoot * d.current_step * p.motor.inductance_q / period / p.motor.k_e);
+}
+
+void set_regulators(const Settings& s, Design& d) {
+  auto& p = d.parameters;
+  const auto& m = p.motor;
+  const double b = d.current_bandwidth;
+  const auto ki = [&](double inductance) {
+    return b * inductance * std::max(m.resistance / inductance, b / 6);
+  };
+  p.current = {.kp_gamma = b * m.inductance_d, .kp_delta = b * m.inductance_q,
+               .ki_gamma = ki(m.inductance_d), .ki_delta = ki(m.inductance_q),
+               .i_gamma = kRoot * s.sinusoidal.i_gamma_a};
+  const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
+  const double per_ampere = m.pole_pairs * m.pole_pairs * m.k_e / inertia;  // rad/s^2
+  const double rated = kRoot * s.motor.rated_current_a;
+  p.speed.target = speed_of(s, s.scenario.speed_rpm);
+  p.speed.slew = s.sinusoidal.slew_rpm_s ? speed_of(s, *s.sinusoidal.slew_rpm_s)
+                                         : 0.25 * rated * per_ampere;
+  p.speed.filter = 4 * d.speed_bandwidth;
+  p.speed.kp = d.speed_bandwidth / per_ampere;
+  p.speed.ki = p.speed.kp * d.speed_bandwidth / 5;
+  p.speed.limit = kRoot * s.sinusoidal.current_limit_a.value_or(1.5 * s.motor.rated_current_a);
+}
+
+void set_start(const Settings& s, Design& d) {
+  const auto& z = s.sinusoidal_start;
+  auto& p = d.parameters;
+  const double rated = s.motor.rated_current_a;
+  auto& t = p.start;
+  t.by = z.by;
+  t.pattern_current = z.pattern_current_a.value_or(rated);
+  // The held rotor swings with w^2 = pole_pairs torque / J; two dozen radians of it, in two halves.
+  const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
+  const double stiffness = p.motor.pole_pairs * d.rated_torque * t.pattern_current / rated;
+  t.pattern_s = z.pattern_s.value_or(
+      std::clamp(24 * std::sqrt(inertia / stiffness), 0.05, 5.0) + 10 * p.motor.inductance_q / p.motor.resistance);
+  const double lock = z.lock_rpm.value_or(std::max(0.02 * d.no_load_rpm, 4 * d.slowest_rpm));
+  t.lock_speed = speed_of(s, lock);
+  t.stop_speed = speed_of(s, z.stop_rpm.value_or(lock));
+  t.lock_s = z.lock_s;
+  t.give_up_s = z.give_up_s;
+  t.brake_s = z.brake_s;
+  t.rest_s = z.rest_s;
+  t.retries = z.retries;
+
+  const double mean = 2 / (1 / p.motor.inductance_d + 1 / p.motor.inductance_q);
+  const double seconds_per_ampere = mean / (2.0 / 3 * s.inverter.bus_v);
+  p.pilot = {.short_s = z.pilot_short_s.value_or(0.3 * rated * seconds_per_ampere),
+             .long_s = z.pilot_long_s.value_or(1.2 * rated * seconds_per_ampere),
+             .decayed = 0.005 * rated + 2 * d.current_step + 4 * s.adc.current_noise_a,
+             .decay_s = 0.1,
+             .repeats = z.pilot_repeats,
+             .least_saliency = z.least_saliency,
+             .least_polarity = z.least_polarity};
+}
+
+void set_protection(const Settings& s, Design& d) {
+  const auto& g = s.sinusoidal_protection;
+  d.parameters.protection = {.over_current = s.sensors.limit_a,
+                             .saturated_s = g.saturated_s,
+                             .slow_speed = speed_of(s, g.slow_rpm.value_or(d.slowest_rpm / 2)),
+                             .slow_s = g.slow_s,
+                             .emf_low = g.emf_low,
+                             .emf_high = g.emf_high,
+                             .emf_speed = d.parameters.start.lock_speed,
+                             .emf_s = g.emf_s,
+                             .lost_samples = g.lost_samples};
+}
+
+}  // namespace
+
+double speed_of(const Settings& s, double rpm) { return rpm * s.motor.pole_pairs * kPi / 30; }
+double rpm_of(const Settings& s, double w) { return w * 30 / kPi / s.motor.pole_pairs; }
+
+Design design_drive(const Settings& s) {
+  Design d;
+  const double period = 1 / s.control.pwm_hz;
+  set_motor(s, d);
+  const auto& y = s.sinusoidal;
+  d.current_bandwidth = y.current_bandwidth_rad_s.value_or(std::min(0.12 / period, 3000.0));
+  d.speed_bandwidth =
+      y.speed_bandwidth_rad_s.value_or(std::min(d.current_bandwidth / 4, 150.0));
+  d.emf_bandwidth =
+      y.emf_bandwidth_rad_s.value_or(std::min(4 * d.speed_bandwidth, 0.3 / period));
+  d.parameters.pwm = {.period = period,
+                      .dead_time = s.inverter.dead_time_s,
+                      .minimum = s.control.minimum_pulse_s,
+                      .modulation = y.modulation};
+  d.parameters.applied = {.period = period,
+                          .dead_time = s.inverter.dead_time_s,
+                          .diode_drop = y.knows_drop ? s.inverter.diode_drop_v : 0,
+                          .small_current = d.current_step,
+                          .compensate = y.compensate};
+  set_estimators(s, d, period);
+  set_regulators(s, d);
+  set_start(s, d);
+  set_protection(s, d);
+  return d;
+}
+
+std::vector<std::string> problems(const Settings& s) {
+  std::vector<std::string> lines;
+  const auto add = [&](const auto&... parts) {
+    std::ostringstream line;
+    (line << ... << parts);
+    lines.push_back(line.str());
+  };
+  const Design d = design_drive(s);
+  if (s.motor.shape != Shape::kSinusoidal) {
+    add("motor.shape is not \"sinusoidal\"; must be for drive.kind = \"sinusoidal\"");
+  }
+  if (s.sinusoidal_start.by == StartBy::kPilot && d.saliency < 0.05) {
+    add("sinusoidal_start.by is \"pilot\", but (L_q - L_d) / (L_q + L_d) is ", d.saliency,
+        "; must be 0.05 or more: give inductance_d_h and inductance_q_h, or start by \"pattern\"");
+  }
+  if (s.sinusoidal_start.by == StartBy::kPilot && s.motor.saturation == 0) {
+    add("sinusoidal_start.by is \"pilot\", but motor.saturation is 0; nothing shows the polarity then");
+  }
+  if (s.scenario.speed_rpm > 0.9 * d.no_load_rpm) {
+    add("scenario.speed_rpm is ", s.scenario.speed_rpm, " rpm; must be below ", 0.9 * d.no_load_rpm,
+        " rpm, 90 % of what the bus voltage allows");
+  }
+  const double lock = rpm_of(s, d.parameters.start.lock_speed);
+  if (s.scenario.speed_rpm < 1.1 * lock) {
+    add("scenario.speed_rpm is ", s.scenario.speed_rpm, " rpm; must be 10 % above ", lock,
+        " rpm, where the estimate is first trusted");
+  }
+  if (s.inverter.dead_time_s > 0.1 / s.control.pwm_hz) {
+    add("inverter.dead_time_s is ", s.inverter.dead_time_s, " s; must be at most a tenth of the PWM period");
+  }
+  if (s.sensors.limit_a <= s.sinusoidal.current_limit_a.value_or(1.5 * s.motor.rated_current_a)) {
+    add("sensors.limit_a is ", s.sensors.limit_a,
+        " A; must be above the current that the speed regulator may ask for (sinusoidal.current_limit_a)");
+  }
+  if (s.adc.current_a && *s.adc.current_a < s.sensors.limit_a) {
+    add("adc.current_a is ", *s.adc.current_a, " A; must reach sensors.limit_a, ", s.sensors.limit_a,
+        " A, or over-current is not seen");
+  }
+  return lines;
+}
+
+}  // namespace steplock::design::sinusoidal

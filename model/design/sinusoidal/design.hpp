@@ -1,0 +1,40 @@
+// From a drive file's settings to what the sinusoidal drive's blocks are set to.
+//
+//     K_e       (L_q / T) (1 - exp(-bandwidth T))       e_c follows the EMF with this bandwidth
+//     K_theta   angle_gain L_q / K_E                     the angle error falls by angle_gain per
+//                                                        electrical radian turned, at any speed
+//     K_SP      angle_gain / K_E,  K_SI = 10/s K_SP      the same of the voltage model
+//     currents  kp = bandwidth L, ki = kp max(R / L, bandwidth / 6)
+//     speed     kp = bandwidth J / (pole_pairs^2 K_E), ki = kp bandwidth / 5
+//     slowest   K_E w T / L_q = half a step of the converter: one radian of error just shows
+//
+// Doc: docs/sinusoidal.md   Test: tests/model/design/sinusoidal_rules_test.cpp
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/design/sinusoidal/parameters.hpp"
+
+namespace steplock::design::sinusoidal {
+
+struct Design {
+  Parameters parameters;
+  double emf_bandwidth = 0, current_bandwidth = 0, speed_bandwidth = 0;  // rad/s
+  double current_step = 0;      // A, of the converter
+  double rated_torque = 0;      // N m
+  double no_load_rpm = 0;       // at the end of the modulator's linear range
+  double slowest_rpm = 0;       // the rule above
+  double saliency = 0;          // (L_q - L_d) / (L_q + L_d)
+};
+
+Design design_drive(const Settings&);
+
+// Electrical rad/s of a mechanical speed, and back.
+double speed_of(const Settings&, double rpm);
+double rpm_of(const Settings&, double rad_per_s);
+
+// What makes no sense in a sinusoidal drive's settings: "section.key is ...; must be ...".
+std::vector<std::string> problems(const Settings&);
+
+}  // namespace steplock::design::sinusoidal

@@ -1,0 +1,73 @@
+#include "model/design/sinusoidal/design.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "testbench/drive_file/drive_file.hpp"
+
+namespace steplock::design::sinusoidal {
+namespace {
+
+Settings matsui() { return load_drive_file(DRIVES "/matsui1996.toml").settings; }
+
+TEST(SinusoidalRules, TableIIsReadAsNotesSay) {
+  const Design d = design_drive(matsui());
+  EXPECT_NEAR(d.parameters.motor.k_e, 0.332, 1e-4);
+  EXPECT_NEAR(d.parameters.motor.inductance_q, 1.5 * 9.55e-3, 1e-9);
+  // 98 kgf cm at 9.65 A power-invariant; the drive's R holds the switch's, too.
+  EXPECT_NEAR(d.rated_torque, 98 * 9.80665e-2, 0.01);
+  EXPECT_NEAR(std::sqrt(1.5) * 7.88, 9.65, 0.01);
+  EXPECT_NEAR(d.current_step, 2.2e-2, 1e-9);
+  EXPECT_GT(d.no_load_rpm, 1500);
+}
+
+TEST(SinusoidalRules, TheEmfFollowsWithItsBandwidthAndTheAngleWithItsGain) {
+  const Settings s = matsui();
+  const Design d = design_drive(s);
+  const auto& p = d.parameters;
+  const double T = p.pwm.period, L = p.motor.inductance_q;
+  // One sample leaves exp(-bandwidth T) of the error.
+  EXPECT_NEAR(1 - p.current_model.k_e * T / L, std::exp(-d.emf_bandwidth * T), 1e-12);
+  // Per electrical radian: K_theta (T / L) K_E w per sample, 1 / (w T) samples.
+  EXPECT_NEAR(p.current_model.k_theta / L * p.motor.k_e, s.sinusoidal.angle_gain, 1e-12);
+  EXPECT_NEAR(p.voltage_model.k_sp * p.motor.k_e, s.sinusoidal.angle_gain, 1e-12);
+}
+
+TEST(SinusoidalRules, TheSlowestSpeedIsWhereARadianShowsAsHalfAStep) {
+  const Design d = design_drive(matsui());
+  const auto& p = d.parameters;
+  const double emf = p.motor.k_e * speed_of(matsui(), d.slowest_rpm);
+  EXPECT_NEAR(p.pwm.period / p.motor.inductance_q * emf, std::sqrt(1.5) * d.current_step / 2, 1e-9);
+}
+
+TEST(SinusoidalRules, ABelievedConstantMovesTheDriveAndNotTheMotor) {
+  Settings s = matsui();
+  s.sinusoidal.k_em = 1.25;
+  const Design wrong = design_drive(s), right = design_drive(matsui());
+  EXPECT_NEAR(wrong.parameters.motor.k_e, 1.25 * right.parameters.motor.k_e, 1e-12);
+  EXPECT_EQ(wrong.rated_torque, right.rated_torque);
+  EXPECT_EQ(wrong.no_load_rpm, right.no_load_rpm);
+}
+
+TEST(SinusoidalRules, WhatMakesNoSenseIsNamedByItsKey) {
+  const auto only = [](auto change) {
+    Settings s = matsui();
+    change(s);
+    const auto lines = problems(s);
+    return lines.size() == 1 ? lines[0] : "not one problem";
+  };
+  EXPECT_EQ(problems(matsui()).size(), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.motor.shape = Shape::kTrapezoidal; }).find("motor.shape"), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.scenario.speed_rpm = 3000; }).find("scenario.speed_rpm"), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.scenario.speed_rpm = 20; }).find("scenario.speed_rpm"), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.inverter.dead_time_s = 40e-6; }).find("inverter.dead_time_s"), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.sensors.limit_a = 8; }).find("sensors.limit_a"), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.adc.current_a = 12; }).find("adc.current_a"), 0u);
+  Settings round = matsui();
+  round.sinusoidal_start.by = StartBy::kPilot;
+  EXPECT_EQ(problems(round).size(), 2u);  // no saliency, no saturation
+}
+
+}  // namespace
+}  // namespace steplock::design::sinusoidal
