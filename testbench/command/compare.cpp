@@ -21,6 +21,7 @@ struct Arguments {
 
 int compare(const Arguments& arguments) {
   const DriveFile file = open_drive_file(arguments.file);
+  require_kind(file, design::DriveKind::kSixStep, "compare");
   Comparison result;
   bool interrupted = false;
   {

@@ -7,6 +7,7 @@
 #include "testbench/command/command.hpp"
 #include "testbench/report/design_report.hpp"
 #include "testbench/run/check.hpp"
+#include "testbench/sinusoidal/design_report.hpp"
 
 namespace steplock {
 namespace {
@@ -18,6 +19,11 @@ struct Arguments {
 
 int design_drive_file(const Arguments& arguments) {
   const DriveFile file = open_drive_file(arguments.file);
+  if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
+    fmt::print("{}", arguments.json ? sinusoidal::design_json(file.settings).dump(2) + "\n"
+                                    : sinusoidal::design_text(file.settings));
+    return kWell;
+  }
   const DesignReport report = design_report(file.settings);
   fmt::print("{}", arguments.json ? report.json.dump(2) + "\n" : report.text);
   // With --json alone nothing but JSON is asked for.

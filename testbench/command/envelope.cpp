@@ -19,14 +19,13 @@ struct Arguments {
 
 int print_envelope(const Arguments& arguments) {
   namespace fs = std::filesystem;
-  std::vector<DriveFile> files;
-  for (const std::string& path : arguments.files) files.push_back(open_drive_file(path));
+  const std::vector<DriveFile> files = open_six_step_files(arguments.files, "the envelope");
   std::vector<LoadEnvelope> all;
   {
     Interrupt interrupt;
     ProgressBar bar("load");
     for (std::size_t i = 0; i < files.size(); ++i) {
-      const std::string stem = fs::path(arguments.files[i]).stem().string();
+      const std::string stem = fs::path(files[i].path).stem().string();
       all.push_back(measure_envelope(files[i], stem, [&](double done) {
         bar.show((static_cast<double>(i) + done) / static_cast<double>(files.size()), stem);
         return !interrupt.asked();

@@ -10,6 +10,7 @@
 #include "testbench/run/check.hpp"
 #include "testbench/run/summary.hpp"
 #include "testbench/run/trace_writer.hpp"
+#include "testbench/sinusoidal/run.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 #include "testbench/sweep/row.hpp"
 
@@ -62,6 +63,7 @@ void print_row(const Row& row, bool json) {
 // One run of a sweep alone: once to know how long it takes, once with everything written down.
 int replay(const Arguments& arguments) {
   DriveFile file = open_drive_file(arguments.file);
+  require_kind(file, design::DriveKind::kSixStep, "--replay");
   const fs::path out = make_folder(arguments);
   DrawnRun run = drawn_run(file.settings, {*arguments.replay});
   Interrupt interrupt;
@@ -94,6 +96,40 @@ int replay(const Arguments& arguments) {
   return well ? kWell : kFailed;
 }
 
+int run_sinusoidal(const Arguments& arguments, const DriveFile& file) {
+  const auto refuse = [&](const std::string& what) {
+    throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), what));
+  };
+  if (arguments.engine != EngineKind::kFloat) {
+    refuse(fmt::format("a sinusoidal drive has no {} engine yet, its blocks are not in hls/; use --engine float",
+                       name_of(arguments.engine)));
+  }
+  if (arguments.trace) refuse("a sinusoidal drive writes no wave yet; leave out --trace");
+  const fs::path out = make_folder(arguments);
+  RunOptions options{.engine = arguments.engine,
+                     .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg)};
+  sinusoidal::Record record;
+  {
+    Interrupt interrupt;
+    ProgressBar bar(fmt::format("{} ({})", file.settings.drive.name, name_of(options.engine)));
+    options.progress = [&](double done) {
+      bar.show(done);
+      return !interrupt.asked();
+    };
+    record = sinusoidal::run(file.settings, options);
+  }
+  const sinusoidal::Result result = sinusoidal::summarise(file.settings, options, record);
+  const ReportFiles files = sinusoidal::write_report(out, file.settings, result, record);
+  if (arguments.json) {
+    fmt::print("{}\n", to_json(result).dump(2));
+  } else {
+    fmt::print("{}", to_text(result));
+  }
+  print_files(files, arguments.json);
+  if (result.interrupted) return kInterrupted;
+  return result.failures().empty() ? kWell : kFailed;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.replay) return replay(arguments);
   if (arguments.compare && arguments.engine == EngineKind::kFloat) {
@@ -104,6 +140,7 @@ int run(const Arguments& arguments) {
   }
   DriveFile file = open_drive_file(arguments.file);
   if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
+  if (file.settings.drive.kind == design::DriveKind::kSinusoidal) return run_sinusoidal(arguments, file);
   const fs::path out = make_folder(arguments);
 
   RunOptions options{.engine = arguments.engine,

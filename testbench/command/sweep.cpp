@@ -65,8 +65,7 @@ int run_sweep(const Arguments& arguments) {
   if (arguments.kind.matrix == Matrix::kDisturb && arguments.kind.outside > 0) {
     throw BadInput("--outside is for starts; leave it out with --matrix disturb");
   }
-  std::vector<DriveFile> files;
-  for (const std::string& path : arguments.files) files.push_back(open_drive_file(path));
+  const std::vector<DriveFile> files = open_six_step_files(arguments.files, "a sweep");
   const SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
   const fs::path folder = arguments.out.empty() ? fs::path("out/sweep") : fs::path(arguments.out);
   SweepEnd end;

@@ -231,6 +231,14 @@ class Loader {
                            near.empty() ? "remove it" : fmt::format("did you mean [{}]?", near)));
         continue;
       }
+      if (!design::belongs(section.str(), file_.settings.drive.kind)) {
+        say_at(static_cast<int>(section.source().begin.line),
+               fmt::format("[{}] is not for drive.kind = \"{}\"; remove it, or name the other kind",
+                           section.str(),
+                           enum_words(design::DriveKind{})[static_cast<std::size_t>(
+                               file_.settings.drive.kind)]));
+        continue;
+      }
       if (!node.is_table()) continue;
       for (const auto& [key, value] : *node.as_table()) {
         if (std::ranges::find(known->second, key.str()) != known->second.end()) continue;

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "model/design/settings.hpp"
-#include "model/plant/plant.hpp"
+#include "model/plant/adc.hpp"
 
 namespace steplock {
 
@@ -39,6 +39,7 @@ DriveFile parse_drive_file(const std::string& text, const std::string& path);
 
 // The motor, bridge and sensors that the settings describe.
 plant::Parameters plant_parameters(const design::Settings&);
+plant::AdcParameters adc_parameters(const design::Settings&);
 // The rotor at t = 0; the angle is electrical.
 plant::InitialState initial_state(const design::Settings&, double angle_deg);
 

@@ -14,6 +14,10 @@ plant::Parameters plant_parameters(const design::Settings& s) {
   p.motor.resistance = m.resistance_ohm;
   p.motor.inductance = m.inductance_h;
   p.motor.mutual = m.mutual_h;
+  p.motor.inductance_d = m.inductance_d_h.value_or(0);
+  p.motor.inductance_q = m.inductance_q_h.value_or(0);
+  p.motor.saturation = m.saturation;
+  p.motor.saturation_current = m.saturation_a;
   p.motor.flux = m.flux_vs;
   p.motor.pole_pairs = m.pole_pairs;
   switch (m.shape) {
@@ -63,6 +67,17 @@ plant::Parameters plant_parameters(const design::Settings& s) {
 
   p.accuracy = {.tolerance = s.accuracy.tolerance, .max_step = s.accuracy.max_step_s};
   return p;
+}
+
+plant::AdcParameters adc_parameters(const design::Settings& s) {
+  const auto& a = s.adc;
+  return {.bits = a.bits,
+          .current_range = a.current_a.value_or(4 * s.motor.rated_current_a),
+          .current_offset = a.current_offset_a,
+          .current_noise = a.current_noise_a,
+          .voltage_range = a.voltage_v.value_or(1.5 * s.inverter.bus_v),
+          .voltage_noise = a.voltage_noise_v,
+          .seed = static_cast<std::uint64_t>(s.sensors.seed)};
 }
 
 plant::InitialState initial_state(const design::Settings& s, double angle_deg) {

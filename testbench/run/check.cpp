@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/design/design.hpp"
+#include "model/design/settings_keys.hpp"
 
 namespace steplock {
 namespace {
@@ -35,6 +36,34 @@ void check_drive_file(const DriveFile& file) {
     all += fmt::format("{}{}:{}: {}", all.empty() ? "" : "\n", file.path, line, text);
   }
   throw BadInput(all);
+}
+
+void require_kind(const DriveFile& file, design::DriveKind kind, const std::string& what) {
+  const design::DriveKind is = file.settings.drive.kind;
+  if (is == kind) return;
+  const auto word = [](design::DriveKind k) {
+    return enum_words(k)[static_cast<std::size_t>(k)];
+  };
+  const auto line = file.line_of.find("drive.kind");
+  throw BadInput(fmt::format("{}:{}: drive.kind is \"{}\"; {} serves \"{}\" drives alone, name one",
+                             file.path, line == file.line_of.end() ? 1 : line->second, word(is), what,
+                             word(kind)));
+}
+
+std::vector<DriveFile> open_six_step_files(const std::vector<std::string>& paths,
+                                           const std::string& what) {
+  std::vector<DriveFile> files;
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    DriveFile file = open_drive_file(paths[k]);
+    if (file.settings.drive.kind == design::DriveKind::kSixStep) {
+      files.push_back(std::move(file));
+    } else if (k + 1 == paths.size() && files.empty()) {
+      require_kind(file, design::DriveKind::kSixStep, what);
+    } else {
+      fmt::print(stderr, "steplock: {} is no six-step drive; {} leaves it out\n", paths[k], what);
+    }
+  }
+  return files;
 }
 
 DriveFile open_drive_file(const std::string& path) {

@@ -11,4 +11,10 @@ namespace steplock {
 void check_drive_file(const DriveFile&);      // throws BadInput with all lines
 DriveFile open_drive_file(const std::string& path);  // loads and checks
 
+// For what serves one kind of drive alone: throws BadInput with one line that names `what` and the kind.
+void require_kind(const DriveFile&, design::DriveKind, const std::string& what);
+// The six-step drives among files; the others are named on standard error.  Throws if there is none.
+std::vector<DriveFile> open_six_step_files(const std::vector<std::string>& paths,
+                                           const std::string& what);
+
 }  // namespace steplock

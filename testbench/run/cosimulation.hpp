@@ -11,12 +11,16 @@
 //     void tick();                        Watch watch() const;     DriveView view() const;
 //     uint64_t quiet() const;             clocks for which tick() would do nothing under these pins
 //     void skip(uint64_t clocks);         at most that many
+//     void set_reading(const plant::State&);    with converters only: at the clock of a sample strobe
+//
+// What it is watched by is its own (engine/watch.hpp, sinusoidal/watch.hpp).
 //
 // Doc: docs/report.md   Test: tests/testbench/cosimulation_test.cpp
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "testbench/run/recorder.hpp"
 #include "testbench/run/timeline.hpp"
@@ -26,6 +30,8 @@ namespace steplock {
 // `Recording` is a Recorder, or has its calls.
 template <class Engine, class Recording = Recorder>
 class Cosimulation {
+  using Watch = decltype(std::declval<const Engine&>().watch());
+
  public:
   Cosimulation(Engine& engine, plant::Plant& plant, const Timeline& timeline, Recording& recorder,
                double clock_hz)
@@ -95,6 +101,9 @@ class Cosimulation {
     if (!strobe_only || recorder_.tracing()) {
       recorder_.changed(plant_.state(), watch_, now, engine_.view(), load_nm_);
       sample_ = std::max(clock_at(recorder_.next_sample()), clock_ + 1);
+    }
+    if constexpr (requires { engine_.set_reading(plant_.state()); }) {
+      if (now.sample() && !watch_.sample()) engine_.set_reading(plant_.state());
     }
     if (new_gates) plant_.set_gates(now.gates());
     if (now.step() != watch_.step()) faults_.commutated(clock_ + 1, now.step());

@@ -1,0 +1,82 @@
+// One run of a sinusoidal drive: its scenario on the co-simulation that every engine shares, what it
+// amounts to, and the files it leaves.
+//
+// Speeds are the plant's: the angle turned in a span, divided by the span.  The steady span is the
+// last half between reaching set speed and the first disturbance.  A run passes if the drive locked,
+// ended without fault, held its set speed within 0.5 %, was back within 2 % in the last fifth of the
+// load step, and stood still at the end of a stop.
+//
+// Doc: docs/sinusoidal.md   Test: tests/testbench/sinusoidal_run_test.cpp
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "testbench/report/figure.hpp"
+#include "testbench/report/report.hpp"
+#include "testbench/run/cosimulation.hpp"
+#include "testbench/run/run_drive.hpp"
+#include "testbench/sinusoidal/float_engine.hpp"
+#include "testbench/sinusoidal/recorder.hpp"
+
+namespace steplock::sinusoidal {
+
+// Engine, plant and recorder of one run, for whoever wants to intervene on the way.
+class Bench {
+ public:
+  // The drive is designed for `believed`; the plant is what `real` says.
+  Bench(const design::Settings& believed, const design::Settings& real, const Timeline&,
+        double angle_deg, std::size_t samples = 4000);
+  Bench(const Bench&) = delete;
+
+  void run_until(double seconds);
+  double time() const { return static_cast<double>(simulation_.clock()) / clock_hz_; }
+  plant::Plant& plant() { return plant_; }
+  FloatEngine& engine() { return engine_; }
+  Recorder& recorder() { return recorder_; }
+  Record take();
+
+ private:
+  Timeline timeline_;
+  double clock_hz_;
+  plant::Plant plant_;
+  FloatEngine engine_;
+  Recorder recorder_;
+  Cosimulation<FloatEngine, Recorder> simulation_;
+};
+
+struct Result {
+  std::string drive, engine, estimator, start_by;
+  double angle_deg = 0;
+  bool locked = false;
+  std::optional<double> lock_time_s;
+  double backward_deg = 0;               // electrical, farthest against the wanted direction
+  std::optional<double> position_error_deg;  // of the pilot pulses, electrical
+  std::string fault = "none";
+  std::vector<std::string> reasons;      // of every try that failed
+  double set_speed_rpm = 0, mean_rpm = 0, speed_error_percent = 0;
+  double delta_theta_mean_deg = 0, delta_theta_rms_deg = 0;  // steady
+  double rms_current_a = 0, peak_current_a = 0;
+  std::optional<double> load_step_nm, load_dip_percent, loaded_error_percent;
+  std::optional<double> loaded_delta_theta_worst_deg;  // from the load step to the end of the load
+  std::optional<double> stopped_rpm;     // at the end
+  std::uint64_t shoot_throughs = 0, clocks = 0;
+  double simulated_s = 0, wall_s = 0, cpu_s = 0, energy_residual = 0;
+  bool interrupted = false;
+
+  std::vector<std::string> failures() const;
+};
+
+Record run(const design::Settings&, const RunOptions&);
+Result summarise(const design::Settings&, const RunOptions&, const Record&);
+nlohmann::ordered_json to_json(const Result&);
+std::string to_text(const Result&);
+std::string samples_csv(const std::vector<Sample>&);
+std::vector<Figure> figures(const design::Settings&, const Record&);
+// summary.json, run.csv and the figures.
+ReportFiles write_report(const std::filesystem::path&, const design::Settings&, const Result&,
+                         const Record&);
+
+}  // namespace steplock::sinusoidal
