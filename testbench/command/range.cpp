@@ -19,6 +19,7 @@ struct Arguments {
 int print_range(const Arguments& arguments) {
   namespace fs = std::filesystem;
   const DriveFile file = open_drive_file(arguments.file);
+  require_kind(file, design::DriveKind::kSixStep, "the range");
   Range range;
   {
     Interrupt interrupt;

@@ -33,6 +33,8 @@ struct Watch {
   }
   State state() const { return static_cast<State>(bits >> kState & 15); }
   Reason reason() const { return static_cast<Reason>(bits >> kReason & 15); }
+  // There are no commutation steps: a scenario's pin faults, which wait for one, never come.
+  int step() const { return 0; }
   bool sample() const { return bit(kSample); }
   bool locked() const { return bit(kLocked); }
 
