@@ -59,9 +59,6 @@ int conclude(const SweepSetup& setup, const SweepEnd& end, const fs::path& folde
 
 int run_sweep(const Arguments& arguments) {
   const Shard shard = parse_shard(arguments.shard);
-  if (!arguments.page.empty() && arguments.kind.matrix != Matrix::kDisturb) {
-    throw BadInput("--page is for disturbances; add --matrix disturb");
-  }
   if (arguments.kind.matrix == Matrix::kDisturb && arguments.kind.outside > 0) {
     throw BadInput("--outside is for starts; leave it out with --matrix disturb");
   }
@@ -109,7 +106,7 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", a->jobs, "processes (default: as many as cores)")->check(CLI::Range(1, 4096));
   command->add_option("--shard", a->shard, "i/n: only every n-th run, i from 0 to n - 1; see merge");
   command->add_option("--out", a->out, "folder (default out/sweep)");
-  command->add_option("--page", a->page, "print the committed page of a whole disturbance matrix there, such as docs/disturbances.md");
+  command->add_option("--page", a->page, "when all runs are done, print the committed page there, such as docs/starts.md");
   command->add_flag("--resume", a->resume, "do only the runs that the folder does not hold");
   command->add_flag("--json", a->json, "print sweep.json on standard output");
   command->add_option("--matrix", a->kind.matrix,

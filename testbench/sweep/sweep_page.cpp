@@ -171,14 +171,20 @@ std::vector<std::string> write_sweep_report(const SweepSetup& setup, const std::
 }
 
 void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {
-  constexpr std::uint64_t kPrefix = 50;
-  draw_all(sweep_figures(setup, rows), page.parent_path() / "figures");
+  const bool disturb = setup.kind.matrix == Matrix::kDisturb;
+  const std::uint64_t most = disturb ? 50 : 300;
+  std::vector<Figure> figures = sweep_figures(setup, rows);
+  if (!disturb) {  // those that do not grow with every run
+    std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });
+    for (Figure& f : figures) f.name = "starts_" + f.name;
+  }
+  draw_all(figures, page.parent_path() / "figures");
   Json j = sweep_json(setup, rows);
-  const std::uint64_t prefix = std::min(kPrefix, setup.runs);
+  const std::uint64_t prefix = std::min(most, setup.runs);
   j["prefix"] = {{"runs", prefix}, {"digest", prefix_digest(rows, prefix)}};
   std::filesystem::path json = page;
   write_file(json.replace_extension(".json"), j.dump(1) + "\n");
-  write_file(page, disturbance_page(setup, rows, passed(setup, rows)));
+  write_file(page, disturb ? disturbance_page(setup, rows, passed(setup, rows)) : start_page(setup, rows));
 }
 
 }  // namespace steplock

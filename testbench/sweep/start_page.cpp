@@ -1,0 +1,65 @@
+// docs/starts.md: the statistics of drawn starts.
+#include <fmt/format.h>
+
+#include "testbench/sweep/statistics.hpp"
+
+namespace steplock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string three(const Json& s) {
+  if (s["min"].is_null()) return "-";
+  return fmt::format("{:.3g} / {:.3g} / {:.3g}", s["min"].get<double>(), s["median"].get<double>(),
+                     s["max"].get<double>());
+}
+
+std::string line(const std::string& name, const Json& part, const Json& spreads) {
+  std::string t = "| " + name;
+  for (const char* key : {"runs", "started", "started_after_retries", "latched", "silent_step_outs", "unfinished"}) {
+    t += fmt::format(" | {}", part[key].get<int>());
+  }
+  for (const char* key : {"lock_time_s", "speed_time_s", "kick_deg", "peak_current_a"}) {
+    t += " | " + three(spreads[key]);
+  }
+  return t + " |\n";
+}
+
+}  // namespace
+
+std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const Json j = sweep_json(setup, rows);
+  const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
+  std::string t = fmt::format(
+      "# Starts\n\nPrinted by `steplock sweep drives/*.toml --runs {} --seed {}{} --page docs/starts.md`; the test "
+      "`all_of_300_drawn_starts_succeed_and_rtl_agrees` repeats its first runs and fails when they are not the page's.\n\n",
+      setup.runs, setup.kind.seed, outside);
+  t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
+       "resistance, inductance, flux, comparators, and whether the rotor turns already, either way. The drive's words stay "
+       "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, "
+       "at the set speed; *silent* is a rotor out of step for half a second while the drive claims a lock "
+       "([how it is judged](sweep.md#a-run)).\n\n";
+  t += fmt::format("{} runs; engine `fixed`, {} runs repeated on the RTL, {} of them differ on any clock.\n\n", rows.size(),
+                   j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
+  t += "Times from `run`, kicks backwards from rest in electrical degrees, peaks of any phase; each as min / median / max.\n\n"
+       "| drive | runs | started | after retries | latched | silent | unfinished | lock, s | set speed, s | kick, deg | peak, A |\n"
+       "|---|---:|---:|---:|---:|---:|---:|---|---|---|---|\n";
+  for (const auto& [name, part] : j["per_drive"].items()) t += line(name, part, part);
+  t += line("all, inside the envelope", j["inside"], j);
+  if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
+    t += fmt::format("\nOutside the envelope: {} runs, {} started, {} latched, {} silent, {} unfinished.\n", o["runs"].get<int>(),
+                     o["started"].get<int>(), o["latched"].get<int>(), o["silent_step_outs"].get<int>(),
+                     o["unfinished"].get<int>());
+  }
+  t += "\n![Time to lock](figures/starts_lock_time.svg)\n\n![Peak current](figures/starts_peak_current.svg)\n";
+  const auto failed = failures(rows);
+  if (failed.empty()) return t;
+  t += "\n## Failed\n\n| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
+  for (const Row* r : failed) {
+    t += fmt::format("| `steplock run drives/{}.toml --replay {}` | {} | {} | {} |\n", r->drive, r->seed,
+                     name_of(r->findings.outcome), name_of(r->findings.reason), r->outside ? "outside" : "inside");
+  }
+  return t;
+}
+
+}  // namespace steplock
