@@ -17,7 +17,8 @@ namespace {
 std::vector<DriveFile> all_drives() {
   std::vector<DriveFile> files;
   for (const auto& entry : std::filesystem::directory_iterator(STEPLOCK_DRIVES)) {
-    files.push_back(load_drive_file(entry.path().string()));
+    DriveFile file = load_drive_file(entry.path().string());
+    if (file.settings.drive.kind == design::DriveKind::kSixStep) files.push_back(std::move(file));
   }
   std::ranges::sort(files, {}, &DriveFile::path);
   return files;
