@@ -1,6 +1,6 @@
 // current_control: steplock::CurrentControl, printed by hlsgen from hls/sinusoidal/current_control.hpp:29.
-// A sample takes 24 clocks, and in no order fewer than 24: 186 operations, 21 products, 2 entries of tables
-// on 1 multiplier of 16 x 16 bits; 414 register bits, 207 of them between steps.
+// A sample takes 25 clocks, and in no order fewer than 24: 186 operations, 21 products, 2 entries of tables
+// on 1 multiplier of 16 x 16 bits; 469 register bits, 262 of them between steps.
 // Do not edit: change the C++ and print again.
 
 module current_control (
@@ -31,20 +31,21 @@ module current_control (
   logic [27:0] integral_gamma;  // s0.27, voltage
   logic [27:0] integral_delta;  // s0.27, voltage
   logic [4:0] step;  // 0: waiting for a start
-  logic kept_0;  // in steps 1-1, 9-9, 10-15, 16-19, 20-23
-  logic [7:0] kept_1;  // in steps 1-1, 9-9, 11-11, 22-22, 23-23
-  logic [15:0] kept_2;  // in steps 1-1, 2-4, 5-20 _cosine, 22-22, 23-23
-  logic [2:0] kept_3;  // in steps 1-4, 15-15, 19-19
-  logic kept_4;  // in steps 1-6, 11-11, 15-15, 19-19, 22-22, 23-23
-  logic [15:0] kept_5;  // in steps 1-15, 16-18 gamma_voltage, 19-19, 23-23
-  logic [31:0] kept_6;  // in steps 3-3, 4-6, 7-7, 8-8, 9-9 i_gamma, 10-23 i_gamma
-  logic [15:0] kept_7;  // in steps 3-5, 6-19 _sine
-  logic [16:0] kept_8;  // in steps 10-12 error, 14-14 ahead, 15-15, 16-16, 17-18 ahead
-  logic [31:0] kept_9;  // in steps 10-10, 11-11 i_delta, 12-13, 18-19 moved, 20-21
-  logic [15:0] kept_10;  // in steps 12-23 i_delta
-  logic [15:0] kept_11;  // in steps 12-19 error
-  logic [31:0] kept_12;  // in steps 13-15 moved, 16-16, 17-19 limit, 20-20, 21-22
-  logic kept_13;  // in steps 15-15, 19-19
+  logic kept_0;  // in steps 1-1, 5-5, 6-6, 9-9, 11-11, 17-24
+  logic [7:0] kept_1;  // in steps 1-1
+  logic [15:0] kept_2;  // in steps 1-1, 2-4, 5-5 sine, 6-6 sine, 10-24 i_gamma
+  logic [2:0] kept_3;  // in steps 1-4, 5-5, 6-6
+  logic kept_4;  // in steps 1-6, 11-16, 20-24
+  logic [15:0] kept_5;  // in steps 1-16, 17-18 gamma_voltage, 19-19 limit, 20-20, 24-24
+  logic [32:0] kept_6;  // in steps 3-3, 4-6, 7-7, 8-8, 9-9 product, 10-10, 11-11, 12-24 i_delta
+  logic [20:0] kept_7;  // in steps 3-5, 12-13 coupling, 14-15, 16-16 wanted, 17-17 emf, 18-18 ahead, 19-19 wanted
+  logic kept_8;  // in steps 5-5, 6-6, 20-20, 23-23, 24-24
+  logic [31:0] kept_9;  // in steps 6-21, 22-23
+  logic [31:0] kept_10;  // in steps 7-20, 21-21
+  logic [32:0] kept_11;  // in steps 11-11 product, 13-16 moved, 18-20 moved, 23-23 product, 24-24 product
+  logic [15:0] kept_12;  // in steps 13-19 error
+  logic [16:0] kept_13;  // in steps 15-15, 16-17, 18-18
+  logic [31:0] kept_14;  // in steps 20-22
   logic [14:0] kQuarterWave_entry;  // of the table, shared
   logic [15:0] factor_a;  // of the shared multiplier
   logic [15:0] factor_b;  // of the shared multiplier
@@ -58,29 +59,30 @@ module current_control (
   logic missed;
 
   wire [9:0] sum_55 = angle_i[15:6] + 10'd256;  // line 55
-  wire [32:0] wide_55 = {product[31], product};  // line 55
-  wire [32:0] sum_55_2 = wide_55 + 33'd4194304;  // line 55
-  wire [16:0] wide_55_2 = {{7{sum_55_2[32]}}, sum_55_2[32:23]};  // line 55
-  wire [32:0] product_2 = {kept_6[31], kept_6} + wide_55;  // line 58
-  wire [33:0] sum_90 = {product_2[32], product_2} + 34'd16384;  // line 90
+  wire [16:0] wide_55 = {kept_2[15], kept_2};  // line 55
+  wire [32:0] wide_55_2 = {product[31], product};  // line 55
+  wire [32:0] sum_55_2 = wide_55_2 + 33'd4194304;  // line 55
+  wire [16:0] wide_55_3 = {{7{sum_55_2[32]}}, sum_55_2[32:23]};  // line 55
+  wire [32:0] wide_58 = {kept_6[31], kept_6[31:0]};  // line 58
+  wire [16:0] wide_55_4 = {kept_7[15], kept_7[15:0]};  // line 55
+  wire [33:0] sum_90 = {kept_6[32], kept_6} + 34'd16384;  // line 90
+  wire [16:0] difference_63 = {set_gamma_i[15], set_gamma_i} - wide_55;  // line 63
+  wire [15:0] error =  // line 63
+      difference_63[16] ? ((difference_63[16:15] == 2'd3) ? difference_63[15:0] : 16'd32768) :
+      (difference_63[16:15] == 2'd0) ? difference_63[15:0] :
+      16'd32767;
   wire [28:0] wide_96 = {product[30], product[30:3]};  // line 96
-  wire [19:0] wide_97 = {product[30], product[30:12]};  // line 97
   wire [31:0] sum_90_2 = {product[30], product[30:0]} + 32'd16384;  // line 90
-  wire [32:0] product_3 = {kept_9[31], kept_9} - wide_55;  // line 59
-  wire [33:0] sum_90_3 = {product_3[32], product_3} + 34'd16384;  // line 90
-  wire [32:0] sum_90_4 = wide_55 + 33'd16384;  // line 90
-  wire [20:0] wide_97_2 = {{4{kept_8[16]}}, kept_8};  // line 97
-  wire [15:0] gamma_voltage =  // line 63
-      enable_i ? (kept_3[0] ? (kept_4 ? kept_5 : kept_8[15:0]) : {2'd0, limit_i[14:1]}) : 16'd0;
-  wire [15:0] choice_65 = gamma_voltage[15] ? -gamma_voltage : gamma_voltage;  // line 65
+  wire [33:0] sum_90_3 = {kept_11[32], kept_11} + 34'd16384;  // line 90
+  wire [32:0] sum_90_4 = wide_55_2 + 33'd16384;  // line 90
+  wire [16:0] wide_64 = {kept_13[15], kept_13[15:0]};  // line 64
+  wire [15:0] choice_65 = kept_5[15] ? -kept_5 : kept_5;  // line 65
   wire [20:0] seven = {2'd0, choice_65, 3'd0} - {5'd0, choice_65};  // line 66
-  wire [32:0] product_4 = {kept_12[31], kept_12} + wide_55;  // line 72
-  wire [33:0] sum_90_5 = {product_4[32], product_4} + 34'd16384;  // line 90
-  wire [7:0] choice_55 = (step == 5'd0) ? angle_i[13:6] ^ {8{sum_55[8]}} : kept_1;  // line 55
+  wire [7:0] choice_55_2 = (step == 5'd0) ? angle_i[13:6] ^ {8{sum_55[8]}} : kept_1;  // line 55
 
   logic [14:0] entry_55;  // kQuarterWave
   always_comb begin
-    case (choice_55)
+    case (choice_55_2)
       8'd0: entry_55 = 15'd101;
       8'd1: entry_55 = 15'd302;
       8'd2: entry_55 = 15'd503;
@@ -353,14 +355,15 @@ module current_control (
       kept_3 <= 3'd0;
       kept_4 <= 1'b0;
       kept_5 <= 16'd0;
-      kept_6 <= 32'd0;
-      kept_7 <= 16'd0;
-      kept_8 <= 17'd0;
+      kept_6 <= 33'd0;
+      kept_7 <= 21'd0;
+      kept_8 <= 1'b0;
       kept_9 <= 32'd0;
-      kept_10 <= 16'd0;
-      kept_11 <= 16'd0;
-      kept_12 <= 32'd0;
-      kept_13 <= 1'b0;
+      kept_10 <= 32'd0;
+      kept_11 <= 33'd0;
+      kept_12 <= 16'd0;
+      kept_13 <= 17'd0;
+      kept_14 <= 32'd0;
       kQuarterWave_entry <= 15'd0;
       factor_a <= 16'd0;
       factor_b <= 16'd0;
@@ -409,214 +412,219 @@ module current_control (
             end
             default: begin  // 5'd2
               step <= step + 5'd1;
-              kept_6 <= {{16{product[15]}}, product[15:0]};
+              kept_6 <= {1'b0, {16{product[15]}}, product[15:0]};
+              kept_7 <= {5'd0, angle_i[15] ? difference_55 : {1'b0, kQuarterWave_entry}};
+              factor_a <= product[15:0];
               if (angle_i[15]) begin
-                kept_7 <= difference_55;
                 factor_b <= difference_55;
               end else begin
-                kept_7 <= {1'b0, kQuarterWave_entry};
                 factor_b <= {1'b0, kQuarterWave_entry};
               end
-              factor_a <= product[15:0];
             end
           endcase
         end
         5'd3: begin
           step <= step + 5'd1;
-          kept_6 <= {17'd0, product[29:15]};
+          kept_6 <= {18'd0, product[29:15]};
           factor_a <= kept_6[15:0];
           factor_b <= kept_2;
         end
         5'd4: begin
           logic [16:0] difference_55_2;
-          difference_55_2 = {kept_2[15], kept_2} - wide_55_2;  // line 55
+          difference_55_2 = wide_55 - wide_55_3;  // line 55
           step <= step + 5'd1;
-          if (difference_55_2[16]) begin
-            if (difference_55_2[16:15] == 2'd3) begin
-              kept_2 <= difference_55_2[15:0];
-            end else begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (difference_55_2[16:15] == 2'd0) begin
-            kept_2 <= difference_55_2[15:0];
-          end else begin
-            kept_2 <= 16'd32767;
-          end
+          kept_0 <= difference_55_2[16:15] == 2'd3;
+          kept_2 <= difference_55_2[15:0];
+          kept_3 <= {2'd0, difference_55_2[16:15] == 2'd0};
+          kept_8 <= difference_55_2[16];
           factor_a <= {{13{kept_3[2]}}, kept_3};
           factor_b <= 16'd18919;
         end
-        5'd5: begin
-          logic [16:0] sum_55_3;
-          sum_55_3 = {kept_7[15], kept_7} + wide_55_2;  // line 55
-          step <= step + 5'd1;
-          if (sum_55_3[16]) begin
-            if (sum_55_3[16:15] == 2'd3) begin
-              kept_7 <= sum_55_3[15:0];
-            end else begin
-              kept_7 <= 16'd32768;
-            end
-          end else if (sum_55_3[16:15] == 2'd0) begin
-            kept_7 <= sum_55_3[15:0];
-          end else begin
-            kept_7 <= 16'd32767;
-          end
-          factor_a <= i_u_i;
-          factor_b <= kept_2;
-        end
-        5'd6: begin
-          logic [18:0] sum_57_2;
-          sum_57_2 = {4'd0, kept_6[14:0]} + product[18:0];  // line 57
-          step <= step + 5'd1;
-          if (kept_4) begin
-            logic [15:0] choice_57;
-            choice_57 = (sum_57_2[18:15] == 4'd15) ? sum_57_2[15:0] : 16'd32768;  // line 57
-            kept_6 <= {{16{choice_57[15]}}, choice_57};
-            if (sum_57_2[18:15] == 4'd15) begin
-              factor_a <= sum_57_2[15:0];
-            end else begin
-              factor_a <= 16'd32768;
-            end
-          end else begin
-            logic [15:0] choice_57_2;
-            choice_57_2 = (sum_57_2[18:15] == 4'd0) ? sum_57_2[15:0] : 16'd32767;  // line 57
-            kept_6 <= {{16{choice_57_2[15]}}, choice_57_2};
-            if (sum_57_2[18:15] == 4'd0) begin
-              factor_a <= sum_57_2[15:0];
-            end else begin
-              factor_a <= 16'd32767;
-            end
-          end
-          factor_b <= kept_7;
-        end
-        5'd7: begin
-          step <= step + 5'd1;
-          kept_6 <= product;
-          factor_a <= kept_6[15:0];
-          factor_b <= kept_2;
-        end
-        5'd8: begin
-          step <= step + 5'd1;
-          kept_0 <= product_2[32] && product_2[31:14] != 18'd262143;
-          kept_1 <= {4'd0, sum_90[33:30]};
-          kept_6 <= {16'd0, sum_90[30:15]};
-          factor_a <= i_u_i;
-          factor_b <= kept_7;
-        end
-        5'd9: begin
-          logic [15:0] i_gamma;
-          logic [16:0] difference_63;
-          logic [15:0] error;
-          i_gamma =  // line 90
-              kept_0 ? ((kept_1[3:0] == 4'd15) ? kept_6[15:0] : 16'd32768) :
-              (kept_1[3:0] == 4'd0) ? kept_6[15:0] :
-              16'd32767;
-          difference_63 = {set_gamma_i[15], set_gamma_i} - {i_gamma[15], i_gamma};  // line 63
-          error =  // line 63
-              difference_63[16] ?
-              ((difference_63[16:15] == 2'd3) ? difference_63[15:0] : 16'd32768) :
-              (difference_63[16:15] == 2'd0) ? difference_63[15:0] :
-              16'd32767;
-          step <= step + 5'd1;
-          kept_0 <= error[15];
-          kept_6 <= {16'd0, i_gamma};
-          kept_8 <= {1'b0, error};
-          kept_9 <= product;
-          factor_a <= speed_i;
-          factor_b <= {1'b0, inductance_i};
-        end
-        5'd10, 5'd21: begin
-          logic both_90_2;
-          both_90_2 = product_3[32] && product_3[31:14] != 18'd262143;  // line 90
+        5'd5, 5'd6: begin
+          logic [15:0] choice_55;
+          choice_55 = kept_0 ? kept_2 : 16'd32768;  // line 55
           case (step)
-            5'd10: begin
-              step <= step + 5'd1;
-              kept_1 <= {4'd0, sum_90_3[33:30]};
-              kept_4 <= both_90_2;
-              kept_9 <= {16'd0, sum_90_3[30:15]};
-              factor_a <= kept_8[15:0];
-              factor_b <= {1'b0, k_i_i};
-            end
-            default: begin  // 5'd21
-              step <= step + 5'd1;
-              kept_1 <= {4'd0, sum_90_3[33:30]};
-              kept_2 <= sum_90_3[30:15];
-              kept_4 <= both_90_2;
-            end
-          endcase
-        end
-        5'd11, 5'd16: begin
-          logic [15:0] choice_90;
-          logic [15:0] choice_90_2;
-          logic both_90;
-          choice_90 = (sum_90_2[31:30] == 2'd3) ? sum_90_2[30:15] : 16'd32768;  // line 90
-          choice_90_2 = (sum_90_2[31:30] == 2'd0) ? sum_90_2[30:15] : 16'd32767;  // line 90
-          both_90 = product[30] && product[29:14] != 16'd65535;  // line 90
-          case (step)
-            5'd11: begin
-              logic [15:0] i_delta;
-              logic [16:0] difference_68;
-              i_delta =  // line 90
-                  kept_4 ? ((kept_1[3:0] == 4'd15) ? kept_9[15:0] : 16'd32768) :
-                  (kept_1[3:0] == 4'd0) ? kept_9[15:0] :
+            5'd5: begin
+              logic [15:0] _cosine;
+              logic [16:0] sum_55_3;
+              _cosine =  // line 55
+                  kept_8 ? choice_55 :
+                  kept_3[0] ? kept_2 :
                   16'd32767;
-              difference_68 = {set_delta_i[15], set_delta_i} - {i_delta[15], i_delta};  // line 68
+              sum_55_3 = wide_55_4 + wide_55_3;  // line 55
               step <= step + 5'd1;
-              if (both_90) begin
-                kept_9 <= {{16{choice_90[15]}}, choice_90};
-                if (sum_90_2[31:30] == 2'd3) begin
-                  factor_a <= sum_90_2[30:15];
+              kept_0 <= sum_55_3[16:15] == 2'd3;
+              kept_2 <= sum_55_3[15:0];
+              kept_3 <= {2'd0, sum_55_3[16]};
+              kept_8 <= sum_55_3[16:15] == 2'd0;
+              kept_9 <= {{16{_cosine[15]}}, _cosine};
+              factor_a <= i_u_i;
+              if (kept_8) begin
+                if (kept_0) begin
+                  factor_b <= kept_2;
+                end else begin
+                  factor_b <= 16'd32768;
+                end
+              end else if (kept_3[0]) begin
+                factor_b <= kept_2;
+              end else begin
+                factor_b <= 16'd32767;
+              end
+            end
+            default: begin  // 5'd6
+              logic [18:0] sum_57_2;
+              logic [15:0] _sine;
+              sum_57_2 = {4'd0, kept_6[14:0]} + product[18:0];  // line 57
+              _sine =  // line 55
+                  kept_3[0] ? choice_55 :
+                  kept_8 ? kept_2 :
+                  16'd32767;
+              step <= step + 5'd1;
+              if (kept_4) begin
+                logic [15:0] choice_57;
+                choice_57 = (sum_57_2[18:15] == 4'd15) ? sum_57_2[15:0] : 16'd32768;  // line 57
+                kept_6 <= {1'b0, {16{choice_57[15]}}, choice_57};
+                if (sum_57_2[18:15] == 4'd15) begin
+                  factor_a <= sum_57_2[15:0];
                 end else begin
                   factor_a <= 16'd32768;
                 end
               end else begin
-                kept_9 <= {{16{choice_90_2[15]}}, choice_90_2};
-                if (sum_90_2[31:30] == 2'd0) begin
-                  factor_a <= sum_90_2[30:15];
+                logic [15:0] choice_57_2;
+                choice_57_2 = (sum_57_2[18:15] == 4'd0) ? sum_57_2[15:0] : 16'd32767;  // line 57
+                kept_6 <= {1'b0, {16{choice_57_2[15]}}, choice_57_2};
+                if (sum_57_2[18:15] == 4'd0) begin
+                  factor_a <= sum_57_2[15:0];
                 end else begin
                   factor_a <= 16'd32767;
                 end
               end
-              if (kept_4) begin
-                if (kept_1[3:0] == 4'd15) begin
-                  kept_10 <= kept_9[15:0];
-                  factor_b <= kept_9[15:0];
+              kept_10 <= {{16{_sine[15]}}, _sine};
+              if (kept_3[0]) begin
+                if (kept_0) begin
+                  factor_b <= kept_2;
                 end else begin
-                  kept_10 <= 16'd32768;
                   factor_b <= 16'd32768;
                 end
-              end else if (kept_1[3:0] == 4'd0) begin
-                kept_10 <= kept_9[15:0];
-                factor_b <= kept_9[15:0];
+              end else if (kept_8) begin
+                factor_b <= kept_2;
               end else begin
-                kept_10 <= 16'd32767;
                 factor_b <= 16'd32767;
               end
-              if (difference_68[16]) begin
-                if (difference_68[16:15] == 2'd3) begin
-                  kept_11 <= difference_68[15:0];
-                end else begin
-                  kept_11 <= 16'd32768;
-                end
-              end else if (difference_68[16:15] == 2'd0) begin
-                kept_11 <= difference_68[15:0];
-              end else begin
-                kept_11 <= 16'd32767;
-              end
+            end
+          endcase
+        end
+        5'd7: begin
+          step <= step + 5'd1;
+          kept_6 <= {1'b0, product};
+          factor_a <= kept_6[15:0];
+          factor_b <= kept_9[15:0];
+        end
+        5'd8: begin
+          logic [32:0] product_2;
+          product_2 = wide_58 + wide_55_2;  // line 58
+          step <= step + 5'd1;
+          kept_0 <= product_2[32] && product_2[31:14] != 18'd262143;
+          kept_6 <= product_2;
+          factor_a <= i_u_i;
+          factor_b <= kept_10[15:0];
+        end
+        5'd9: begin
+          step <= step + 5'd1;
+          if (kept_0) begin
+            if (sum_90[33:30] == 4'd15) begin
+              kept_2 <= sum_90[30:15];
+            end else begin
+              kept_2 <= 16'd32768;
+            end
+          end else if (sum_90[33:30] == 4'd0) begin
+            kept_2 <= sum_90[30:15];
+          end else begin
+            kept_2 <= 16'd32767;
+          end
+          kept_6 <= {1'b0, product};
+          factor_a <= speed_i;
+          factor_b <= {1'b0, inductance_i};
+        end
+        5'd10: begin
+          logic [32:0] product_3;
+          logic [16:0] wide_2;
+          logic [32:0] wide_3;
+          product_3 = wide_58 - wide_55_2;  // line 59
+          wide_2 = {difference_63[15], difference_63[15:0]};
+          wide_3 = {2'd0, {14{wide_2[16]}}, wide_2};
+          step <= step + 5'd1;
+          kept_0 <= product_3[32] && product_3[31:14] != 18'd262143;
+          kept_4 <= error[15];
+          if (difference_63[16]) begin
+            if (difference_63[16:15] == 2'd3) begin
+              kept_6 <= wide_3;
+              factor_a <= difference_63[15:0];
+            end else begin
+              kept_6 <= 33'd2147450880;
+              factor_a <= 16'd32768;
+            end
+          end else if (difference_63[16:15] == 2'd0) begin
+            kept_6 <= wide_3;
+            factor_a <= difference_63[15:0];
+          end else begin
+            kept_6 <= 33'd32767;
+            factor_a <= 16'd32767;
+          end
+          kept_11 <= product_3;
+          factor_b <= {1'b0, k_i_i};
+        end
+        5'd11, 5'd16: begin
+          logic [15:0] coupling;
+          coupling =  // line 90
+              (product[30] && product[29:14] != 16'd65535) ?
+              ((sum_90_2[31:30] == 2'd3) ? sum_90_2[30:15] : 16'd32768) :
+              (sum_90_2[31:30] == 2'd0) ? sum_90_2[30:15] :
+              16'd32767;
+          case (step)
+            5'd11: begin
+              logic [15:0] i_delta;
+              logic [16:0] wide;
+              i_delta =  // line 90
+                  kept_0 ? ((sum_90_3[33:30] == 4'd15) ? sum_90_3[30:15] : 16'd32768) :
+                  (sum_90_3[33:30] == 4'd0) ? sum_90_3[30:15] :
+                  16'd32767;
+              wide = {1'b0, i_delta};
+              step <= step + 5'd1;
+              kept_6 <= {2'd0, {14{wide[16]}}, wide};
+              kept_7 <= {5'd0, coupling};
+              factor_a <= kept_6[15:0];
+              factor_b <= {1'b0, k_p_i};
             end
             default: begin  // 5'd16
-              logic [15:0] coupling;
-              logic [17:0] left;
-              logic [14:0] limit;
-              coupling = both_90 ? choice_90 : choice_90_2;  // line 90
-              left = {3'd0, limit_i} - {kept_12[16], kept_12[16:0]};  // line 67
-              limit =  // line 69
-                  left[17] ? 15'd0 :
-                  (left[17:15] == 3'd0) ? left[14:0] :
-                  15'd32767;
+              if (enable_i) begin
+                logic below_99;
+                logic at_most_98;
+                below_99 = $signed(kept_7) < $signed({{5{kept_5[15]}}, kept_5});  // line 99
+                at_most_98 = $signed(kept_7) <= $signed({7'd0, limit_i[14:1]});  // line 98
+                if (at_most_98 || kept_4) begin
+                  if (!(below_99 && kept_4)) begin
+                    integral_gamma <= kept_11[27:0];
+                  end
+                  if (at_most_98) begin
+                    if (!below_99) begin
+                      kept_5 <= kept_7[15:0];
+                    end
+                  end else begin
+                    kept_5 <= {2'd0, limit_i[14:1]};
+                  end
+                end else begin
+                  kept_5 <= {2'd0, limit_i[14:1]};
+                end
+                kept_0 <= $signed({7'd0, limit_i[14:1]}) < $signed(kept_7) || below_99;
+              end else begin
+                integral_gamma <= 28'd0;
+                kept_0 <= 1'b0;
+                kept_5 <= 16'd0;
+              end
               step <= step + 5'd1;
-              kept_8 <= {kept_8[15], kept_8[15:0]} + {coupling[15], coupling};
-              kept_12 <= {17'd0, limit};
-              factor_a <= kept_11;
+              kept_7 <= {5'd0, coupling};
+              factor_a <= kept_12;
               factor_b <= {1'b0, k_p_i};
             end
           endcase
@@ -624,172 +632,187 @@ module current_control (
         5'd12: begin
           logic [28:0] sum_96;
           logic [27:0] moved;
+          logic [16:0] difference_68;
           sum_96 = {integral_gamma[27], integral_gamma} + wide_96;  // line 96
           moved =  // line 96
               sum_96[28] ? ((sum_96[28:27] == 2'd3) ? sum_96[27:0] : 28'd134217728) :
               (sum_96[28:27] == 2'd0) ? sum_96[27:0] :
               28'd134217727;
+          difference_68 = {set_delta_i[15], set_delta_i} - {kept_6[15], kept_6[15:0]};  // line 68
           step <= step + 5'd1;
-          kept_12 <= {4'd0, moved};
-          factor_a <= kept_8[15:0];
-          factor_b <= {1'b0, k_p_i};
+          kept_11 <= {5'd0, moved};
+          if (difference_68[16]) begin
+            if (difference_68[16:15] == 2'd3) begin
+              kept_12 <= difference_68[15:0];
+            end else begin
+              kept_12 <= 16'd32768;
+            end
+          end else if (difference_68[16:15] == 2'd0) begin
+            kept_12 <= difference_68[15:0];
+          end else begin
+            kept_12 <= 16'd32767;
+          end
+          factor_a <= kept_7[15:0];
+          factor_b <= kept_6[15:0];
         end
-        5'd13, 5'd15: begin
-          logic [15:0] choice_90_3;
-          choice_90_3 =  // line 90
+        5'd13, 5'd18: begin
+          logic [19:0] sum_97;
+          sum_97 = {{4{kept_11[27]}}, kept_11[27:12]} + {product[30], product[30:12]};  // line 97
+          case (step)
+            5'd13: begin
+              step <= step + 5'd1;
+              kept_7 <= {1'b0, sum_97};
+              factor_a <= kept_7[15:0];
+              factor_b <= kept_2;
+            end
+            default: begin  // 5'd18
+              logic [17:0] left;
+              logic [14:0] limit;
+              left = {3'd0, limit_i} - {kept_13[16], kept_13};  // line 67
+              limit =  // line 69
+                  left[17] ? 15'd0 :
+                  (left[17:15] == 3'd0) ? left[14:0] :
+                  15'd32767;
+              step <= step + 5'd1;
+              kept_5 <= {1'b0, limit};
+              kept_7 <= {sum_97[19], sum_97} + {{4{kept_7[16]}}, kept_7[16:0]};
+              factor_a <= kept_5;
+              factor_b <= kept_10[15:0];
+            end
+          endcase
+        end
+        5'd14, 5'd15: begin
+          logic [15:0] choice_90;
+          choice_90 =  // line 90
               (product[31] && product[30:14] != 17'd131071) ?
               ((sum_90_4[32:30] == 3'd7) ? sum_90_4[30:15] : 16'd32768) :
               (sum_90_4[32:30] == 3'd0) ? sum_90_4[30:15] :
               16'd32767;
           case (step)
-            5'd13: begin
+            5'd14: begin
               step <= step + 5'd1;
-              kept_8 <= -{choice_90_3[15], choice_90_3};
-              factor_a <= kept_9[15:0];
-              factor_b <= kept_6[15:0];
+              kept_13 <= {1'b0, choice_90};
+              factor_a <= speed_i;
+              factor_b <= {1'b0, emf_i};
             end
             default: begin  // 5'd15
-              if (enable_i) begin
-                if (!(!(kept_3[0] || kept_0) || (kept_4 && kept_0))) begin
-                  integral_gamma <= kept_12[27:0];
-                end
-                if (kept_3[0]) begin
-                  if (!kept_4) begin
-                    kept_5 <= kept_8[15:0];
-                  end
-                end else begin
-                  kept_5 <= {2'd0, limit_i[14:1]};
-                end
-              end else begin
-                integral_gamma <= 28'd0;
-                kept_5 <= 16'd0;
-              end
+              logic [16:0] ahead;
+              ahead = -wide_64;  // line 64
               step <= step + 5'd1;
-              kept_0 <= enable_i && (kept_13 || kept_4);
-              kept_8 <= {1'b0, choice_90_3};
-              kept_12 <= {15'd0, seven[20:4]};
-              factor_a <= kept_11;
+              kept_7 <= {kept_7[19], kept_7[19:0]} + {{4{ahead[16]}}, ahead};
+              kept_13 <= {1'b0, choice_90};
+              factor_a <= kept_12;
               factor_b <= {1'b0, k_i_i};
             end
           endcase
         end
-        5'd14: begin
-          logic [19:0] sum_97;
-          logic [20:0] wanted;
-          sum_97 = {{4{kept_12[27]}}, kept_12[27:12]} + wide_97;  // line 97
-          wanted = {sum_97[19], sum_97} + wide_97_2;  // line 97
-          step <= step + 5'd1;
-          kept_3 <= {2'd0, $signed(wanted) <= $signed({7'd0, limit_i[14:1]})};
-          kept_4 <= $signed(wanted) < $signed({{5{kept_5[15]}}, kept_5});
-          kept_8 <= {1'b0, wanted[15:0]};
-          kept_13 <= $signed({7'd0, limit_i[14:1]}) < $signed(wanted);
-          factor_a <= speed_i;
-          factor_b <= {1'b0, emf_i};
-        end
         5'd17: begin
           logic [28:0] sum_96_2;
           logic [27:0] moved_2;
+          logic [16:0] ahead_2;
           sum_96_2 = {integral_delta[27], integral_delta} + wide_96;  // line 96
           moved_2 =  // line 96
               sum_96_2[28] ? ((sum_96_2[28:27] == 2'd3) ? sum_96_2[27:0] : 28'd134217728) :
               (sum_96_2[28:27] == 2'd0) ? sum_96_2[27:0] :
               28'd134217727;
+          ahead_2 = wide_64 + wide_55_4;  // line 69
           step <= step + 5'd1;
-          kept_9 <= {4'd0, moved_2};
+          kept_7 <= {4'd0, ahead_2};
+          kept_11 <= {5'd0, moved_2};
+          kept_13 <= seven[20:4];
           factor_a <= kept_5;
-          factor_b <= kept_2;
+          factor_b <= kept_9[15:0];
         end
-        5'd18, 5'd19: begin
+        5'd19: begin
           logic [15:0] difference_99;
-          difference_99 = -{1'b0, kept_12[14:0]};  // line 99
-          case (step)
-            5'd18: begin
-              logic [19:0] sum_97_2;
-              logic [20:0] wanted_2;
-              sum_97_2 = {{4{kept_9[27]}}, kept_9[27:12]} + wide_97;  // line 97
-              wanted_2 = {sum_97_2[19], sum_97_2} + wide_97_2;  // line 97
-              step <= step + 5'd1;
-              kept_3 <= {2'd0, $signed({6'd0, kept_12[14:0]}) < $signed(wanted_2)};
-              kept_4 <= $signed(wanted_2) < $signed({{5{difference_99[15]}}, difference_99});
-              kept_5 <= wanted_2[15:0];
-              kept_13 <= ($signed(wanted_2) <= $signed({6'd0, kept_12[14:0]}));
-              factor_a <= kept_5;
-              factor_b <= kept_7;
+          logic below_99_2;
+          logic at_most_98_2;
+          difference_99 = -{1'b0, kept_5[14:0]};  // line 99
+          below_99_2 = $signed(kept_7) < $signed({{5{difference_99[15]}}, difference_99});
+          at_most_98_2 = $signed(kept_7) <= $signed({6'd0, kept_5[14:0]});  // line 98
+          step <= step + 5'd1;
+          kept_4 <= enable_i && ($signed({6'd0, kept_5[14:0]}) < $signed(kept_7) || below_99_2);
+          if (at_most_98_2) begin
+            if (below_99_2) begin
+              kept_5 <= difference_99;
+            end else begin
+              kept_5 <= kept_7[15:0];
             end
-            default: begin  // 5'd19
-              if (enable_i) begin
-                logic [15:0] choice_68;
-                choice_68 = kept_13 ? (kept_4 ? difference_99 : kept_5) : {1'b0, kept_12[14:0]};
-                if (kept_13 || kept_11[15]) begin
-                  if (!(kept_4 && kept_11[15])) begin
-                    integral_delta <= kept_9[27:0];
-                  end
-                  if (kept_13) begin
-                    if (kept_4) begin
-                      factor_a <= difference_99;
-                    end else begin
-                      factor_a <= kept_5;
-                    end
-                  end else begin
-                    factor_a <= {1'b0, kept_12[14:0]};
-                  end
-                end else begin
-                  factor_a <= {1'b0, kept_12[14:0]};
-                end
-                kept_12 <= {{16{choice_68[15]}}, choice_68};
-              end else begin
-                integral_delta <= 28'd0;
-                kept_12 <= 32'd0;
-                factor_a <= 16'd0;
-              end
-              step <= step + 5'd1;
-              kept_0 <= kept_0 || (enable_i && (kept_3[0] || kept_4));
-              kept_9 <= product;
-              factor_b <= kept_7;
-            end
-          endcase
+          end else begin
+            kept_5 <= {1'b0, kept_5[14:0]};
+          end
+          kept_8 <= !(at_most_98_2 || kept_12[15]) || (below_99_2 && kept_12[15]);
+          kept_14 <= product;
         end
         5'd20: begin
+          logic [15:0] delta_voltage;
+          delta_voltage = enable_i ? kept_5 : 16'd0;  // line 68
+          if (enable_i) begin
+            if (!kept_8) begin
+              integral_delta <= kept_11[27:0];
+            end
+            factor_a <= kept_5;
+          end else begin
+            integral_delta <= 28'd0;
+            factor_a <= 16'd0;
+          end
           step <= step + 5'd1;
-          kept_12 <= product;
-          factor_a <= kept_12[15:0];
-          factor_b <= kept_2;
+          kept_10 <= {{16{delta_voltage[15]}}, delta_voltage};
+          factor_b <= kept_10[15:0];
+        end
+        5'd21: begin
+          step <= step + 5'd1;
+          kept_9 <= product;
+          factor_a <= kept_10[15:0];
+          factor_b <= kept_9[15:0];
         end
         5'd22: begin
+          logic [32:0] product_4;
+          product_4 = {kept_14[31], kept_14} - wide_55_2;  // line 71
           step <= step + 5'd1;
-          kept_1 <= {4'd0, sum_90_5[33:30]};
-          if (kept_4) begin
-            if (kept_1[3:0] != 4'd15) begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (kept_1[3:0] != 4'd0) begin
-            kept_2 <= 16'd32767;
-          end
-          kept_4 <= product_4[32] && product_4[31:14] != 18'd262143;
-          kept_5 <= sum_90_5[30:15];
+          kept_8 <= product_4[32] && product_4[31:14] != 18'd262143;
+          kept_11 <= product_4;
         end
         5'd23: begin
+          logic [32:0] product_5;
+          product_5 = {kept_9[31], kept_9} + wide_55_2;  // line 72
+          step <= step + 5'd1;
+          if (kept_8) begin
+            if (sum_90_3[33:30] == 4'd15) begin
+              kept_5 <= sum_90_3[30:15];
+            end else begin
+              kept_5 <= 16'd32768;
+            end
+          end else if (sum_90_3[33:30] == 4'd0) begin
+            kept_5 <= sum_90_3[30:15];
+          end else begin
+            kept_5 <= 16'd32767;
+          end
+          kept_8 <= product_5[32] && product_5[31:14] != 18'd262143;
+          kept_11 <= product_5;
+        end
+        5'd24: begin
           step <= 5'd0;
-          v_alpha_held <= kept_2;
-          if (kept_4) begin
-            if (kept_1[3:0] == 4'd15) begin
-              v_beta_held <= kept_5;
+          v_alpha_held <= kept_5;
+          if (kept_8) begin
+            if (sum_90_3[33:30] == 4'd15) begin
+              v_beta_held <= sum_90_3[30:15];
             end else begin
               v_beta_held <= 16'd32768;
             end
-          end else if (kept_1[3:0] == 4'd0) begin
-            v_beta_held <= kept_5;
+          end else if (sum_90_3[33:30] == 4'd0) begin
+            v_beta_held <= sum_90_3[30:15];
           end else begin
             v_beta_held <= 16'd32767;
           end
-          i_gamma_held <= kept_6[15:0];
-          i_delta_held <= kept_10;
-          limited_held <= kept_0;
+          i_gamma_held <= kept_2;
+          i_delta_held <= kept_6[15:0];
+          limited_held <= kept_0 || kept_4;
         end
         default: step <= step + 5'd1;
       endcase
       product <= product_next;  // line 72
-      done <= step == 5'd23;
+      done <= step == 5'd24;
       missed <= start_i && step != 5'd0;
     end
   end
@@ -805,6 +828,6 @@ module current_control (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, sum_55[7:0], sum_55_2[22:0], sum_90[14:0], sum_90_2[14:0], sum_90_3[14:0],
-      sum_90_4[14:0], seven[3:0], sum_90_5[14:0]};
+      &{1'b0, kept_10[31:16], sum_55[7:0], sum_55_2[22:0], sum_90[14:0], error[14:0],
+      sum_90_2[14:0], sum_90_3[14:0], sum_90_4[14:0], seven[3:0]};
 endmodule

@@ -112,8 +112,9 @@ class CurrentControl {
   Integral integral_delta_ = 0;  // s0.27, voltage
 };
 
-// One multiplier; settings, currents and angle are held by those who give them.
+// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
 using CurrentLoop = Scheduled<
-    CurrentControl, Budget{.multipliers = 1, .clocks = 24, .inputs = Inputs::kHeld}>;
+    CurrentControl,
+    Budget{.multipliers = 1, .clocks = 25, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock
