@@ -1,4 +1,4 @@
-// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:30.
+// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:33.
 // Do not edit: change the C++ and print again.
 
 module protection (
@@ -10,6 +10,7 @@ module protection (
     input  logic        update_i,  // strobe: a step had its crossing, or ended without
     input  logic        good_i,  // with `update`: a crossing near its place
     input  logic        missed_i,  // with `update`: a step without a crossing
+    input  logic        lags_i,  // with `missed`: the step ended on the level before
     input  logic        slow_i,  // the VCO's frequency is below `stall`
     input  logic        slips_i,  // the duty is more than the back-EMF explains
     input  logic [15:0] freewheel_i,  // u0.16, of the present or last step
@@ -17,7 +18,7 @@ module protection (
     input  logic        fault_pin_i,  // synchronised
     input  logic        hall_i,  // steps come from the Hall sensors
     input  logic        hall_illegal_i,  // their code is 000 or 111
-    input  logic [5:0]  words_misses_i,  // lost lock: a miss scores 3, a far crossing 1, a good one -1; 0: off
+    input  logic [5:0]  words_misses_i,  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
     input  logic [25:0] words_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
@@ -41,25 +42,26 @@ module protection (
   logic [11:0] wrong;  // ticks more that may look like a wrong lock
   logic [1:0] hall;  // ticks in a row with an illegal code
 
+  wire [2:0] choice_98 = missed_i ? (lags_i ? 3'd4 : 3'd2) : 3'd1;  // line 98
   wire [6:0] choice =
-      (missed_i || (update_i && !(good_i || hall_i))) ? {5'd0, missed_i ? 2'd3 : 2'd1} + score :
+      (missed_i || (update_i && !(good_i || hall_i))) ? {4'd0, choice_98} + score :
       (good_i && score != 7'd0) ? score - 7'd1 :
       score;
   wire [6:0] score_next = running_i ? choice : 7'd0;
-  wire both_72 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 72
-  wire [2:0] choice_98 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 98
-  wire [2:0] choice_98_2 = commutate_i ? choice_98 : slow;  // line 98
-  wire both_73 = running_i && choice_98_2 == 3'd6;  // line 73
-  wire below_57 = words_freewheel_i < freewheel_i;  // line 57
-  wire [11:0] choice_108 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 108
-  wire [11:0] choice_2 = tick_i ? ((slips_i || below_57) ? choice_108 : words_wrong_lock_i) : wrong;
+  wire both_76 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 76
+  wire [2:0] choice_102 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 102
+  wire [2:0] choice_102_2 = commutate_i ? choice_102 : slow;  // line 102
+  wire both_77 = running_i && choice_102_2 == 3'd6;  // line 77
+  wire below_61 = words_freewheel_i < freewheel_i;  // line 61
+  wire [11:0] choice_112 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 112
+  wire [11:0] choice_2 = tick_i ? ((slips_i || below_61) ? choice_112 : words_wrong_lock_i) : wrong;
   wire [11:0] wrong_next = running_i ? choice_2 : words_wrong_lock_i;
-  wire both_74 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 74
-  wire [1:0] choice_115 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 115
-  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_115 : 2'd0) : hall;
-  wire both_75 = running_i && choice_3 == 2'd2;  // line 75
-  wire below_71 = words_over_current_i - 4'd1 < stuck_i;  // line 71
-  wire fatal = fault_pin_i || below_71;  // line 76
+  wire both_78 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 78
+  wire [1:0] choice_119 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 119
+  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_119 : 2'd0) : hall;
+  wire both_79 = running_i && choice_3 == 2'd2;  // line 79
+  wire below_75 = words_over_current_i - 4'd1 < stuck_i;  // line 75
+  wire fatal = fault_pin_i || below_75;  // line 80
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -70,7 +72,7 @@ module protection (
     end else begin
       score <= score_next;
       if (running_i) begin
-        slow <= choice_98_2;
+        slow <= choice_102_2;
         hall <= choice_3;
       end else begin
         slow <= 3'd0;
@@ -80,18 +82,18 @@ module protection (
     end
   end
 
-  assign lost_o = both_72 || both_73 || both_74 || both_75;
+  assign lost_o = both_76 || both_77 || both_78 || both_79;
   assign fatal_o = fatal;
   assign reason_o =
-      (fatal || both_72) ?
+      (fatal || both_76) ?
       (fault_pin_i ? Reason_kFaultPin :
-      below_71 ? Reason_kOverCurrent :
+      below_75 ? Reason_kOverCurrent :
       Reason_kStepOut) :
-      both_73 ? Reason_kStall :
-      both_74 ? Reason_kWrongLock :
-      both_75 ? Reason_kHallCode :
+      both_77 ? Reason_kStall :
+      both_78 ? Reason_kWrongLock :
+      both_79 ? Reason_kHallCode :
       Reason_kNone;
-  assign freewheel_long_o = commutate_i && below_57;
+  assign freewheel_long_o = commutate_i && below_61;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_stall_i, words_slip_i};

@@ -66,7 +66,7 @@ module six_step_top (
     input  logic [15:0] words_speed_minimum_i,
     input  logic [15:0] words_speed_maximum_i,
     input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // lost lock: a miss scores 3, a far crossing 1, a good one -1; 0: off
+    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
@@ -432,6 +432,7 @@ module six_step_top (
       .update_i(detector_update),
       .good_i(detector_good),
       .missed_i(detector_missed),
+      .lags_i(detector_error[15]),
       .slow_i(filter_slow),
       .slips_i(speed_slips),
       .freewheel_i(words_source_i ? 16'd0 : bemf_freewheel),
@@ -551,7 +552,7 @@ module six_step_top (
       fast <= filter_fast;
       update <= detector_update;
       good <= detector_good;
-      lags <= detector_error[15];  // line 210
+      lags <= detector_error[15];  // line 189
       lost <= protection_lost;
       fatal <= protection_fatal;
       cause <= protection_reason;

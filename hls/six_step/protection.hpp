@@ -1,9 +1,12 @@
 // Protection: says when a lock is no longer one, and what must end the drive at once.
 //
-//     step-out     score + 3 per missed crossing, + 1 per one far from its place, - 1 per good one,
-//                  at `misses`.  Far ones count since a rotor that stands shows some, too: the
-//                  decay of the commutated current, then noise.  A third of the crossings missed
-//                  for good, as a comparator that is stuck misses them, climbs: 3 > 2 * 1
+//     step-out     score + 4 per step that ended on the level before its crossing, + 2 per one that
+//                  never showed that level, + 1 per crossing far from its place, - 1 per good one,
+//                  at `misses`.  The second kind weighs half: long freewheeling and slow PWM hide
+//                  crossings of a rotor that follows, up to a third of them for good.  A comparator
+//                  that is stuck misses one of either kind per turn, which climbs: 4 + 2 > 4 * 1.
+//                  Far ones count since a rotor that stands shows some, too: the decay of the
+//                  commutated current, then noise
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   a stable lock on a wrong edge keeps its phase error small; it shows in current
 //                  (duty - duty of the back-EMF > slip: voltage that only resistance can take) or
@@ -36,6 +39,7 @@ class Protection {
     bool update = false;        // strobe: a step had its crossing, or ended without
     bool good = false;          // with `update`: a crossing near its place
     bool missed = false;        // with `update`: a step without a crossing
+    bool lags = false;          // with `missed`: the step ended on the level before
     bool slow = false;          // the VCO's frequency is below `stall`
     bool slips = false;         // the duty is more than the back-EMF explains
     Phase freewheel = 0;        // u0.16, of the present or last step
@@ -91,7 +95,7 @@ class Protection {
   void watch_steps(const In& in) {
     const bool far = in.update && !in.good && !in.hall;
     if (in.missed || far) {
-      score_ = wrap<UInt<7>>(score_ + (in.missed ? UInt<2>(3) : UInt<2>(1)));
+      score_ = wrap<UInt<7>>(score_ + (!in.missed ? UInt<3>(1) : in.lags ? UInt<3>(4) : UInt<3>(2)));
     } else if (in.good && score_ != 0) {
       score_ = wrap<UInt<7>>(score_ - 1);
     }

@@ -186,6 +186,7 @@ class SixStepTop {
                                               .update = detector.update,
                                               .good = detector.good,
                                               .missed = detector.missed,
+                                              .lags = detector.error.negative(),
                                               .slow = filter.slow,
                                               .slips = speed.slips,
                                               .freewheel = hall ? Phase(0) : bemf.freewheel,

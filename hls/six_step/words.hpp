@@ -93,7 +93,7 @@ struct SpeedWords {
 };
 
 struct ProtectionWords {
-  UInt<6> misses = 0;            // lost lock: a miss scores 3, a far crossing 1, a good one -1; 0: off
+  UInt<6> misses = 0;            // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
   Frequency stall = 0;           // u0.32: slower than this in speed control is a stall
   Duty slip = 0;                 // duty above the back-EMF's that no right lock shows
   Phase freewheel = 0;           // u0.16: freewheeling for longer than this part of a step is wrong

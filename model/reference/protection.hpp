@@ -1,7 +1,7 @@
 // Protection: when a lock is no longer one (ends the try), and what ends the drive at once.
 //
-//     step-out     score + 2 per missed crossing, + 1 per one far from its place, - 1 per good
-//                  one, at `misses`
+//     step-out     score + 4 per step that ended before its crossing, + 2 per one whose crossing
+//                  freewheeling hid, + 1 per far crossing, - 1 per good one, at `misses`
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   duty - back-EMF's duty > slip, or freewheeling beyond `freewheel` of a step, for
 //                  `wrong_lock` in a row
@@ -24,7 +24,7 @@ class Protection {
 
   struct In {
     bool running = false, tick = false, commutated = false;
-    bool updated = false, good = false, missed = false;  // the phase detector
+    bool updated = false, good = false, missed = false, lags = false;  // the phase detector
     bool hall = false, hall_illegal = false, fault_pin = false;
     double frequency = 0, slip = 0, freewheel = 0;
     int stuck = 0;
@@ -33,7 +33,7 @@ class Protection {
     if (!in.running) {
       score_ = slow_ = wrong_ = illegal_ = 0;
     } else {
-      if (in.missed) score_ += 3;
+      if (in.missed) score_ += in.lags ? 4 : 2;
       if (in.updated && !in.good && !in.missed && !in.hall) ++score_;
       if (in.good && score_ > 0) --score_;
       if (in.commutated) slow_ = in.frequency < p_.stall ? slow_ + 1 : 0;

@@ -69,9 +69,10 @@ class ShadowEngine {
   const std::vector<StepChange>& fixed_commutations() const { return fixed_steps_; }
   const std::vector<StepChange>& float_commutations() const { return float_steps_; }
 
- private:
   // Speed control's ticks without a new duty; then it does not matter when to join.
   static constexpr std::uint64_t kPatience = 4;
+
+ private:
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
   void join() {

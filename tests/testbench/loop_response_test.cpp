@@ -43,15 +43,16 @@ TEST(TonesIn, AreFoundBesideASteadyTurning) {
 }
 
 // The blocks' own loop against the sampled computation of the design library, which leaves out aliases:
-// a tone's own one lies at the crossing rate less its frequency.  The drive's samples, 2 us apart, place
-// a crossing within 0.03 degrees; over the 720 crossings of the span that is a tenth of a percent of a
-// tone, and where the loop's answer is down to a tenth, one percent.
+// a tone's own one lies at the crossing rate less its frequency.  The drive takes samples some 2 us apart
+// and so places a crossing within half of what the rotor turns in between.  Of the closed loop's answer T
+// to a tone that is at most the part `place`; and H = T / (1 - T) magnifies it by |1 + H|^2 / |H|.
 TEST(MeasureLoop, IsTheSampledLoopOfTheDesignLibrary) {
   const auto s = load_drive_file(STEPLOCK_DRIVES "/amano2003.toml").settings;
   const LoopExperiment e{.rpm = 1200, .tones = 8, .measure_s = 3, .engine = EngineKind::kFixed};
   const auto d = design::design_drive(s);
   const auto& loop = d.parameters.loop;
   constexpr double kCrossings = 240;  // per second
+  const double place = 60 * kCrossings * d.parameters.bemf.sample_every / 2 / e.tone_deg;
   const auto computed = design::open_loop_sampled({loop.integral, loop.proportional, loop.pole},
                                                   d.parameters.pwm.tick(), 1 / kCrossings);
   const auto measured = measure_loop(s, e);
@@ -59,8 +60,8 @@ TEST(MeasureLoop, IsTheSampledLoopOfTheDesignLibrary) {
   for (const LoopPoint& p : measured) {
     const std::complex<double> wanted = computed(p.omega);
     const double alias = std::abs(computed(2 * std::numbers::pi * kCrossings - p.omega) / wanted);
-    const double noise = 1e-3 * std::max(1.0, 1 / std::abs(p.closed));
-    EXPECT_LT(std::abs(p.open / wanted - 1.0), alias + noise) << p.omega;
+    const double magnified = place * std::norm(1.0 + wanted) / std::abs(wanted);
+    EXPECT_LT(std::abs(p.open / wanted - 1.0), alias + magnified) << p.omega;
   }
 }
 

@@ -23,23 +23,27 @@ struct Case : Protection {
   }
 };
 
-TEST(ReferenceProtection, SixMissesInARowAreAStepOut) {
-  Case c;
-  EXPECT_EQ(c.after(5, {.missed = true}), Reason::kNone);
-  EXPECT_EQ(c.after(1, {.missed = true}), Reason::kStepOut);
+TEST(ReferenceProtection, FiveMissesOrNineHiddenCrossingsInARowAreAStepOut) {
+  Case missed, hidden;
+  EXPECT_EQ(missed.after(4, {.missed = true, .lags = true}), Reason::kNone);
+  EXPECT_EQ(missed.after(1, {.missed = true, .lags = true}), Reason::kStepOut);
+  EXPECT_EQ(hidden.after(8, {.missed = true}), Reason::kNone);
+  EXPECT_EQ(hidden.after(1, {.missed = true}), Reason::kStepOut);
 }
 
-TEST(ReferenceProtection, OneMissInFourIsNotButOneInThreeIs) {
-  Case c;
+TEST(ReferenceProtection, AThirdMayBeHiddenForGoodButNotHalfOfThatMissed) {
+  Case hidden;
   for (int k = 0; k < 100; ++k) {
-    EXPECT_EQ(c.after(1, {.missed = true}), Reason::kNone);
-    EXPECT_EQ(c.after(3, {.good = true}), Reason::kNone);
+    EXPECT_EQ(hidden.after(1, {.missed = true}), Reason::kNone);
+    EXPECT_EQ(hidden.after(2, {.good = true}), Reason::kNone);
   }
   Case stuck;
   Reason reason = Reason::kNone;
-  for (int k = 0; k < 17 && reason == Reason::kNone; ++k) {
-    stuck.after(2, {.good = true});
-    reason = stuck.after(1, {.missed = true});
+  for (int turn = 0; turn < 9 && reason == Reason::kNone; ++turn) {
+    for (const bool lags : {true, false}) {
+      reason = stuck.after(1, {.missed = true, .lags = lags});
+      if (reason == Reason::kNone) reason = stuck.after(2, {.good = true});
+    }
   }
   EXPECT_EQ(reason, Reason::kStepOut);
 }
