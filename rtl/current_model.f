@@ -1,0 +1,1 @@
+rtl/current_model.sv
