@@ -1,0 +1,5 @@
+#include "hls/bus/axi_lite.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::AxiLite>;

@@ -1,0 +1,245 @@
+// Drive registers: control, status, faults, interrupts, heartbeat watchdog and telemetry of the
+// six-step drive, and the answer to every read.
+//
+//     fault      sticky with its reason; a one re-arms the drive: `run` down, the cause gone
+//     watchdog   `period` ticks without a heartbeat while configured: all gates off, `run` cleared,
+//                latched until a one is written
+//     snapshot   the telemetry registers are copies, all taken in the clock of one write
+//     interrupts set by the edge of their event, which wins over a clear in the same clock
+//
+//     latency      1 clock from request to answer, kept until the next one of its kind
+//     registers    about 240 bits     multipliers  none
+//
+// Doc: docs/blocks/drive_registers.md   Test: tests/hls/drive_registers_test.cpp
+
+#pragma once
+
+#include "hls/bus/bus.hpp"
+#include "hls/bus/six_step_registers.hpp"
+#include "hls/six_step/telemetry.hpp"
+
+namespace steplock {
+
+class DriveRegisters {
+ public:
+  // What the drive shows.
+  struct Drive {
+    State state = State::kIdle;
+    Reason reason = Reason::kNone;
+    bool locked = false;
+    bool reverse = false;
+    Frequency frequency = 0;     // u0.32
+    Duty duty = 0;               // u1.15
+    PhaseError phase_error = 0;  // s0.16
+    Telemetry::Out counts;
+  };
+
+  struct In {
+    BusRequest request;
+    UInt<32> word = 0;      // the word register at `request.index`, or 0
+    bool hole = false;
+    bool refused = false;   // a write here changes nothing
+    bool unlocked = false;
+    bool tick = false;      // the slow time base
+    Drive drive;
+  };
+
+  struct Out {
+    Command command;
+    bool stopped = true;        // idle or in fault, and not told to run
+    UInt<32> data = 0;          // of the last read
+    bool read_error = false;    // it was of a hole
+    bool write_error = false;   // the last write was refused
+    bool interrupt = false;
+  };
+
+  Out tick(const In& in) {
+    const Out out{.command = {.configured = configured_ && !watchdog_fault_,
+                              .run = run_,
+                              .reverse = reverse_,
+                              .brake_to_stop = brake_to_stop_,
+                              .clear_fault = clear_},
+                  .stopped = stopped(in.drive),
+                  .data = data_,
+                  .read_error = read_error_,
+                  .write_error = write_error_,
+                  .interrupt = (interrupts_ & enabled_) != UInt<kEvents>(0)};
+    if (in.request.read) {
+      data_ = in.hole ? UInt<32>(0) : in.word | status(in);
+      read_error_ = in.hole;
+    }
+    if (in.request.write) write_error_ = in.refused;
+
+    // The bits that a write names; none without one.
+    const BusRequest& request = in.request;
+    const bool writes = request.write && !in.refused;
+    const UInt<32> ones = request.data & byte_mask(request.strobes);
+    const bool beats = writes && (request.index == kHeartbeat || request.index == kWatchdog);
+    const bool bites = watch(in.tick, beats);
+    const bool clears = writes && request.index == kFault;
+    if (clears && ones.bit(kWatchdogFault)) watchdog_fault_ = false;
+    drive_fault_ = faulted(in.drive);
+    clear_ = clears && ones.bit(kDriveFault);
+    if (in.drive.state != State::kFault || was_faulted_) {
+      cleared_ = cleared_ || clear_;
+    } else {
+      cleared_ = false;
+    }
+
+    const UInt<kEvents> events = look(in.drive, bites);
+    const bool acknowledges = writes && request.index == kInterrupt;
+    const auto kept = acknowledges ? ~wrap<UInt<kEvents>>(ones) : UInt<kEvents>::max();
+    interrupts_ = (interrupts_ & kept) | events;
+
+    if (writes && request.strobes.bit(0)) {
+      if (request.index == kControl) {
+        configured_ = request.data.bit(field("CONTROL", "configured").lsb);
+        run_ = request.data.bit(field("CONTROL", "run").lsb);
+        reverse_ = request.data.bit(field("CONTROL", "reverse").lsb);
+        brake_to_stop_ = request.data.bit(field("CONTROL", "brake_to_stop").lsb);
+      }
+      if (request.index == kEnable) enabled_ = wrap<UInt<kEvents>>(request.data);
+    }
+    if (writes && request.index == kWatchdog) {
+      const UInt<32> old = UInt<32>(period_) & ~byte_mask(request.strobes);
+      period_ = wrap<WatchdogTicks>(ones | old);
+    }
+    if (writes && request.index == kSnapshot) {
+      shot_ = {in.drive.frequency, in.drive.duty, in.drive.phase_error, in.drive.counts};
+    }
+    if (bites) {
+      watchdog_fault_ = true;
+      run_ = false;
+    }
+    return out;
+  }
+
+ private:
+  static constexpr int kControl = index_of("CONTROL");
+  static constexpr int kFault = index_of("FAULT");
+  static constexpr int kInterrupt = index_of("INTERRUPT");
+  static constexpr int kEnable = index_of("INTERRUPT_ENABLE");
+  static constexpr int kWatchdog = index_of("WATCHDOG");
+  static constexpr int kHeartbeat = index_of("HEARTBEAT");
+  static constexpr int kSnapshot = index_of("SNAPSHOT");
+  static constexpr int kDriveFault = field("FAULT", "drive").lsb;
+  static constexpr int kWatchdogFault = field("FAULT", "watchdog").lsb;
+  static constexpr int kEvents = field("INTERRUPT_ENABLE", "enable").width;
+
+  bool stopped(const Drive& drive) const {
+    return !run_ && (drive.state == State::kIdle || drive.state == State::kFault);
+  }
+
+  // A drive that was re-armed shows it some clocks after the write: until then the fault stays.
+  bool faulted(const Drive& drive) const {
+    return drive.state == State::kFault || (drive_fault_ && !cleared_);
+  }
+
+  // True in the clock in which the time for a heartbeat is over.
+  bool watch(bool tick, bool beats) {
+    const bool watches = period_ != WatchdogTicks(0) && configured_ && !watchdog_fault_;
+    const bool bites = watches && tick && left_ == WatchdogTicks(0) && !beats;
+    if (beats || !watches) {
+      left_ = period_;
+    } else if (tick && !bites) {
+      left_ = wrap<WatchdogTicks>(left_ - 1);
+    }
+    return bites;
+  }
+
+  // What happened since the clock before, each at its place in INTERRUPT.
+  UInt<kEvents> look(const Drive& drive, bool bites) {
+    const bool faulted = drive.state == State::kFault;
+    const bool locks = drive.locked && !was_locked_;
+    const bool loses = !drive.locked && was_locked_ && (faulted || drive.state == State::kRest);
+    const UInt<kEvents> events = flag<field("INTERRUPT", "fault").lsb>(faulted && !was_faulted_) |
+                                 flag<field("INTERRUPT", "watchdog").lsb>(bites) |
+                                 flag<field("INTERRUPT", "lock").lsb>(locks) |
+                                 flag<field("INTERRUPT", "lost").lsb>(loses) |
+                                 flag<field("INTERRUPT", "started").lsb>(locks && starting_);
+    if (faulted && !was_faulted_) fault_reason_ = drive.reason;
+    starting_ = !run_ || (starting_ && !locks);
+    was_faulted_ = faulted;
+    was_locked_ = drive.locked;
+    return events;
+  }
+  template <int Bit>
+  static UInt<kEvents> flag(bool on) {
+    return on ? UInt<kEvents>(1 << Bit) : UInt<kEvents>(0);
+  }
+
+  // A field's value at its place.
+  template <int Lsb, class T>
+  static UInt<32> at(const T& value) {
+    return bits_of(value) << Lsb;
+  }
+  template <int W>
+  static UInt<32> both(UInt<W> low, UInt<16> high) {
+    return UInt<32>(low) | (UInt<32>(high) << 16);
+  }
+
+  UInt<32> status(const In& in) const {
+    switch (in.request.index.slice<5, 0>().raw()) {
+      case index_of("ID"): return UInt<32>(reset_of("ID"));
+      case index_of("VERSION"): return UInt<32>(reset_of("VERSION"));
+      case index_of("CAPABILITY"): return UInt<32>(reset_of("CAPABILITY"));
+      case kControl:
+        return at<field("CONTROL", "configured").lsb>(configured_) |
+               at<field("CONTROL", "run").lsb>(run_) |
+               at<field("CONTROL", "reverse").lsb>(reverse_) |
+               at<field("CONTROL", "brake_to_stop").lsb>(brake_to_stop_);
+      case index_of("STATUS"):
+        return at<field("STATUS", "state").lsb>(in.drive.state) |
+               at<field("STATUS", "reason").lsb>(in.drive.reason) |
+               at<field("STATUS", "locked").lsb>(in.drive.locked) |
+               at<field("STATUS", "reverse").lsb>(in.drive.reverse) |
+               at<field("STATUS", "unlocked").lsb>(in.unlocked) |
+               at<field("STATUS", "stopped").lsb>(stopped(in.drive));
+      case kFault:
+        return at<kDriveFault>(faulted(in.drive)) | at<kWatchdogFault>(watchdog_fault_) |
+               at<field("FAULT", "reason").lsb>(fault_reason_);
+      case kInterrupt: return interrupts_;
+      case kEnable: return enabled_;
+      case kWatchdog: return period_;
+      case index_of("TELEMETRY_SPEED"): return shot_.frequency;
+      case index_of("TELEMETRY_LOOP"):
+        return both(shot_.duty, UInt<16>::of(shot_.phase_error.raw()));
+      case index_of("TELEMETRY_CROSSINGS"):
+        return both(shot_.counts.crossings, shot_.counts.missed);
+      case index_of("TELEMETRY_LIMITS"):
+        return both(shot_.counts.freewheel_long, shot_.counts.limit_hits);
+      case index_of("TELEMETRY_RETRIES"): return shot_.counts.retries;
+      default: return 0;
+    }
+  }
+
+  struct Shot {
+    Frequency frequency = 0;     // u0.32
+    Duty duty = 0;               // u1.15
+    PhaseError phase_error = 0;  // s0.16
+    Telemetry::Out counts;
+  };
+
+  bool configured_ = false;
+  bool run_ = false;
+  bool reverse_ = false;
+  bool brake_to_stop_ = false;
+  bool clear_ = false;    // to the drive, one clock
+  bool cleared_ = false;  // a one was written since the drive's fault
+  bool drive_fault_ = false;
+  bool watchdog_fault_ = false;
+  Reason fault_reason_ = Reason::kNone;
+  UInt<kEvents> interrupts_ = 0;
+  UInt<kEvents> enabled_ = 0;
+  WatchdogTicks period_ = 0;  // ticks
+  WatchdogTicks left_ = 0;    // ticks to the next heartbeat
+  bool starting_ = true;      // no lock since `run` rose
+  bool was_faulted_ = false;
+  bool was_locked_ = false;
+  Shot shot_;                 // the snapshot
+  UInt<32> data_ = 0;         // the answer to the last read
+  bool read_error_ = false;
+  bool write_error_ = false;
+};
+
+}  // namespace steplock

@@ -1,0 +1,5 @@
+#include "hls/bus/word_registers.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::WordRegisters>;

@@ -1,0 +1,252 @@
+// Where every word of the six-step drive stands in its register map, and how it may be written.
+//
+// A row names a member of Words by the way to it; its width and reset value come from there, so
+// that the map cannot disagree with the blocks.  A word without a row is found by the test.
+//
+//     kReadWrite  may be tuned while the motor turns      kStopped  shapes the start or the bridge
+//     kShadowed   the set-point                           kKeyed    protects the hardware
+//
+// Doc: docs/registers.md   Test: tests/hls/register_fields_test.cpp
+
+#pragma once
+
+#include <tuple>
+#include <type_traits>
+
+#include "hls/bus/register_fields.hpp"
+#include "hls/six_step/words.hpp"
+
+namespace steplock {
+
+// A member of Words, by the members on the way to it.
+template <auto First, auto... Rest>
+struct At {
+  template <class Group>
+  static constexpr auto& of(Group& group) {
+    if constexpr (sizeof...(Rest) == 0) {
+      return group.*First;
+    } else {
+      return At<Rest...>::of(group.*First);
+    }
+  }
+};
+
+// Bits of a word's type, and its number.
+template <class T>
+inline constexpr int kBitsOf = T::width;
+template <>
+inline constexpr int kBitsOf<bool> = 1;
+template <>
+inline constexpr int kBitsOf<Sampling> = 2;
+template <>
+inline constexpr int kBitsOf<Detector> = 1;
+template <>
+inline constexpr int kBitsOf<Bandwidth> = 1;
+template <>
+inline constexpr int kBitsOf<Source> = 1;
+
+template <class T>
+constexpr UInt<32> bits_of(const T& word) {
+  if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
+    return UInt<32>(int(word));
+  } else {
+    return UInt<32>(word);
+  }
+}
+template <class T>
+constexpr T word_of(UInt<32> bits) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return bits.bit(0);
+  } else if constexpr (std::is_enum_v<T>) {
+    return static_cast<T>(wrap<UInt<kBitsOf<T>>>(bits).raw());
+  } else {
+    return wrap<T>(bits);
+  }
+}
+
+template <class Place>
+struct WordRow : Field {
+  using Word = Place;
+};
+
+template <auto... Path>
+constexpr WordRow<At<Path...>> word(const char* group, const char* name, int address, int lsb,
+                                    Access access, const char* unit, const char* prose) {
+  const Words reset;
+  const auto& value = At<Path...>::of(reset);
+  using Type = std::remove_cvref_t<decltype(value)>;
+  return {{group, name, address, lsb, kBitsOf<Type>, access,
+           static_cast<std::uint32_t>(bits_of(value).raw()), unit, prose}};
+}
+
+inline constexpr auto kWordRows = std::make_tuple(
+    word<&Words::pwm, &PwmWords::period>(
+        "PWM", "period", 0x80, 0, Access::kStopped, "clocks",
+        "PWM period; 0 keeps the bridge off."),
+    word<&Words::pwm, &PwmWords::centred>(
+        "PWM", "centred", 0x80, 16, Access::kStopped, "",
+        "Pulses centred in the period instead of at its start."),
+    word<&Words::pwm, &PwmWords::complementary>(
+        "PWM", "complementary", 0x80, 17, Access::kStopped, "",
+        "The low side of the chopped leg conducts in the off-time."),
+    word<&Words::pwm, &PwmWords::tick_periods>(
+        "PWM", "tick_periods", 0x80, 24, Access::kStopped, "periods",
+        "PWM periods per tick, the time base of all that is slow; 0 counts as 1."),
+    word<&Words::pwm, &PwmWords::minimum>(
+        "PWM_LIMITS", "minimum", 0x84, 0, Access::kKeyed, "clocks",
+        "Shorter on or off times become 0 or 100 %."),
+    word<&Words::pwm, &PwmWords::dead_time>(
+        "PWM_LIMITS", "dead_time", 0x84, 16, Access::kKeyed, "clocks",
+        "Dead time; not below CAPABILITY.dead_time_floor."),
+    word<&Words::limit, &LimitWords::blanking>(
+        "CURRENT_LIMIT", "blanking", 0x88, 0, Access::kKeyed, "clocks",
+        "After switch-on, time in which the limit comparator is not believed."),
+    word<&Words::limit, &LimitWords::off_time>(
+        "CURRENT_LIMIT", "off_time", 0x88, 16, Access::kKeyed, "clocks",
+        "Off-time after a hit; 0 disables the limit."),
+    word<&Words::bemf, &BemfWords::sampling>(
+        "BEMF", "sampling", 0x8c, 0, Access::kStopped, "",
+        "Comparators are sampled in 0 on-time, 1 off-time, 2 both."),
+    word<&Words::bemf, &BemfWords::blanking>(
+        "BEMF", "blanking", 0x8c, 4, Access::kStopped, "clocks",
+        "After each edge of the chopped gate."),
+    word<&Words::bemf, &BemfWords::sample_every>(
+        "BEMF", "sample_every", 0x8c, 16, Access::kStopped, "clocks",
+        "Between samples; 0 counts as 1."),
+    word<&Words::bemf, &BemfWords::samples>(
+        "BEMF", "samples", 0x8c, 24, Access::kStopped, "",
+        "Of the filter; 0 counts as 1."),
+    word<&Words::loop, &LoopWords::detector>(
+        "LOOP", "detector", 0x90, 0, Access::kStopped, "",
+        "Phase detector: 0 once per turn, 1 every step."),
+    word<&Words::loop, &LoopWords::bandwidth>(
+        "LOOP", "bandwidth", 0x90, 1, Access::kStopped, "",
+        "Of the loop: 0 per second, 1 per step."),
+    word<&Words::loop, &LoopWords::divide>(
+        "LOOP", "divide", 0x90, 2, Access::kStopped, "",
+        "N = 6 * 2^divide VCO turns per electrical turn."),
+    word<&Words::source>(
+        "LOOP", "source", 0x90, 4, Access::kStopped, "",
+        "Position from 0 back-EMF, 1 Hall sensors."),
+    word<&Words::speed, &SpeedWords::shift>(
+        "LOOP", "speed_shift", 0x90, 8, Access::kStopped, "",
+        "Speeds are normalised: frequency >> shift fits 15 bits."),
+    word<&Words::loop, &LoopWords::delay>(
+        "LOOP", "delay", 0x90, 16, Access::kStopped, "clocks",
+        "From the crossing at the motor to the sample."),
+    word<&Words::loop, &LoopWords::expected>(
+        "LOOP_PLACE", "expected", 0x94, 0, Access::kReadWrite, "u0.16 step",
+        "The crossing's place in the step: 1/2 + advance / 60 degrees."),
+    word<&Words::loop, &LoopWords::lead_error>(
+        "LOOP_PLACE", "lead_error", 0x94, 16, Access::kReadWrite, "u0.16 step",
+        "Error when the level before the crossing never showed."),
+    word<&Words::loop, &LoopWords::ki>(
+        "LOOP_GAIN", "ki", 0x98, 0, Access::kReadWrite, "u2.14",
+        "Integral gain."),
+    word<&Words::loop, &LoopWords::kp>(
+        "LOOP_GAIN", "kp", 0x98, 16, Access::kReadWrite, "u2.14",
+        "Proportional gain."),
+    word<&Words::loop, &LoopWords::pole>(
+        "LOOP_POLE", "pole", 0x9c, 0, Access::kReadWrite, "u1.15",
+        "1 - exp(-omega_p T); 0x8000 is no pole."),
+    word<&Words::loop, &LoopWords::scale>(
+        "LOOP_SCALE", "scale", 0xa0, 0, Access::kReadWrite, "u0.32 turns/clock",
+        "Unit of the gains when they are per second."),
+    word<&Words::loop, &LoopWords::minimum>(
+        "LOOP_MINIMUM", "minimum", 0xa4, 0, Access::kReadWrite, "u0.32 turns/clock",
+        "Least frequency."),
+    word<&Words::loop, &LoopWords::maximum>(
+        "LOOP_MAXIMUM", "maximum", 0xa8, 0, Access::kReadWrite, "u0.32 turns/clock",
+        "Largest frequency."),
+    word<&Words::start, &StartWords::settle>(
+        "START_RESET", "settle", 0xac, 0, Access::kStopped, "ticks",
+        "Of the first pattern."),
+    word<&Words::start, &StartWords::reset>(
+        "START_RESET", "reset", 0xac, 16, Access::kStopped, "ticks",
+        "Of the reset pattern."),
+    word<&Words::start, &StartWords::reset_duty>(
+        "START_DUTY", "reset_duty", 0xb0, 0, Access::kStopped, "u1.15",
+        "Of both."),
+    word<&Words::start, &StartWords::start_duty>(
+        "START_DUTY", "start_duty", 0xb0, 16, Access::kStopped, "u1.15",
+        "During acceleration and pull-in, above the back-EMF."),
+    word<&Words::start, &StartWords::ramp>(
+        "START_RAMP", "ramp", 0xb4, 0, Access::kStopped, "u0.32 per tick",
+        "Acceleration of the VCO."),
+    word<&Words::start, &StartWords::hand_over>(
+        "START_HAND_OVER", "hand_over", 0xb8, 0, Access::kStopped, "u0.32 turns/clock",
+        "Frequency at the end of the ramp."),
+    word<&Words::start, &StartWords::window>(
+        "START_LOCK", "window", 0xbc, 0, Access::kStopped, "u0.16 step",
+        "A crossing closer than this to its place is a good one."),
+    word<&Words::start, &StartWords::good_crossings>(
+        "START_LOCK", "good_crossings", 0xbc, 16, Access::kStopped, "",
+        "So many in a row are a lock."),
+    word<&Words::start, &StartWords::retries>(
+        "START_LOCK", "retries", 0xbc, 24, Access::kStopped, "",
+        "Failed tries before the fault latches."),
+    word<&Words::start, &StartWords::pull_in>(
+        "START_TIMES", "pull_in", 0xc0, 0, Access::kStopped, "ticks",
+        "Time limit from hand-over to lock."),
+    word<&Words::start, &StartWords::rest>(
+        "START_TIMES", "rest", 0xc0, 16, Access::kStopped, "ticks",
+        "Gates off between a failure and the next try."),
+    word<&Words::start, &StartWords::observe>(
+        "START_CATCH", "observe", 0xc4, 0, Access::kStopped, "ticks",
+        "Time to look for a rotor that already spins; 0 skips it."),
+    word<&Words::start, &StartWords::slow_down>(
+        "START_CATCH", "slow_down", 0xc4, 16, Access::kStopped, "ticks",
+        "Time limit for slowing down before a reversal."),
+    word<&Words::start, &StartWords::brake>(
+        "START_BRAKE", "brake", 0xc8, 0, Access::kStopped, "ticks",
+        "One braking interval."),
+    word<&Words::start, &StartWords::brake_duty>(
+        "START_BRAKE", "brake_duty", 0xc8, 16, Access::kStopped, "u1.15",
+        "Duty of braking."),
+    word<&Words::speed, &SpeedWords::target>(
+        "SPEED_TARGET", "target", 0xcc, 0, Access::kShadowed, "u0.32 turns/clock",
+        "The set speed."),
+    word<&Words::speed, &SpeedWords::slew>(
+        "SPEED_SLEW", "slew", 0xd0, 0, Access::kReadWrite, "u0.32 per tick",
+        "Largest change of the set speed that is followed."),
+    word<&Words::speed, &SpeedWords::kp>(
+        "SPEED_GAIN", "kp", 0xd4, 0, Access::kReadWrite, "u4.12",
+        "Duty per normalised speed error."),
+    word<&Words::speed, &SpeedWords::ki>(
+        "SPEED_GAIN", "ki", 0xd4, 16, Access::kReadWrite, "u0.16 per tick",
+        "Integral gain."),
+    word<&Words::speed, &SpeedWords::bemf>(
+        "SPEED_BEMF", "bemf", 0xd8, 0, Access::kReadWrite, "u4.12",
+        "Duty whose mean voltage is the back-EMF, per speed."),
+    word<&Words::speed, &SpeedWords::loaded>(
+        "SPEED_BEMF", "loaded", 0xd8, 16, Access::kReadWrite, "u4.12",
+        "The same, and of commutating the largest current."),
+    word<&Words::speed, &SpeedWords::minimum>(
+        "SPEED_DUTY", "minimum", 0xdc, 0, Access::kReadWrite, "u1.15",
+        "Least duty."),
+    word<&Words::speed, &SpeedWords::maximum>(
+        "SPEED_DUTY", "maximum", 0xdc, 16, Access::kReadWrite, "u1.15",
+        "Largest duty."),
+    word<&Words::speed, &SpeedWords::duty_slew>(
+        "SPEED_DUTY_SLEW", "duty_slew", 0xe0, 0, Access::kReadWrite, "u1.15 per tick",
+        "Largest change of the duty."),
+    word<&Words::protection, &ProtectionWords::stall>(
+        "PROTECTION_STALL", "stall", 0xe4, 0, Access::kKeyed, "u0.32 turns/clock",
+        "Slower than this in speed control is a stall."),
+    word<&Words::protection, &ProtectionWords::slip>(
+        "PROTECTION_DUTY", "slip", 0xe8, 0, Access::kKeyed, "u1.15",
+        "Duty above the back-EMF's that no right lock shows."),
+    word<&Words::protection, &ProtectionWords::freewheel>(
+        "PROTECTION_DUTY", "freewheel", 0xe8, 16, Access::kKeyed, "u0.16 step",
+        "Freewheeling for longer than this is wrong."),
+    word<&Words::protection, &ProtectionWords::misses>(
+        "PROTECTION_LOCK", "misses", 0xec, 0, Access::kKeyed, "",
+        "Lost lock: score of missed and far crossings; 0: off."),
+    word<&Words::protection, &ProtectionWords::wrong_lock>(
+        "PROTECTION_LOCK", "wrong_lock", 0xec, 8, Access::kKeyed, "ticks",
+        "Time limit of a wrong lock; 0 disables."),
+    word<&Words::protection, &ProtectionWords::over_current>(
+        "PROTECTION_LOCK", "over_current", 0xec, 24, Access::kKeyed, "",
+        "Limit hits in a row with the comparator never released; 0 disables."));
+
+}  // namespace steplock

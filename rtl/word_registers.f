@@ -1,0 +1,1 @@
+rtl/word_registers.sv

@@ -1,0 +1,143 @@
+#include "hls/bus/word_registers.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace steplock {
+namespace {
+
+// The registers, and a bus that writes and reads them one after the other.
+struct Bench {
+  WordRegisters dut;
+  bool stopped = true;
+  bool boundary = false;
+
+  WordRegisters::Out tick(const BusRequest& request) {
+    return dut.tick({.request = request, .stopped = stopped, .boundary = boundary});
+  }
+  // Whether it was obeyed.
+  bool write(int index, std::uint32_t data, int strobes = 15) {
+    return !tick({.write = true, .index = index, .data = data, .strobes = strobes}).refused;
+  }
+  std::uint32_t read(int index) {
+    return std::uint32_t(tick({.read = true, .index = index}).data.raw());
+  }
+  Words words() { return tick({}).words; }
+  void unlock() { write(index_of("LOCK"), kLockKey); }
+};
+
+constexpr int kPwm = index_of("PWM"), kPwmLimits = index_of("PWM_LIMITS");
+constexpr int kTarget = index_of("SPEED_TARGET"), kGain = index_of("SPEED_GAIN");
+
+std::uint32_t all_of(int index) {
+  std::uint32_t bits = 0;
+  std::apply([&](const auto&... row) {
+    ((bits |= row.address == 4 * index ? mask_of(row) : 0), ...);
+  }, kWordRows);
+  return bits;
+}
+
+TEST(WordRegisters, ResetIsThatOfTheTable) {
+  Bench bench;
+  for (const Field& f : kFields) {
+    if (f.address < 0x80) continue;
+    EXPECT_EQ(bench.read(f.address / 4) >> f.lsb & (mask_of(f) >> f.lsb), f.reset)
+        << f.group << '.' << f.name;
+  }
+}
+
+TEST(WordRegisters, EveryRegisterReadsBackItsFieldsAndNothingElse) {
+  Bench bench;
+  bench.unlock();
+  for (int index = 0x20; index < 0x40; ++index) {
+    const std::uint32_t bits = all_of(index);
+    EXPECT_EQ(bench.write(index, ~0u), bits != 0) << index;
+    EXPECT_EQ(bench.read(index), bits) << index;
+  }
+  for (int index = 0x20; index < 0x40; ++index) {
+    EXPECT_EQ(bench.read(index), all_of(index)) << "later writes left it alone";
+  }
+}
+
+TEST(WordRegisters, AFieldMovesItsOwnWord) {
+  Bench bench;
+  bench.unlock();
+  bench.write(kPwm, 0x0702'0123);
+  bench.write(kPwmLimits, 0x0055'0044);
+  bench.write(index_of("LOOP"), 0x0011'0a1e);
+  const Words words = bench.words();
+  EXPECT_EQ(words.pwm.period, Clocks(0x123));
+  EXPECT_EQ(words.pwm.tick_periods, UInt<8>(7));
+  EXPECT_FALSE(words.pwm.centred);
+  EXPECT_TRUE(words.pwm.complementary);
+  EXPECT_EQ(words.pwm.minimum, Clocks(0x44));
+  EXPECT_EQ(words.pwm.dead_time, UInt<8>(0x55));
+  EXPECT_EQ(words.loop.divide, UInt<2>(3));
+  EXPECT_EQ(words.loop.bandwidth, Bandwidth::kPerStep);
+  EXPECT_EQ(words.loop.detector, Detector::kOncePerTurn);
+  EXPECT_EQ(words.source, Source::kHall);
+  EXPECT_EQ(words.speed.shift, UInt<4>(10));
+  EXPECT_EQ(words.loop.delay, UInt<10>(0x11));
+}
+
+RC_GTEST_PROP(WordRegisters, OnlyBytesWithAStrobeChange,
+              (std::uint32_t before, std::uint32_t data)) {
+  const int strobes = *rc::gen::inRange(0, 16);
+  Bench bench;
+  bench.write(kGain, before);
+  RC_ASSERT(bench.write(kGain, data, strobes));
+  std::uint32_t mask = 0;
+  for (int byte = 0; byte < 4; ++byte) {
+    if (strobes >> byte & 1) mask |= 255u << 8 * byte;
+  }
+  RC_ASSERT(bench.read(kGain) == ((data & mask) | (before & ~mask)));
+}
+
+TEST(WordRegisters, HolesAndReadOnlyRegistersRefuse) {
+  Bench bench;
+  for (const int index :
+       {0x3c, 0x3f, 0x11, 0x40, 0x60, 0x3ff, index_of("ID"), index_of("STATUS")}) {
+    EXPECT_FALSE(bench.write(index, 1)) << index;
+  }
+  EXPECT_TRUE(bench.tick({.read = true, .index = 0x60}).hole) << "no alias of PWM";
+  EXPECT_TRUE(bench.tick({.read = true, .index = 0x3c}).hole);
+  EXPECT_FALSE(bench.tick({.read = true, .index = kPwm}).hole);
+}
+
+TEST(WordRegisters, WhatShapesTheBridgeIsRefusedWhileRunning) {
+  Bench bench;
+  bench.unlock();
+  EXPECT_TRUE(bench.write(kPwm, 100));
+  bench.stopped = false;
+  EXPECT_FALSE(bench.write(kPwm, 200));
+  EXPECT_FALSE(bench.write(kPwmLimits, 200));
+  EXPECT_EQ(bench.words().pwm.period, Clocks(100));
+  EXPECT_EQ(bench.words().pwm.minimum, Clocks(0));
+  EXPECT_TRUE(bench.write(kGain, 3)) << "gains may be tuned";
+}
+
+TEST(WordRegisters, LimitsAreRefusedBehindTheLock) {
+  Bench bench;
+  EXPECT_FALSE(bench.write(kPwmLimits, 7));
+  bench.unlock();
+  EXPECT_TRUE(bench.write(kPwmLimits, 7));
+  bench.write(index_of("LOCK"), kLockKey + 1);
+  EXPECT_FALSE(bench.write(kPwmLimits, 8));
+  bench.write(index_of("LOCK"), kLockKey, 1);
+  EXPECT_FALSE(bench.write(kPwmLimits, 8)) << "half a key is none";
+  EXPECT_EQ(bench.words().pwm.minimum, Clocks(7));
+}
+
+TEST(WordRegisters, TheSetPointActsFromTheNextPeriodOn) {
+  Bench bench;
+  bench.stopped = false;
+  EXPECT_TRUE(bench.write(kTarget, 12345));
+  EXPECT_EQ(bench.read(kTarget), 12345u);
+  EXPECT_EQ(bench.words().speed.target, Frequency(0));
+  bench.boundary = true;
+  bench.words();
+  EXPECT_EQ(bench.words().speed.target, Frequency(12345));
+}
+
+}  // namespace
+}  // namespace steplock
