@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "model/design/design.hpp"
+#include "model/design/words.hpp"
 #include "testbench/command/command.hpp"
+#include "testbench/engine/words.hpp"
+#include "testbench/registers/registers.hpp"
 #include "testbench/report/design_report.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/design_report.hpp"
@@ -14,11 +19,28 @@ namespace {
 
 struct Arguments {
   std::string file, out;
-  bool json = false;
+  bool json = false, c_header = false;
 };
+
+// The words alone, for steplock_init() of rtl/host/steplock.h.
+int print_c_header(const DriveFile& file, const std::string& path) {
+  if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
+    throw BadInput(path + ": --c-header is for six-step drives; leave it out");
+  }
+  const double clock_hz = file.settings.control.clock_hz;
+  const auto designed = design::design_drive(file.settings);
+  const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
+  std::string name = std::filesystem::path(path).stem().string();
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  fmt::print("{}", registers::words_c_header(words, name, clock_hz));
+  return kWell;
+}
 
 int design_drive_file(const Arguments& arguments) {
   const DriveFile file = open_drive_file(arguments.file);
+  if (arguments.c_header) return print_c_header(file, arguments.file);
   if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
     fmt::print("{}", arguments.json ? sinusoidal::design_json(file.settings).dump(2) + "\n"
                                     : sinusoidal::design_text(file.settings));
@@ -50,6 +72,8 @@ void add_design_command(CLI::App& app, int& exit_code) {
       "design", "Show what the design library makes of a drive file: filter, gains, margins, words.");
   command->add_option("FILE", arguments->file, "drive file")->required();
   command->add_flag("--json", arguments->json, "print as JSON");
+  command->add_flag("--c-header", arguments->c_header,
+                    "print the words as C initialisers for rtl/host/steplock.h, nothing else");
   command->add_option("--out", arguments->out,
                       "directory for bode.svg (default out/<file>-design; with --json: none)");
   command->footer("Example: steplock design drives/amano2003.toml");

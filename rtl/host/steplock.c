@@ -1,0 +1,180 @@
+/* See steplock.h. */
+#include "steplock.h"
+
+#define GET(name, value) (((value) & STEPLOCK_##name##_MASK) >> STEPLOCK_##name##_LSB)
+
+static int write_mapped(void *context, uint32_t offset, uint32_t value) {
+  ((volatile uint32_t *)context)[offset / 4] = value;
+  return 0;
+}
+
+static int read_mapped(void *context, uint32_t offset, uint32_t *value) {
+  *value = ((volatile uint32_t *)context)[offset / 4];
+  return 0;
+}
+
+struct steplock_bus steplock_memory_mapped(volatile uint32_t *base) {
+  struct steplock_bus bus;
+  bus.write = write_mapped;
+  bus.read = read_mapped;
+  bus.context = (void *)(uintptr_t)base;
+  return bus;
+}
+
+static enum steplock_result put(const struct steplock_bus *bus, uint32_t offset, uint32_t value) {
+  return bus->write(bus->context, offset, value) == 0 ? STEPLOCK_OK : STEPLOCK_BUS_ERROR;
+}
+
+static enum steplock_result get(const struct steplock_bus *bus, uint32_t offset, uint32_t *value) {
+  return bus->read(bus->context, offset, value) == 0 ? STEPLOCK_OK : STEPLOCK_BUS_ERROR;
+}
+
+/* Bits of a register: those of `set`, without those of `clear`. */
+static enum steplock_result change(const struct steplock_bus *bus, uint32_t offset, uint32_t clear,
+                                   uint32_t set) {
+  uint32_t value;
+  const enum steplock_result result = get(bus, offset, &value);
+  return result != STEPLOCK_OK ? result : put(bus, offset, (value & ~clear) | set);
+}
+
+static enum steplock_result need_stopped(const struct steplock_bus *bus) {
+  uint32_t status;
+  const enum steplock_result result = get(bus, STEPLOCK_STATUS, &status);
+  if (result != STEPLOCK_OK) return result;
+  return GET(STATUS_STOPPED, status) ? STEPLOCK_OK : STEPLOCK_NOT_STOPPED;
+}
+
+static enum steplock_result write_words(const struct steplock_bus *bus,
+                                        const struct steplock_word *words, size_t count) {
+  size_t i;
+  for (i = 0; i < count; ++i) {
+    uint32_t kept;
+    enum steplock_result result = put(bus, words[i].offset, words[i].value);
+    if (result == STEPLOCK_OK) result = get(bus, words[i].offset, &kept);
+    if (result != STEPLOCK_OK) return result;
+    if (kept != words[i].value) return STEPLOCK_NOT_KEPT;
+  }
+  return STEPLOCK_OK;
+}
+
+enum steplock_result steplock_init(const struct steplock_bus *bus, const struct steplock_word *words,
+                                   size_t count) {
+  uint32_t id, version;
+  enum steplock_result result, closed;
+  if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||
+      get(bus, STEPLOCK_VERSION, &version) != STEPLOCK_OK ||
+      GET(VERSION_MAJOR, version) != GET(VERSION_MAJOR, STEPLOCK_VERSION_RESET)) {
+    return STEPLOCK_NO_DRIVE;
+  }
+  result = need_stopped(bus);
+  if (result != STEPLOCK_OK) return result;
+  result = put(bus, STEPLOCK_CONTROL, 0);
+  if (result == STEPLOCK_OK) result = put(bus, STEPLOCK_LOCK, STEPLOCK_LOCK_KEY);
+  if (result == STEPLOCK_OK) result = write_words(bus, words, count);
+  closed = put(bus, STEPLOCK_LOCK, 0); /* in any case */
+  if (result == STEPLOCK_OK) result = closed;
+  if (result != STEPLOCK_OK) return result;
+  return put(bus, STEPLOCK_CONTROL, STEPLOCK_CONTROL_CONFIGURED_MASK);
+}
+
+enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse) {
+  uint32_t fault;
+  const enum steplock_result result = get(bus, STEPLOCK_FAULT, &fault);
+  if (result != STEPLOCK_OK) return result;
+  if (GET(FAULT_DRIVE, fault) || GET(FAULT_WATCHDOG, fault)) return STEPLOCK_FAULT_LATCHED;
+  return change(bus, STEPLOCK_CONTROL,
+                STEPLOCK_CONTROL_REVERSE_MASK | STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK,
+                STEPLOCK_CONTROL_RUN_MASK | (reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u));
+}
+
+enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake) {
+  return change(bus, STEPLOCK_CONTROL,
+                STEPLOCK_CONTROL_RUN_MASK | STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK,
+                brake ? STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK : 0u);
+}
+
+enum steplock_result steplock_reverse(const struct steplock_bus *bus, int reverse) {
+  return change(bus, STEPLOCK_CONTROL, STEPLOCK_CONTROL_REVERSE_MASK,
+                reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u);
+}
+
+enum steplock_result steplock_set_speed(const struct steplock_bus *bus, uint32_t speed) {
+  return put(bus, STEPLOCK_SPEED_TARGET, speed & STEPLOCK_SPEED_TARGET_TARGET_MASK);
+}
+
+uint32_t steplock_speed(uint32_t erpm, uint32_t clock_hz, unsigned divide) {
+  /* Steps per second are a tenth of the electrical revolutions per minute. */
+  const uint64_t turns = ((uint64_t)erpm << 32) / 10u / clock_hz; /* below 2^64 for all erpm */
+  const uint32_t most = STEPLOCK_SPEED_TARGET_TARGET_MASK;
+  return turns > (most >> divide) ? most : (uint32_t)turns << divide;
+}
+
+enum steplock_result steplock_get_status(const struct steplock_bus *bus,
+                                         struct steplock_status *status) {
+  uint32_t now, fault;
+  enum steplock_result result = get(bus, STEPLOCK_STATUS, &now);
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_FAULT, &fault);
+  if (result != STEPLOCK_OK) return result;
+  status->state = GET(STATUS_STATE, now);
+  status->locked = (int)GET(STATUS_LOCKED, now);
+  status->reverse = (int)GET(STATUS_REVERSE, now);
+  status->stopped = (int)GET(STATUS_STOPPED, now);
+  status->fault = (int)GET(FAULT_DRIVE, fault);
+  status->watchdog = (int)GET(FAULT_WATCHDOG, fault);
+  status->reason = status->fault ? GET(FAULT_REASON, fault) : GET(STATUS_REASON, now);
+  return STEPLOCK_OK;
+}
+
+enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
+                                            struct steplock_telemetry *telemetry) {
+  uint32_t speed, loop, crossings, limits, retries;
+  enum steplock_result result = put(bus, STEPLOCK_SNAPSHOT, 1);
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_SPEED, &speed);
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_LOOP, &loop);
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_CROSSINGS, &crossings);
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_LIMITS, &limits);
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_RETRIES, &retries);
+  if (result != STEPLOCK_OK) return result;
+  telemetry->frequency = GET(TELEMETRY_SPEED_FREQUENCY, speed);
+  telemetry->duty = (uint16_t)GET(TELEMETRY_LOOP_DUTY, loop);
+  telemetry->phase_error = (int16_t)GET(TELEMETRY_LOOP_PHASE_ERROR, loop);
+  telemetry->crossings = (uint16_t)GET(TELEMETRY_CROSSINGS_CROSSINGS, crossings);
+  telemetry->missed = (uint16_t)GET(TELEMETRY_CROSSINGS_MISSED, crossings);
+  telemetry->freewheel_long = (uint16_t)GET(TELEMETRY_LIMITS_FREEWHEEL_LONG, limits);
+  telemetry->limit_hits = (uint16_t)GET(TELEMETRY_LIMITS_LIMIT_HITS, limits);
+  telemetry->retries = (uint16_t)GET(TELEMETRY_RETRIES_RETRIES, retries);
+  return STEPLOCK_OK;
+}
+
+enum steplock_result steplock_clear_fault(const struct steplock_bus *bus) {
+  uint32_t fault;
+  enum steplock_result result = steplock_stop(bus, 0);
+  if (result == STEPLOCK_OK) {
+    result = put(bus, STEPLOCK_FAULT, STEPLOCK_FAULT_DRIVE_MASK | STEPLOCK_FAULT_WATCHDOG_MASK);
+  }
+  if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_FAULT, &fault);
+  if (result != STEPLOCK_OK) return result;
+  return GET(FAULT_DRIVE, fault) ? STEPLOCK_FAULT_LATCHED : STEPLOCK_OK;
+}
+
+enum steplock_result steplock_set_watchdog(const struct steplock_bus *bus, uint32_t ticks) {
+  const struct steplock_word word = {STEPLOCK_WATCHDOG, ticks};
+  enum steplock_result result = need_stopped(bus), closed;
+  if (result == STEPLOCK_OK) result = put(bus, STEPLOCK_LOCK, STEPLOCK_LOCK_KEY);
+  if (result == STEPLOCK_OK) result = write_words(bus, &word, 1);
+  closed = put(bus, STEPLOCK_LOCK, 0);
+  return result == STEPLOCK_OK ? closed : result;
+}
+
+enum steplock_result steplock_heartbeat(const struct steplock_bus *bus) {
+  return put(bus, STEPLOCK_HEARTBEAT, 1);
+}
+
+enum steplock_result steplock_enable_interrupts(const struct steplock_bus *bus, uint32_t bits) {
+  return put(bus, STEPLOCK_INTERRUPT_ENABLE, bits);
+}
+
+enum steplock_result steplock_take_interrupts(const struct steplock_bus *bus, uint32_t *bits) {
+  const enum steplock_result result = get(bus, STEPLOCK_INTERRUPT, bits);
+  return result != STEPLOCK_OK || *bits == 0 ? result : put(bus, STEPLOCK_INTERRUPT, *bits);
+}

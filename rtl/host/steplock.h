@@ -1,0 +1,89 @@
+/* Driver of the six-step drive for a bare-metal host: C99, no allocation, no state of its own.
+ *
+ * Every function gets the bus, two functions that read and write one register.  For a drive in the
+ * address space of the processor steplock_memory_mapped() gives them.  Words for a motor come from
+ * `steplock design FILE --c-header`.  Registers: docs/registers.md.  Test:
+ * tests/testbench/host_driver_test.cpp, where this driver turns a motor through the RTL.
+ */
+#ifndef STEPLOCK_H
+#define STEPLOCK_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "steplock_registers.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum steplock_result {
+  STEPLOCK_OK = 0,
+  STEPLOCK_BUS_ERROR,   /* an access was answered with an error */
+  STEPLOCK_NO_DRIVE,    /* another ID or major version stands there */
+  STEPLOCK_NOT_STOPPED, /* the drive has to be stopped for this */
+  STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
+  STEPLOCK_FAULT_LATCHED /* a fault is latched; for clear_fault: its cause lasts */
+};
+
+/* Offsets in bytes from the drive's base; 0 when the access was answered well. */
+struct steplock_bus {
+  int (*write)(void *context, uint32_t offset, uint32_t value);
+  int (*read)(void *context, uint32_t offset, uint32_t *value);
+  void *context;
+};
+
+struct steplock_word {
+  uint32_t offset, value;
+};
+
+struct steplock_status {
+  unsigned state, reason; /* as in STATUS of docs/registers.md */
+  int locked, reverse, stopped, fault, watchdog;
+};
+
+/* All of one instant. */
+struct steplock_telemetry {
+  uint32_t frequency;  /* u0.32 VCO turns per clock */
+  uint16_t duty;       /* u1.15 */
+  int16_t phase_error; /* s0.16 of a step */
+  uint16_t crossings, missed, freewheel_long, limit_hits, retries;
+};
+
+/* A drive at `base` of the processor's own addresses. */
+struct steplock_bus steplock_memory_mapped(volatile uint32_t *base);
+
+/* Finds the drive, writes all words behind the lock, reads them back and enables the bridge. */
+enum steplock_result steplock_init(const struct steplock_bus *bus, const struct steplock_word *words,
+                                   size_t count);
+
+enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse);
+enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake);
+/* Turns round: slows down, brakes and starts the other way; also while running. */
+enum steplock_result steplock_reverse(const struct steplock_bus *bus, int reverse);
+
+/* `speed` as steplock_speed() gives it; acts from the next PWM period on. */
+enum steplock_result steplock_set_speed(const struct steplock_bus *bus, uint32_t speed);
+/* The word of a speed in electrical revolutions per minute; stops at the largest word. */
+uint32_t steplock_speed(uint32_t erpm, uint32_t clock_hz, unsigned divide);
+
+enum steplock_result steplock_get_status(const struct steplock_bus *bus,
+                                         struct steplock_status *status);
+enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
+                                            struct steplock_telemetry *telemetry);
+
+/* Stops, and re-arms drive and watchdog. */
+enum steplock_result steplock_clear_fault(const struct steplock_bus *bus);
+
+/* Longest time between two heartbeats in ticks; 0: none.  Only while stopped. */
+enum steplock_result steplock_set_watchdog(const struct steplock_bus *bus, uint32_t ticks);
+enum steplock_result steplock_heartbeat(const struct steplock_bus *bus);
+
+/* Bits of INTERRUPT that raise the pin; and reads and acknowledges what is set. */
+enum steplock_result steplock_enable_interrupts(const struct steplock_bus *bus, uint32_t bits);
+enum steplock_result steplock_take_interrupts(const struct steplock_bus *bus, uint32_t *bits);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include "testbench/registers/registers.hpp"
+
+namespace steplock::registers {
+namespace {
+
+std::string bits(const Field& f) {
+  return f.width == 1 ? fmt::format("{}", f.lsb) : fmt::format("{}:{}", f.lsb + f.width - 1, f.lsb);
+}
+
+// The register as a strip of boxes, the highest bit left; one character for a bit of a field's part.
+std::string drawing(const Register& r) {
+  std::string top, middle;
+  int bit = 32;
+  const auto box = [&](int width, const std::string& name) {
+    const int room = 3 * width - 1;
+    const std::string shown = name.substr(0, std::size_t(room));
+    top += "+" + std::string(std::size_t(room), '-');
+    middle += fmt::format("|{:^{}}", shown, room);
+    bit -= width;
+  };
+  for (auto f = r.fields.rbegin(); f != r.fields.rend(); ++f) {
+    if (bit > f->lsb + f->width) box(bit - f->lsb - f->width, "");
+    box(f->width, f->name);
+  }
+  if (bit > 0) box(bit, "");
+  std::string numbers;
+  for (int b = 31; b >= 0; --b) numbers += fmt::format("{:3}", b);
+  return fmt::format("    {}\n    {}+\n    {}|\n    {}+\n", numbers, top, middle, top);
+}
+
+}  // namespace
+
+std::string markdown() {
+  std::string page =
+      "# Registers\n\n"
+      "Printed by `steplock registers --markdown` from `hls/bus/six_step_registers.hpp` and "
+      "`hls/bus/word_rows.hpp`; the\ntest `Registers.EveryPrintIsCurrent` fails when this page is "
+      "stale. The same table makes the decoder in `rtl/`,\n"
+      "`rtl/host/steplock_registers.h`, `rtl/host/steplock.rdl` (SystemRDL) and "
+      "`rtl/host/steplock.xml` (IP-XACT).\n\n"
+      "All registers have 32 bits, little-endian; byte strobes count. Addresses are bytes from the "
+      "drive's base. A read of an\naddress without a register, and every write that is refused, is "
+      "answered with an error (AXI: `SLVERR`) and changes nothing.\n"
+      "Bits without a field read 0 and take no write.\n\n"
+      "| access | |\n|---|---|\n"
+      "| ro | read only; writes are refused |\n"
+      "| rw | read and write at any time |\n"
+      "| rw, shadowed | read back at once, acts from the next PWM period on |\n"
+      "| rw, stopped | a write is refused unless STATUS.stopped |\n"
+      "| rw, keyed | a write is refused unless STATUS.stopped and STATUS.unlocked |\n"
+      "| wo | write only, reads 0 |\n"
+      "| w1c | a one clears, a zero leaves |\n\n"
+      "| address | register | access | reset |\n|---|---|---|---|\n";
+  for (const Register& r : registers()) {
+    page += fmt::format("| 0x{:02x} | [{}](#{}) | {} | 0x{:08x} |\n", r.address, r.name,
+                        lower(r.name), access_name(r.access), r.reset);
+  }
+  for (const Register& r : registers()) {
+    page += fmt::format("\n## {}\n\nAddress 0x{:02x}, {}, reset 0x{:08x}.\n\n{}\n", r.name,
+                        r.address, access_name(r.access), r.reset, drawing(r));
+    page += "| bits | field | access | reset | unit | |\n|---|---|---|---|---|---|\n";
+    for (const Field& f : r.fields) {
+      page += fmt::format("| {} | {} | {} | {:#x} | {} | {} |\n", bits(f), f.name,
+                          access_name(f.access), f.reset, f.unit, f.prose);
+    }
+  }
+  return page;
+}
+
+}  // namespace steplock::registers

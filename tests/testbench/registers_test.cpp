@@ -1,0 +1,81 @@
+// What is printed of the register map is what is committed, and says what the table says.
+#include "testbench/registers/registers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "model/design/design.hpp"
+#include "model/design/words.hpp"
+#include "testbench/engine/words.hpp"
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock::registers {
+namespace {
+
+std::string committed(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(STEPLOCK_DOCS "/../" + path).rdbuf();
+  return text.str();
+}
+
+TEST(Registers, EveryPrintIsCurrent) {
+  EXPECT_EQ(markdown(), committed("docs/registers.md")) << "steplock registers --markdown";
+  EXPECT_EQ(c_header(), committed("rtl/host/steplock_registers.h")) << "--c-header";
+  EXPECT_EQ(systemrdl(), committed("rtl/host/steplock.rdl")) << "--systemrdl";
+  EXPECT_EQ(ip_xact(), committed("rtl/host/steplock.xml")) << "--ip-xact";
+}
+
+int count(const std::string& text, const std::string& what) {
+  int n = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(Registers, EveryFieldIsInEveryPrint) {
+  const int fields = int(kFields.size()), all = int(registers().size());
+  EXPECT_EQ(count(c_header(), "_MASK "), fields);
+  EXPECT_EQ(count(systemrdl(), "    field {"), fields);
+  EXPECT_EQ(count(systemrdl(), "  reg {"), all);
+  EXPECT_EQ(count(ip_xact(), "<ipxact:field>"), fields);
+  EXPECT_EQ(count(ip_xact(), "<ipxact:register>"), all);
+  EXPECT_EQ(count(markdown(), "\n## "), all);
+}
+
+TEST(Registers, ADrawingHasAColumnForEveryBit) {
+  std::istringstream page(markdown());
+  int drawings = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("    |")) continue;
+    ++drawings;
+    EXPECT_EQ(line.size(), 4 + 3 * 32 + 1u) << line;
+  }
+  EXPECT_EQ(drawings, int(registers().size()));
+}
+
+// The initialisers, written into empty registers, give the words they were made of.
+TEST(Registers, TheInitialisersOfADriveAreItsWords) {
+  const design::Settings s = short_drive();
+  const double clock_hz = s.control.clock_hz;
+  const auto parameters = design::design_drive(s).parameters;
+  const Words words = hls_words(design::quantise(parameters, clock_hz).words);
+  const std::string text = words_c_header(words, "short", clock_hz);
+  int read = 0;
+  const auto check = [&](const auto& row) {
+    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
+    const std::regex line("STEPLOCK_" + std::string(row.group) + ", 0x([0-9a-f]+)u");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, line)) << row.group;
+    const auto value = std::uint32_t(std::stoul(found[1], nullptr, 16));
+    EXPECT_EQ((value & mask_of(row)) >> row.lsb, bits_of(Word::of(words)).raw()) << row.name;
+    ++read;
+  };
+  std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
+  EXPECT_EQ(read, 56);
+  EXPECT_EQ(count(text, "    {STEPLOCK_"), 28);
+}
+
+}  // namespace
+}  // namespace steplock::registers
