@@ -82,15 +82,15 @@ module current_model (
   wire [16:0] wide_64 = {i_u_i[15], i_u_i};  // line 64
   wire [16:0] wide_64_2 = {last_u[15], last_u};  // line 64
   wire [16:0] sum_u = wide_64 + wide_64_2;  // line 64
-  wire [31:0] joined_113_2 = {{2'd0, kept_17[14:0]} + product[16:0], kept_23};  // line 113
-  wire [32:0] sum_113 = {joined_113_2[31], joined_113_2} + 33'd16384;  // line 113
-  wire [18:0] wide_113 = {kept_17[17], kept_17[17:0]};  // line 113
+  wire [31:0] joined_114_2 = {{2'd0, kept_17[14:0]} + product[16:0], kept_23};  // line 114
+  wire [32:0] sum_114 = {joined_114_2[31], joined_114_2} + 33'd16384;  // line 114
+  wire [18:0] wide_114 = {kept_17[17], kept_17[17:0]};  // line 114
   wire [16:0] wide_64_3 = {i_v_i[15], i_v_i};  // line 64
   wire [16:0] wide_64_4 = {last_v[15], last_v};  // line 64
   wire [16:0] sum_v = wide_64_3 + wide_64_4;  // line 64
-  wire [31:0] joined_113_4 = {{2'd0, kept_23} + product[16:0], kept_24};  // line 113
-  wire [32:0] sum_113_3 = {joined_113_4[31], joined_113_4} + 33'd16384;  // line 113
-  wire [18:0] wide_113_2 = {kept_1[17], kept_1};  // line 113
+  wire [31:0] joined_114_4 = {{2'd0, kept_23} + product[16:0], kept_24};  // line 114
+  wire [32:0] sum_114_3 = {joined_114_4[31], joined_114_4} + 33'd16384;  // line 114
+  wire [18:0] wide_114_2 = {kept_1[17], kept_1};  // line 114
   wire [33:0] joined_73 = {{4'd0, kept_5} + product[18:0], kept_23};  // line 73
   wire [34:0] sum_73 = {joined_73[33], joined_73} + 35'd16384;  // line 73
   wire [16:0] sum_66 = sum_v - 17'd34;  // line 66
@@ -102,10 +102,10 @@ module current_model (
   wire [5:0] sum_66_6 = kept_9 + product[5:0];  // line 66
   wire [35:0] joined_66 = {sum_66_6, kept_24, kept_23};  // line 66
   wire [36:0] sum_66_7 = {joined_66[35], joined_66} + 37'd16384;  // line 66
-  wire [31:0] wide_117 = {product[30], product[30:0]};  // line 117
-  wire [31:0] sum_117 = wide_117 + 32'd2048;  // line 117
+  wire [31:0] wide_118 = {product[30], product[30:0]};  // line 118
+  wire [31:0] sum_118 = wide_118 + 32'd2048;  // line 118
   wire [20:0] wide_73 = {kept_11[19], kept_11};  // line 73
-  wire [20:0] wide_73_2 = {sum_117[31], sum_117[31:12]};  // line 73
+  wire [20:0] wide_73_2 = {sum_118[31], sum_118[31:12]};  // line 73
   wire [9:0] sum_78 = sum_77[23:14] + 10'd256;  // line 78
   wire [15:0] wide_78 = {{9{kept_15[6]}}, kept_15};  // line 78
   wire [32:0] wide_78_2 = {product[31], product};  // line 78
@@ -117,16 +117,16 @@ module current_model (
   wire [5:0] sum_66_10 = kept_19 + product[5:0];  // line 66
   wire [35:0] joined_66_2 = {sum_66_10, kept_2[14:0], kept_25};  // line 66
   wire [36:0] sum_66_11 = {joined_66_2[35], joined_66_2} + 37'd16384;  // line 66
-  wire [33:0] sum_122 = {kept_26[32], kept_26} + 34'd16384;  // line 122
+  wire [33:0] sum_123 = {kept_26[32], kept_26} + 34'd16384;  // line 123
   wire [29:0] difference_83 = {{2{emf[27]}}, emf} - {product[30], product[30:2]};  // line 83
   wire [27:0] emf_now =  // line 83
       difference_83[29] ? ((difference_83[29:27] == 3'd7) ? difference_83[27:0] : 28'd134217728) :
       (difference_83[29:27] == 3'd0) ? difference_83[27:0] :
       28'd134217727;
-  wire [36:0] joined_85 = {kept_17, kept_23};  // line 85
-  wire [37:0] sum_85_2 = {joined_85[36], joined_85} + 38'd16384;  // line 85
-  wire [31:0] sum_86 = wide_117 + 32'd64;  // line 86
-  wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 86
+  wire [36:0] turned = {kept_17, kept_23};  // line 85
+  wire [37:0] sum_86 = {turned[36], turned} + 38'd16384;  // line 86
+  wire [31:0] sum_87 = wide_118 + 32'd64;  // line 87
+  wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 87
   wire [7:0] choice_78 = (step_2 == 6'd0) ? sum_77[21:14] ^ {8{sum_77[22]}} : kept_14;  // line 78
 
   logic [14:0] entry_78;  // kQuarterWave
@@ -576,19 +576,19 @@ module current_model (
         end
         6'd9: begin
           step_2 <= step_2 + 6'd1;
-          kept_17 <= {4'd0, sum_113[32:15]};
+          kept_17 <= {4'd0, sum_114[32:15]};
           factor_a <= {{14{kept_6[1]}}, kept_6};
           factor_b <= {1'b0, words_decay_i};
         end
         6'd10: begin
-          logic [17:0] joined_113;
-          logic [18:0] sum_113_2;
+          logic [17:0] joined_114;
+          logic [18:0] sum_114_2;
           logic [17:0] free_u;
-          joined_113 = {kept_1[16:0], 1'b0};  // line 113
-          sum_113_2 = {joined_113[17], joined_113} + wide_113;  // line 113
-          free_u =  // line 113
-              sum_113_2[18] ? ((sum_113_2[18:17] == 2'd3) ? sum_113_2[17:0] : 18'd131072) :
-              (sum_113_2[18:17] == 2'd0) ? sum_113_2[17:0] :
+          joined_114 = {kept_1[16:0], 1'b0};  // line 114
+          sum_114_2 = {joined_114[17], joined_114} + wide_114;  // line 114
+          free_u =  // line 114
+              sum_114_2[18] ? ((sum_114_2[18:17] == 2'd3) ? sum_114_2[17:0] : 18'd131072) :
+              (sum_114_2[18:17] == 2'd0) ? sum_114_2[17:0] :
               18'd131071;
           step_2 <= step_2 + 6'd1;
           kept_17 <= {4'd0, free_u};
@@ -599,24 +599,24 @@ module current_model (
         end
         6'd11: begin
           step_2 <= step_2 + 6'd1;
-          kept_1 <= sum_113_3[32:15];
+          kept_1 <= sum_114_3[32:15];
           factor_a <= {kept_5[14], kept_5};
           factor_b <= {15'd0, kept_8};
         end
         6'd12: begin
-          logic [17:0] joined_113_3;
-          logic [18:0] sum_113_4;
-          joined_113_3 = {kept_4[16:0], 1'b0};  // line 113
-          sum_113_4 = {joined_113_3[17], joined_113_3} + wide_113_2;  // line 113
+          logic [17:0] joined_114_3;
+          logic [18:0] sum_114_4;
+          joined_114_3 = {kept_4[16:0], 1'b0};  // line 114
+          sum_114_4 = {joined_114_3[17], joined_114_3} + wide_114_2;  // line 114
           step_2 <= step_2 + 6'd1;
-          if (sum_113_4[18]) begin
-            if (sum_113_4[18:17] == 2'd3) begin
-              kept_1 <= sum_113_4[17:0];
+          if (sum_114_4[18]) begin
+            if (sum_114_4[18:17] == 2'd3) begin
+              kept_1 <= sum_114_4[17:0];
             end else begin
               kept_1 <= 18'd131072;
             end
-          end else if (sum_113_4[18:17] == 2'd0) begin
-            kept_1 <= sum_113_4[17:0];
+          end else if (sum_114_4[18:17] == 2'd0) begin
+            kept_1 <= sum_114_4[17:0];
           end else begin
             kept_1 <= 18'd131071;
           end
@@ -630,7 +630,7 @@ module current_model (
           logic [18:0] sum_71;
           logic [19:0] sum_71_2;
           logic [2:0] part_71;
-          sum_71 = wide_113 + wide_113_2;  // line 71
+          sum_71 = wide_114 + wide_114_2;  // line 71
           sum_71_2 = {sum_71[18], sum_71} + {{2{kept_1[17]}}, kept_1};  // line 71
           part_71 = sum_71_2[19:17];  // line 71
           step_2 <= step_2 + 6'd1;
@@ -842,7 +842,7 @@ module current_model (
         end
         6'd28: begin
           step_2 <= step_2 + 6'd1;
-          kept_11 <= sum_117[31:12];
+          kept_11 <= sum_118[31:12];
           factor_a <= kept_7;
           factor_b <= kept_26[15:0];
         end
@@ -858,13 +858,13 @@ module current_model (
         6'd30: begin
           step_2 <= step_2 + 6'd1;
           if (kept_8) begin
-            if (sum_122[33:30] == 4'd15) begin
-              kept_2 <= sum_122[30:15];
+            if (sum_123[33:30] == 4'd15) begin
+              kept_2 <= sum_123[30:15];
             end else begin
               kept_2 <= 16'd32768;
             end
-          end else if (sum_122[33:30] == 4'd0) begin
-            kept_2 <= sum_122[30:15];
+          end else if (sum_123[33:30] == 4'd0) begin
+            kept_2 <= sum_123[30:15];
           end else begin
             kept_2 <= 16'd32767;
           end
@@ -894,13 +894,13 @@ module current_model (
         6'd32: begin
           step_2 <= step_2 + 6'd1;
           if (kept_8) begin
-            if (sum_122[33:30] == 4'd15) begin
-              kept_2 <= sum_122[30:15];
+            if (sum_123[33:30] == 4'd15) begin
+              kept_2 <= sum_123[30:15];
             end else begin
               kept_2 <= 16'd32768;
             end
-          end else if (sum_122[33:30] == 4'd0) begin
-            kept_2 <= sum_122[30:15];
+          end else if (sum_123[33:30] == 4'd0) begin
+            kept_2 <= sum_123[30:15];
           end else begin
             kept_2 <= 16'd32767;
           end
@@ -934,7 +934,7 @@ module current_model (
         end
         6'd35: begin
           step_2 <= step_2 + 6'd1;
-          kept_27 <= {7'd0, sum_86[31:7]};
+          kept_27 <= {7'd0, sum_87[31:7]};
           factor_a <= wide_78;
           factor_b <= {1'b0, words_k_speed_i};
         end
@@ -954,28 +954,28 @@ module current_model (
         6'd38: begin
           step_2 <= step_2 + 6'd1;
           if (kept_8) begin
-            if (sum_85_2[37:34] == 4'd15) begin
-              kept_11 <= sum_85_2[34:15];
+            if (sum_86[37:34] == 4'd15) begin
+              kept_11 <= sum_86[34:15];
             end else begin
               kept_11 <= 20'd524288;
             end
-          end else if (sum_85_2[37:34] == 4'd0) begin
-            kept_11 <= sum_85_2[34:15];
+          end else if (sum_86[37:34] == 4'd0) begin
+            kept_11 <= sum_86[34:15];
           end else begin
             kept_11 <= 20'd524287;
           end
         end
         6'd39: begin
-          logic [25:0] wide_87;
-          logic [25:0] wide_87_2;
-          logic [25:0] choice_87;
+          logic [25:0] wide_88;
+          logic [25:0] wide_88_2;
+          logic [25:0] choice_88;
           logic [19:0] step_3;
-          wide_87 = {{6{kept_11[19]}}, kept_11};  // line 87
-          wide_87_2 = {kept_27[24], kept_27[24:0]};  // line 87
-          choice_87 = way[24] ? wide_87 - wide_87_2 : wide_87 + wide_87_2;  // line 87
-          step_3 =  // line 87
-              choice_87[25] ? ((choice_87[25:19] == 7'd127) ? choice_87[19:0] : 20'd524288) :
-              (choice_87[25:19] == 7'd0) ? choice_87[19:0] :
+          wide_88 = {{6{kept_11[19]}}, kept_11};  // line 88
+          wide_88_2 = {kept_27[24], kept_27[24:0]};  // line 88
+          choice_88 = way[24] ? wide_88 - wide_88_2 : wide_88 + wide_88_2;  // line 88
+          step_3 =  // line 88
+              choice_88[25] ? ((choice_88[25:19] == 7'd127) ? choice_88[19:0] : 20'd524288) :
+              (choice_88[25:19] == 7'd0) ? choice_88[19:0] :
               20'd524287;
           step_2 <= step_2 + 6'd1;
           kept_17 <= {2'd0, step_3};
@@ -1000,7 +1000,7 @@ module current_model (
         end
         default: step_2 <= step_2 + 6'd1;
       endcase
-      product <= product_next;  // line 86
+      product <= product_next;  // line 87
       done <= step_2 == 6'd40;
       missed <= start_i && step_2 != 6'd0;
     end
@@ -1016,8 +1016,8 @@ module current_model (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_28[31:16], sum_113[14:0], sum_113_3[14:0], sum_73[14:0], sum_66[0], sum_66_2[0],
-      difference_66[0], sum_66_3[13:0], sum_66_4[12:0], sum_66_7[14:0], sum_117[11:0],
-      sum_78[7:0], sum_78_2[22:0], sum_66_8[0], sum_66_11[14:0], sum_122[14:0], emf_now[5:0],
-      sum_85_2[14:0], sum_86[6:0]};
+      &{1'b0, kept_28[31:16], sum_114[14:0], sum_114_3[14:0], sum_73[14:0], sum_66[0], sum_66_2[0],
+      difference_66[0], sum_66_3[13:0], sum_66_4[12:0], sum_66_7[14:0], sum_118[11:0],
+      sum_78[7:0], sum_78_2[22:0], sum_66_8[0], sum_66_11[14:0], sum_123[14:0], emf_now[5:0],
+      sum_86[14:0], sum_87[6:0]};
 endmodule

@@ -1,12 +1,14 @@
-// The voltage that the bridge applied over one PWM period, from what it was asked for; never measured.
+// The voltage that the bridge applied over one PWM period, from what it was asked for; never
+// measured.
 //
-//     t_k = on_k - s_k dead               s_k = sign of the current out of leg k, in proportion within
-//                                         one step of a 12-bit converter
-//     v_alpha = (2 t_u - t_v - t_w) v_dc / (3 period),  v_beta = sqrt 3 (t_v - t_w) v_dc / (3 period)
+//     t_k = on_k - s_k dead       s_k = sign of the current out of leg k, in proportion within
+//                                 one step of a 12-bit converter
+//     v_alpha = (2 t_u - t_v - t_w) v_dc / (3 period)
+//     v_beta = sqrt 3 (t_v - t_w) v_dc / (3 period)
 //
-// The diode that takes over at each dead time holds the terminal low while the current flows into the
-// motor, high otherwise.  A leg that does not switch loses nothing.  `dead` holds the diode's drop as
-// well, as the clocks that cost the same at the nominal dc voltage.
+// The diode that takes over at each dead time holds the terminal low while the current flows into
+// the motor, high otherwise.  A leg that does not switch loses nothing.  `dead` holds the diode's
+// drop as well, as the clocks that cost the same at the nominal dc voltage.
 //
 //     on, period   clocks          dead   u8.4 clocks        v_dc   u0.12 of the full scale
 //     inverse      u0.26: 1 / (3 period), for a period of 683 clocks or more

@@ -4,17 +4,21 @@
 //     Park        i_gamma =  i_alpha cos + i_beta sin,   i_delta = -i_alpha sin + i_beta cos
 //     PI          x += k_i e,  u = x + k_p e,  e = set - i                   (one for each axis)
 //     decoupling  u_gamma -= w L i_delta,  u_delta += w L i_gamma + w K_E   Matsui 1996, (5)
-//     limit       |u_gamma| <= U/2,  |u_delta| <= U - 7/16 |u_gamma|: an octagon in the circle
-//     back        v_alpha = u_gamma cos - u_delta sin,   v_beta = u_gamma sin + u_delta cos
+//     limit       |u_gamma| <= U/2,  |u_delta| <= U - 7/16 |u_gamma|: an octagon in the circle U,
+//                 which is a part of the dc voltage
+//     back        v_alpha = u_gamma cos' - u_delta sin',  v_beta = u_gamma sin' + u_delta cos'
+//
+// The voltage acts one to two samples later: it goes back at the angle `ahead`, where the frame
+// will then stand.
 //
 // An integrator stands still while its output is limited and the error would drive it further.
 // Without `enable` voltages and integrators are 0, so that control begins from rest.
 //
 //     currents, voltages     s0.15 of a full scale each; w: s0.15 of a full scale of the speed
 //     x                      s0.27, so that small gains still integrate
-//     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u0.15
+//     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u3.12
 //     latency                one sample; as CurrentLoop the clocks of its budget
-//     multipliers            20 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers            24 products of 16 x 16 bits: one multiplier, in turn
 //
 // Doc: docs/blocks/current_control.md   Test: tests/hls/current_control_test.cpp
 
@@ -32,15 +36,17 @@ class CurrentControl {
     bool enable = false;      // false: no voltage, integrators at 0
     Int<16> i_u = 0;          // s0.15
     Int<16> i_v = 0;          // s0.15
-    UInt<16> angle = 0;       // u0.16, electrical turns, of the gamma axis
+    UInt<16> angle = 0;       // u0.16, electrical turns, of the gamma axis at the sample
+    UInt<16> ahead = 0;       // u0.16, electrical turns, of the gamma axis when the voltage acts
     Int<16> speed = 0;        // s0.15
     Int<16> set_gamma = 0;    // s0.15
     Int<16> set_delta = 0;    // s0.15
     UInt<15> k_p = 0;         // u3.12
     UInt<15> k_i = 0;         // u0.15, per sample
-    UInt<15> inductance = 0;  // u0.15, voltage per current and speed
-    UInt<15> emf = 0;         // u0.15, voltage per speed
-    UInt<15> limit = 0;       // u0.15, length of the voltage vector
+    UInt<15> inductance = 0;  // u3.12, voltage per current and speed
+    UInt<15> emf = 0;         // u3.12, voltage per speed
+    UInt<12> v_dc = 0;        // u0.12
+    UInt<15> limit = 0;       // u0.15, length of the voltage vector, of the dc voltage
   };
 
   struct Out {
@@ -58,18 +64,20 @@ class CurrentControl {
     const auto i_gamma = rounded(alpha * cosine + beta * sine);
     const auto i_delta = rounded(beta * cosine - alpha * sine);
 
-    const auto coupling = rounded(in.speed * in.inductance);
-    const auto emf = rounded(in.speed * in.emf);
+    const auto coupling = saturate<Int<16>>((in.speed * in.inductance + (1 << 11)) >> 12);
+    const auto emf = saturate<Int<16>>((in.speed * in.emf + (1 << 11)) >> 12);
+    const auto limit = wrap<UInt<15>>((in.v_dc * in.limit) >> 12);
     const auto gamma = control(integral_gamma_, in, saturate<Int<16>>(in.set_gamma - i_gamma),
-                               -rounded(coupling * i_delta), UInt<15>(in.limit >> 1));
+                               -rounded(coupling * i_delta), UInt<15>(limit >> 1));
     const auto length = gamma.voltage.negative() ? -gamma.voltage : Int<17>(gamma.voltage);
     const auto seven = (Int<20>(length) << 3) - length;
-    const auto left = in.limit - (seven >> 4);
+    const auto left = limit - (seven >> 4);
     const auto delta = control(integral_delta_, in, saturate<Int<16>>(in.set_delta - i_delta),
                                rounded(coupling * i_gamma) + emf, saturate<UInt<15>>(left));
 
-    return {.v_alpha = rounded(gamma.voltage * cosine - delta.voltage * sine),
-            .v_beta = rounded(gamma.voltage * sine + delta.voltage * cosine),
+    const auto [sine_then, cosine_then] = sine_cosine(in.ahead);
+    return {.v_alpha = rounded(gamma.voltage * cosine_then - delta.voltage * sine_then),
+            .v_beta = rounded(gamma.voltage * sine_then + delta.voltage * cosine_then),
             .i_gamma = i_gamma,
             .i_delta = i_delta,
             .limited = gamma.limited || delta.limited};
@@ -115,6 +123,6 @@ class CurrentControl {
 // One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
 using CurrentLoop = Scheduled<
     CurrentControl,
-    Budget{.multipliers = 1, .clocks = 25, .levels = 10, .inputs = Inputs::kHeld}>;
+    Budget{.multipliers = 1, .clocks = 28, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

@@ -1,14 +1,14 @@
 // Current-model estimator, Matsui 1996, (12)-(20): angle and speed of the rotor, once per sample.
 //
-//     Delta i  = i - i' + (R T/L) (i + i')/2 - (T/L) v       in the stationary frame, both ends of the
+//     Delta i  = i - i' + (R T/L) (i + i')/2 - (T/L) v    in the stationary frame, both ends of the
 //                                                            interval, v the applied voltage
 //     turned into gamma-delta at the interval's middle, and Delta i_delta += (T/L) e_c    (14)-(16)
 //     e_c     -= K_e Delta i_delta                                                        (18)
-//     step     = e_c T / K_E + sign(step) K_theta Delta i_gamma;  angle += step           (19), (20)
+//     step     = e_c T / K_E + sign(step) K_theta Delta i_gamma;  angle += step       (19), (20)
 //
-// The angle given is theta_c at the sample's instant, the step what it turns until the next.  The sign
-// is that of the step's mean over 32 samples.  Without `enable` the angle is `initial` and all else 0;
-// the ends of the interval are remembered all the same.
+// The angle given is theta_c at the sample's instant, the step what it turns until the next.  The
+// sign is that of the step's mean over 32 samples.  Without `enable` the angle is `initial` and all
+// else 0; the ends of the interval are remembered all the same.
 //
 //     currents, voltages     s0.15 of a full scale each; Delta i: s-1.16
 //     e_c                    s0.27 of the voltage
@@ -82,7 +82,8 @@ class CurrentModel {
                                        driven(emf, words.gain));
     const auto emf_now = saturate<Emf>(emf_ - ((delta * words.k_e) >> 2));
 
-    const auto by_emf = saturate<Turn>((wrap<Int<22>>(emf_now >> 6) * words.k_speed + (1 << 14)) >> 15);
+    const auto turned = wrap<Int<22>>(emf_now >> 6) * words.k_speed;
+    const auto by_emf = saturate<Turn>((turned + (1 << 14)) >> 15);
     const auto pull = (gamma * words.k_theta + (1 << 6)) >> 7;
     const auto step = saturate<Turn>(way_.negative() ? by_emf - pull : by_emf + pull);
 

@@ -38,17 +38,42 @@ struct Numbers {
     in.i_u = word(i_u);
     in.i_v = word(i_v);
     in.angle = static_cast<int>(std::lround(angle * 65536));
+    in.ahead = in.angle;
     in.speed = word(speed);
     in.set_gamma = word(set_gamma);
     in.set_delta = word(set_delta);
     in.k_p = gain(k_p, 12);
     in.k_i = gain(k_i, 15);
-    in.inductance = gain(inductance, 15);
-    in.emf = gain(emf, 15);
+    in.inductance = gain(inductance, 12);
+    in.emf = gain(emf, 12);
+    in.v_dc = 4095;
     in.limit = gain(limit, 15);
     return in;
   }
 };
+
+// The voltage acts later, in a frame that has turned meanwhile.
+TEST(CurrentControl, TheVoltageIsTurnedAheadByWhatTheFrameTurns) {
+  std::mt19937 any(3);
+  for (int i = 0; i < 2'000; ++i) {
+    const auto turn = [&](auto& g) { return std::uniform_int_distribution<>(0, 65535)(g); };
+    CurrentControl now, later;
+    CurrentControl::In in;
+    in.enable = true;
+    in.i_u = in.set_delta = 3000;
+    in.k_p = 8192, in.v_dc = 4095, in.limit = 32000;
+    in.angle = turn(any);
+    in.ahead = in.angle;
+    const auto a = now.tick(in);
+    const int by = turn(any);
+    in.ahead = wrap<UInt<16>>(in.angle + by);
+    const auto b = later.tick(in);
+    const double c = std::cos(kTurn * by / 65536), s = std::sin(kTurn * by / 65536);
+    // Sine and cosine by 2 places each of up to 0.4, twice, and two roundings.
+    ASSERT_NEAR(value(b.v_alpha), c * value(a.v_alpha) - s * value(a.v_beta), 5 * kPlace);
+    ASSERT_NEAR(value(b.v_beta), s * value(a.v_alpha) + c * value(a.v_beta), 5 * kPlace);
+  }
+}
 
 struct Voltages {
   double alpha, beta, i_gamma, i_delta;
@@ -72,9 +97,10 @@ Numbers drawn(std::mt19937& any) {
     return std::uniform_real_distribution<>(a, b)(any);
   };
   const auto current = [&] { return between(-0.3, 0.3); };
+  const auto meant = [&](double most) { return std::round(between(0, most) * 4096) / 4096; };
   return {current(),         current(),         between(0, 0.9999), between(-0.9, 0.9),
           current(),         current(),         between(0, 0.4),    between(0, 0.1),
-          between(0, 0.3),   between(0, 0.3),   0.999};
+          meant(0.3),        meant(0.3),        0.999};
 }
 
 TEST(CurrentControl, OneSampleIsTheEquations) {
@@ -85,9 +111,9 @@ TEST(CurrentControl, OneSampleIsTheEquations) {
     const auto out = dut.tick(n.in());
     const auto expected = reference(n);
     ASSERT_FALSE(out.limited);
-    // Currents: rounded inputs (half a place each, twice that through 2 i_v / sqrt 3), beta cut, sine
-    // and cosine off by up to 2 places times 0.9, rounded: below 6.  Voltages: those through gains up
-    // to 0.8, three words of cut products, sine and cosine again: below 14.
+    // Currents: rounded inputs (half a place each, twice that through 2 i_v / sqrt 3), beta cut,
+    // sine and cosine off by up to 2 places times 0.9, rounded: below 6.  Voltages: those through
+    // gains up to 0.8, three words of cut products, sine and cosine again: below 14.
     ASSERT_NEAR(value(out.i_gamma), expected.i_gamma, 6 * kPlace);
     ASSERT_NEAR(value(out.i_delta), expected.i_delta, 6 * kPlace);
     ASSERT_NEAR(value(out.v_alpha), expected.alpha, 14 * kPlace);

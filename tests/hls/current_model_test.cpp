@@ -1,5 +1,5 @@
-// The current-model estimator against its reference in doubles, on the same currents and patterns of a
-// motor that turns.  Full scales are 1 and a sample takes 1, so that words are physics.
+// The current-model estimator against its reference in doubles, on the same currents and patterns
+// of a motor that turns.  Full scales are 1 and a sample takes 1, so that words are physics.
 
 #include "hls/sinusoidal/current_model.hpp"
 
@@ -110,9 +110,10 @@ reference::CurrentModelEstimator estimator() {
 double angle_of(Angle a) { return 2 * kPi * double(a.raw()) / (1 << 24); }
 double turns_of(Turn t) { return double(t.raw()) / (1 << 23); }
 
-// `inverse` and the rounded word per clock are off by 3e-5 and 4e-5 of up to 0.4: one place.  Four cuts
-// of 1/16 clock, 0.4 places each; within a converter's step of zero the mean current is cut by half a
-// place of 16: another 6/16 clocks, in each leg at worst; rounding, and v_dc's own half place.
+// `inverse` and the rounded word per clock are off by 3e-5 and 4e-5 of up to 0.4: one place.  Four
+// cuts of 1/16 clock, 0.4 places each; within a converter's step of zero the mean current is cut by
+// half a place of 16: another 6/16 clocks, in each leg at worst; rounding, and v_dc's own half
+// place.
 TEST(AppliedVoltage, IsTheReferenceWithinItsRounding) {
   std::mt19937 any(1);
   const auto draw = [&](int a, int b) { return std::uniform_int_distribution<>(a, b)(any); };
@@ -133,10 +134,10 @@ TEST(AppliedVoltage, IsTheReferenceWithinItsRounding) {
   }
 }
 
-// Per sample, Delta i is off by at most 12 places of 2^-16: the voltage's 6 places of 2^-15 times the
-// gain, two roundings of the free current, sine and cosine by 2 places of up to 0.2, two more
-// roundings.  The loop takes 2 (2 pi f) of an angle's error away per sample, so that a lasting error
-// of the current ends at 12 places (k_theta + k_speed / gain) / (4 pi f).
+// Per sample, Delta i is off by at most 12 places of 2^-16: the voltage's 6 places of 2^-15 times
+// the gain, two roundings of the free current, sine and cosine by 2 places of up to 0.2, two more
+// roundings.  The loop takes 2 (2 pi f) of an angle's error away per sample, so that a lasting
+// error of the current ends at 12 places (k_theta + k_speed / gain) / (4 pi f).
 double tolerance(double turns) {
   return 2 * kPi * 12 / 65536.0 * (0.2 + 0.1) / (4 * kPi * std::abs(turns));
 }

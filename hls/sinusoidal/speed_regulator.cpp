@@ -1,0 +1,5 @@
+#include "hls/sinusoidal/speed_regulator.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::SpeedRegulatorLoop>;

@@ -1,0 +1,126 @@
+// Speed regulator: from a set speed and the estimated one to the current that makes torque.
+//
+//     reference  moves towards the target by at most `slew`
+//     speed     += filter (step - speed)
+//     i_delta*   = PI(reference - speed), within +-limit; an integral stands where it would wind up
+//
+// All in the wanted direction: with `reverse` step, EMF and current change their signs on the way
+// in and out.  With `slow_down` the target is three quarters of the stop speed.  Without `enable`
+// all is 0. Beside it stand the comparisons that need this speed: fast enough to be trusted, slow,
+// slower than the stop speed, and whether an EMF belongs to it (between emf_low and emf_high times
+// K_E speed).
+//
+//     step                 s-4.23 turns per sample, which is s0.19 of 1/16 turn
+//     speed, thresholds    s0.15, u0.15 of 1/16 turn per sample;  reference, target   s0.25, u0.25
+//     slew                 u0.25 per sample;  filter   u0.15
+//     k_p, k_i             u7.8, u-2.17 per sample: current per speed
+//     speed, integral      s0.27 inside
+//     multipliers          8 products of 16 x 16 bits: one multiplier, in turn
+//
+// Doc: docs/blocks/speed_regulator.md   Test: tests/hls/speed_regulator_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/numeric/scheduled.hpp"
+
+namespace steplock {
+
+struct RegulatorWords {
+  UInt<25> target = 0;    // u0.25
+  UInt<15> slew = 0;      // u0.25, per sample
+  UInt<15> filter = 0;    // u0.15, per sample
+  UInt<15> k_p = 0;       // u7.8
+  UInt<15> k_i = 0;       // u-2.17, per sample
+  UInt<15> limit = 0;     // u0.15, of the current
+  UInt<15> lock = 0;      // u0.15: above, the estimate may be trusted
+  UInt<15> slow = 0;      // u0.15: below, it may not
+  UInt<15> stop = 0;      // u0.15: below, the drive lets go
+  UInt<15> emf_low = 0;   // u2.13
+  UInt<15> emf_high = 0;  // u2.13
+};
+
+class SpeedRegulator {
+ public:
+  struct In {
+    bool enable = false;     // false: no current, the reference at 0
+    bool reverse = false;    // the wanted direction
+    bool slow_down = false;  // towards a stop
+    Int<20> step = 0;        // s0.19
+    Int<20> emf_step = 0;    // s0.19, the EMF over K_E
+    RegulatorWords words;
+  };
+
+  struct Out {
+    Int<16> current = 0;      // s0.15, i_delta*
+    Int<16> speed = 0;        // s0.15, smoothed
+    Int<16> reference = 0;    // s0.15, in the wanted direction
+    bool saturated = false;   // the current is limited
+    bool fast = false;        // above `lock`
+    bool slow = false;        // below `slow`
+    bool stopping = false;    // below `stop`
+    bool plausible = false;   // the EMF belongs to the speed
+  };
+
+  Out tick(const In& in) {
+    const RegulatorWords& words = in.words;
+    const auto forward = [&](auto x) {
+      return saturate<decltype(x)>(in.reverse ? -x : Bits<decltype(x)::width + 1, true>(x));
+    };
+    const UInt<15> crawl = wrap<UInt<15>>(words.stop - (words.stop >> 2));
+    const UInt<25> target = in.slow_down ? UInt<25>(crawl) << 10 : words.target;
+    const auto way = target - reference_;
+    const bool far_up = way > words.slew, far_down = way < -words.slew;
+    const auto reference = wrap<Int<26>>(far_up     ? reference_ + words.slew
+                                         : far_down ? reference_ - words.slew
+                                                    : Int<27>(target));
+
+    const auto behind = (Int<28>(forward(in.step)) << 8) - speed_;
+    const auto speed = saturate<Int<28>>(speed_ + ((behind * words.filter) >> 15));
+    const auto error = saturate<Int<20>>(((Int<28>(reference) << 2) - speed) >> 8);
+    const auto wanted = ((error * words.k_p) >> 12) + (integral_ >> 12);
+    const bool above = wanted > words.limit, below = wanted < -words.limit;
+    const Int<28> most = Int<28>(words.limit) << 12;
+    const auto moved = integral_ + ((error * words.k_i) >> 9);
+    const auto integral = moved > most    ? most
+                          : moved < -most ? wrap<Int<28>>(-most)
+                                          : wrap<Int<28>>(moved);
+    const auto current = above   ? Int<16>(words.limit)
+                         : below ? wrap<Int<16>>(-words.limit)
+                                 : wrap<Int<16>>(wanted);
+
+    const auto shown = wrap<Int<16>>(speed >> 12);
+    const auto emf = wrap<Int<16>>(forward(in.emf_step) >> 4);
+    const auto least = (shown * words.emf_low) >> 13, greatest = (shown * words.emf_high) >> 13;
+    if (!in.enable) {
+      reference_ = 0;
+      speed_ = 0;
+      integral_ = 0;
+      return {};
+    }
+    reference_ = reference;
+    speed_ = speed;
+    const bool winds_up = (above && !error.negative()) || (below && error.negative());
+    if (!winds_up) integral_ = integral;
+    return {.current = forward(current),
+            .speed = forward(shown),
+            .reference = wrap<Int<16>>(reference >> 10),
+            .saturated = above || below,
+            .fast = shown > words.lock,
+            .slow = shown < words.slow,
+            .stopping = shown < words.stop,
+            .plausible = shown > 0 && emf > least && emf < greatest};
+  }
+
+ private:
+  Int<26> reference_ = 0;  // s0.25
+  Int<28> speed_ = 0;      // s0.27
+  Int<28> integral_ = 0;   // s0.27, current
+};
+
+// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
+using SpeedRegulatorLoop = Scheduled<
+    SpeedRegulator,
+    Budget{.multipliers = 1, .clocks = 14, .levels = 10, .inputs = Inputs::kHeld}>;
+
+}  // namespace steplock

@@ -1,0 +1,1 @@
+rtl/space_vector.sv

@@ -1,0 +1,1 @@
+rtl/speed_regulator.sv

@@ -1,0 +1,132 @@
+// The modulator against the reference's duties in doubles, and what a pattern and short pulses come
+// to.
+
+#include "hls/sinusoidal/space_vector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "model/reference/sinusoidal/applied_voltage.hpp"
+#include "model/reference/sinusoidal/modulator.hpp"
+
+namespace steplock {
+namespace {
+
+namespace reference = reference::sinusoidal;
+
+constexpr double kPlace = 1.0 / 32768;  // the last of s0.15
+constexpr int kPeriod = 1200, kMinimum = 12;
+
+double value(Int<16> x) { return double(x.raw()) * kPlace; }
+
+SpaceVector::In at(double alpha, double beta, int dc = 2700) {
+  SpaceVector::In in;
+  in.v_alpha = static_cast<int>(std::lround(alpha / kPlace));
+  in.v_beta = static_cast<int>(std::lround(beta / kPlace));
+  in.v_dc = dc;
+  in.period = kPeriod;
+  in.minimum = kMinimum;
+  return in;
+}
+
+// 1 / v_dc after the samples of an offset's measurement.
+SpaceVector settled(int dc = 2700) {
+  SpaceVector dut;
+  for (int n = 0; n < 16; ++n) dut.tick(at(0, 0, dc));
+  return dut;
+}
+
+// Vectors of a phase's peak.
+reference::Vector long_as_power(const SpaceVector::In& in) {
+  return std::sqrt(1.5) * reference::Vector{value(in.v_alpha), value(in.v_beta)};
+}
+
+// 1 / v_dc is right to 2 places of 2^-12, of 1 to 8: 5e-4 of up to 600 clocks at the least; the
+// products cut one place of 2^-15 each and a 16th of a clock; dead time is cut to a 16th, and s_k's
+// 16 places are one converter's step: all that and half a clock of rounding is less than one clock.
+TEST(SpaceVector, IsTheReferenceWithinAClock) {
+  std::mt19937 any(1);
+  const auto draw = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(any); };
+  const reference::AppliedVoltage applied(
+      {.period = kPeriod, .dead_time = 12, .small_current = 16 * kPlace, .compensate = true});
+  for (const int dc : {700, 2700, 4000}) {
+    SpaceVector dut = settled(dc);
+    const double v_dc = dc / 4096.0;
+    for (int n = 0; n < 10'000; ++n) {
+      auto in = at(draw(-0.4, 0.4) * v_dc, draw(-0.4, 0.4) * v_dc, dc);
+      in.i_u = static_cast<int>(draw(-60, 60));
+      in.i_v = static_cast<int>(draw(-60, 60));
+      in.dead = 192;
+      in.sine = n % 3 == 0;
+      const auto out = dut.tick(in);
+      const auto how = in.sine ? design::Modulation::kSine : design::Modulation::kSpaceVector;
+      const double u = value(in.i_u), v = value(in.i_v);
+      const auto duty = applied.compensated(
+          reference::duties(how, long_as_power(in), v_dc), {u, v, -u - v}, v_dc);
+      const int on[3] = {int(out.on_u.raw()), int(out.on_v.raw()), int(out.on_w.raw())};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double wanted = duty[k] * kPeriod;
+        if (on[k] == 0 || on[k] == kPeriod) {
+          ASSERT_LE(std::min(wanted, kPeriod - wanted), kMinimum + 1) << n;
+        } else {
+          ASSERT_NEAR(on[k], wanted, 1) << n << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+TEST(SpaceVector, TheInverseOfTheDcVoltageSettlesInTenSamples) {
+  for (const int dc : {520, 1000, 2700, 4095}) {
+    SpaceVector dut;
+    for (int n = 0; n < 10; ++n) dut.tick(at(0, 0, dc));
+    const double v = 0.25 * dc / 4096;
+    const auto out = dut.tick(at(v, -v / std::sqrt(3.0), dc));
+    // v_u = v, v_v = -v, v_w = 0: a quarter of the period above and below its half, in 1 clock.
+    EXPECT_NEAR(int(out.on_u.raw()), 900, 1) << dc;
+    EXPECT_NEAR(int(out.on_v.raw()), 300, 1) << dc;
+  }
+}
+
+TEST(SpaceVector, ItIsBackAfterTheDcVoltageWasLostAndReturned) {
+  SpaceVector dut = settled(4000);
+  for (const int dc : {0, 4095, 10, 4095}) {
+    for (int n = 0; n < 40; ++n) dut.tick(at(0, 0, dc));
+  }
+  EXPECT_NEAR(int(dut.tick(at(0.25 * 4095 / 4096, 0, 4095)).on_u.raw()), 600 + 225, 1);
+}
+
+TEST(SpaceVector, APatternDrivesOneLegAlone) {
+  SpaceVector dut = settled();
+  auto in = at(0.3, 0.3);
+  in.hold = true;
+  in.hold_voltage = static_cast<int>(0.1 * 2700 / 4096 / kPlace);
+  auto out = dut.tick(in);
+  EXPECT_NEAR(int(out.on_u.raw()), 120, 1);
+  EXPECT_EQ(out.on_v, 0);
+  EXPECT_EQ(out.on_w, 0);
+  in.hold_v = true;
+  out = dut.tick(in);
+  EXPECT_NEAR(int(out.on_v.raw()), 120, 1);
+  EXPECT_EQ(out.on_u, 0);
+}
+
+TEST(SpaceVector, NoPulseAndNoGapIsShorterThanTheMinimum) {
+  std::mt19937 any(2);
+  SpaceVector dut = settled();
+  bool none = false, all = false;
+  for (int n = 0; n < 20'000; ++n) {
+    const auto draw = [&] { return std::uniform_real_distribution<>(-0.45, 0.45)(any); };
+    const auto out = dut.tick(at(draw(), draw()));
+    for (const LegClocks on : {out.on_u, out.on_v, out.on_w}) {
+      ASSERT_TRUE(on == 0 || on == kPeriod || (on >= kMinimum && on <= kPeriod - kMinimum));
+      none |= on == 0, all |= on == kPeriod;
+    }
+  }
+  EXPECT_TRUE(none && all);
+}
+
+}  // namespace
+}  // namespace steplock

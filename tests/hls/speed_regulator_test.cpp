@@ -1,0 +1,112 @@
+// The speed regulator against its reference in doubles.  Full scales are 1 and a sample takes 1.
+
+#include "hls/sinusoidal/speed_regulator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "model/reference/sinusoidal/regulators.hpp"
+
+namespace steplock {
+namespace {
+
+constexpr double kPlace = 1.0 / 32768;  // the last of s0.15
+
+double value(Int<16> x) { return double(x.raw()) * kPlace; }
+Int<20> step(double x) { return static_cast<int>(std::lround(std::ldexp(x, 19))); }
+
+RegulatorWords words() {
+  return {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288,
+          .lock = 1000, .slow = 500, .stop = 1000, .emf_low = 3277, .emf_high = 20480};
+}
+// What the words mean; the filter's gain over one sample is 1 - exp(-filter).
+design::sinusoidal::SpeedRegulator meant() {
+  return {.slew = 4000 / std::ldexp(1, 25),
+          .filter = -std::log1p(-983 * kPlace),
+          .kp = 700 / 256.0,
+          .ki = 530 / 131072.0,
+          .limit = 12288 * kPlace};
+}
+
+// The error's last place, 2^-19, times k_p is 0.2 places; cut thrice; the speed's state cuts 2^-27
+// a sample, which its filter of 0.03 lets grow to 33 of them; over 3000 samples the integral's cut
+// error (half of 2^-19 on the mean) adds up to 3000 ki / 2^20 = 0.4 places: less than 3 places in
+// all.
+TEST(SpeedRegulator, IsTheReferenceWithinItsRounding) {
+  for (const bool reverse : {false, true}) {
+    const double way = reverse ? -1 : 1;
+    SpeedRegulator dut;
+    reference::sinusoidal::SpeedRegulator exact(meant(), 1);
+    double speed = 0;
+    std::mt19937 any(1);
+    int saturated = 0;
+    for (int n = 0; n < 3000; ++n) {
+      // A rotor that follows the torque, with noise; it is braked from sample 2000 on.
+      const double noise = std::uniform_real_distribution<>(-0.002, 0.002)(any);
+      const auto seen = step(way * (speed + noise));
+      const auto out =
+          dut.tick({.enable = true, .reverse = reverse, .step = seen, .words = words()});
+      const double wanted = exact.update(0.125, way * double(seen.raw()) / (1 << 19));
+      ASSERT_NEAR(way * value(out.current), wanted, 3 * kPlace) << n;
+      ASSERT_NEAR(way * value(out.speed), exact.speed(), 2 * kPlace) << n;
+      ASSERT_NEAR(value(out.reference), exact.reference(), 2 * kPlace) << n;
+      saturated += out.saturated;
+      speed += 0.001 * (wanted - (n < 2000 ? 0.05 : 0.5));
+    }
+    EXPECT_GT(saturated, 100);
+  }
+}
+
+TEST(SpeedRegulator, ALimitedIntegralComesBackAtOnce) {
+  SpeedRegulator dut;
+  SpeedRegulator::In in{.enable = true, .words = words()};
+  SpeedRegulator::Out out;
+  for (int n = 0; n < 20'000; ++n) out = dut.tick(in);
+  EXPECT_EQ(out.current, 12288);
+  EXPECT_TRUE(out.saturated);
+  in.step = step(0.2);
+  for (int n = 0; n < 100; ++n) out = dut.tick(in);
+  // The filter has let 95 % of the step through: k_p pulls by 0.07 x 2.7, far more than the
+  // integral could have wound up had it been held at the limit.
+  EXPECT_LT(value(out.current), 12288 * kPlace - 0.1);
+}
+
+TEST(SpeedRegulator, ItSaysWhereTheSpeedStands) {
+  SpeedRegulator dut;
+  const auto settle = [&](int places, double emf) {
+    SpeedRegulator::Out out;
+    for (int n = 0; n < 2000; ++n) {
+      out = dut.tick({.enable = true, .step = Int<20>(places * 16),
+                      .emf_step = step(emf * places * kPlace), .words = words()});
+    }
+    return out;
+  };
+  EXPECT_FALSE(settle(490, 1).fast);
+  EXPECT_TRUE(settle(490, 1).slow);
+  EXPECT_TRUE(settle(990, 1).stopping);
+  EXPECT_FALSE(settle(990, 1).slow);
+  EXPECT_TRUE(settle(1010, 1).fast);
+  EXPECT_FALSE(settle(1010, 1).stopping);
+  EXPECT_TRUE(settle(2000, 0.5).plausible);
+  EXPECT_FALSE(settle(2000, 0.35).plausible);
+  EXPECT_FALSE(settle(2000, 2.6).plausible);
+  EXPECT_FALSE(settle(-2000, 1).plausible) << "against the wanted direction";
+}
+
+TEST(SpeedRegulator, SlowingDownAimsBelowTheStopSpeed) {
+  SpeedRegulator dut;
+  SpeedRegulator::Out out;
+  for (int n = 0; n < 5000; ++n) {
+    out = dut.tick({.enable = true, .slow_down = true, .words = words()});
+  }
+  EXPECT_EQ(out.reference, 750);
+  out = dut.tick({.words = words()});
+  EXPECT_EQ(out.current, 0);
+  out = dut.tick({.enable = true, .words = words()});
+  EXPECT_EQ(out.reference, 3) << "4000 / 1024, from 0 again";
+}
+
+}  // namespace
+}  // namespace steplock
