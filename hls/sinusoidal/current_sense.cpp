@@ -1,0 +1,5 @@
+#include "hls/sinusoidal/current_sense.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::CurrentSense>;

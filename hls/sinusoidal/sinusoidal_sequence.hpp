@@ -1,0 +1,217 @@
+// The sequence of the sinusoidal drive: start, run, stop, and what follows a failure.
+//
+//     idle -> calibrate -> pattern -> starting -> run -> slow down -> brake -> idle
+//                                        |         |
+//                                   (failed: rest -> calibrate, so many times, then fault)
+//
+// Pattern: first leg v alone, so that a rotor exactly opposite to u moves, then leg u; the rotor's
+// N pole then stands at winding u, which is angle 0.  Starting: the loop is closed; the gates
+// follow from the first period on that has on-times of the regulators, and the estimator from the
+// period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
+// without a gap.
+//
+//     latency      1 clock; all outputs follow from registers
+//     registers    59 bits     multipliers  none
+//
+// Doc: docs/blocks/sinusoidal_sequence.md   Test: tests/hls/sinusoidal_sequence_test.cpp
+
+#pragma once
+
+#include "hls/six_step/words.hpp"
+#include "hls/sinusoidal/words.hpp"
+
+namespace steplock {
+
+class SinusoidalSequence {
+ public:
+  struct In {
+    Command command;
+    bool fault_pin = false;
+    bool period = false;     // a PWM period begins
+    bool sampled = false;    // a sample has been worked through
+    bool measured = false;   // the converters' offsets stand
+    bool fast = false;       // the speed may be trusted
+    bool plausible = false;  // the EMF belongs to it
+    bool stopping = false;   // slower than the stop speed
+    SinusoidalReason fatal = SinusoidalReason::kNone;
+    SinusoidalReason failed = SinusoidalReason::kNone;
+    SequenceWords words;
+  };
+
+  struct Out {
+    SinusoidalState state = SinusoidalState::kIdle;
+    SinusoidalReason reason = SinusoidalReason::kNone;
+    bool entered = false;     // one clock: the state is new
+    bool reverse = false;     // the wanted direction
+    bool calibrate = false;
+    bool hold = false;        // one leg alone
+    bool hold_v = false;      // that is v
+    bool regulate = false;    // the loop is closed
+    bool estimate = false;    // the estimator has seen a whole period of it
+    bool modulate = false;    // gates follow the PWM
+    bool brake = false;       // all low sides on
+    bool slow_down = false;
+    bool locked = false;
+  };
+
+  Out tick(const In& in) {
+    const bool regulating = is_regulating();
+    const bool holding = state_ == SinusoidalState::kPattern;
+    const Out out{.state = state_,
+                  .reason = reason_,
+                  .entered = entered_,
+                  .reverse = reverse_,
+                  .calibrate = state_ == SinusoidalState::kCalibrate,
+                  .hold = holding,
+                  .hold_v = first_half_,
+                  .regulate = regulating,
+                  .estimate = regulating && modulated_ >= 2,
+                  .modulate = holding || (regulating && modulated_ != 0),
+                  .brake = state_ == SinusoidalState::kBrake,
+                  .slow_down = state_ == SinusoidalState::kSlowDown,
+                  .locked = regulating && state_ != SinusoidalState::kStarting};
+    entered_ = false;
+    if (in.period && timer_ != 0) timer_ = wrap<Periods>(timer_ - 1);
+    if (in.period && regulated_ && modulated_ != 3) modulated_ = wrap<UInt<2>>(modulated_ + 1);
+    if (in.sampled && regulating) regulated_ = true;
+    if (in.sampled && !(in.fast && in.plausible)) trust_ = in.words.lock;
+    if (in.period && trust_ != 0) trust_ = wrap<Periods>(trust_ - 1);
+
+    const bool alive = state_ != SinusoidalState::kFault;
+    if (alive && in.fault_pin) {
+      end(SinusoidalReason::kFaultPin);
+    } else if (alive && in.fatal != SinusoidalReason::kNone) {
+      end(in.fatal);
+    } else {
+      walk(in);
+    }
+    return out;
+  }
+
+ private:
+  bool is_regulating() const {
+    return state_ == SinusoidalState::kStarting || state_ == SinusoidalState::kRun ||
+           state_ == SinusoidalState::kSlowDown;
+  }
+
+  void enter(SinusoidalState state) {
+    state_ = state;
+    entered_ = true;
+  }
+  void end(SinusoidalReason reason) {
+    reason_ = reason;
+    enter(SinusoidalState::kFault);
+  }
+  void fail(SinusoidalReason reason, const SequenceWords& words) {
+    const bool last = tries_ >= words.retries;
+    reason_ = reason;
+    timer_ = words.rest;
+    if (!last) tries_ = wrap<UInt<4>>(tries_ + 1);
+    enter(last ? SinusoidalState::kFault : SinusoidalState::kRest);
+  }
+  void begin_to_turn(const SequenceWords& words) {
+    timer_ = words.give_up;
+    trust_ = words.lock;
+    modulated_ = 0;
+    regulated_ = false;
+    enter(SinusoidalState::kStarting);
+  }
+
+  void walk(const In& in) {
+    const SequenceWords& words = in.words;
+    const bool run = in.command.run && in.command.configured;
+    const bool leave = !run || in.command.reverse != reverse_;
+    const bool over = timer_ == 0;
+    const bool failed = in.failed != SinusoidalReason::kNone;
+    switch (state_) {
+      case SinusoidalState::kIdle:
+        if (run) {
+          reverse_ = in.command.reverse;
+          tries_ = 0;
+          reason_ = SinusoidalReason::kNone;
+          enter(SinusoidalState::kCalibrate);
+        }
+        break;
+      case SinusoidalState::kCalibrate:
+        if (!run) {
+          enter(SinusoidalState::kIdle);
+        } else if (in.measured && words.arbitrary) {
+          begin_to_turn(words);
+        } else if (in.measured) {
+          timer_ = words.pattern;
+          first_half_ = true;
+          enter(SinusoidalState::kPattern);
+        }
+        break;
+      case SinusoidalState::kPattern:
+        if (!run) {
+          enter(SinusoidalState::kIdle);
+        } else if (over && first_half_) {
+          timer_ = words.pattern;
+          first_half_ = false;
+        } else if (over) {
+          begin_to_turn(words);
+        }
+        break;
+      case SinusoidalState::kStarting:
+        if (leave) {
+          timer_ = words.brake;
+          enter(SinusoidalState::kBrake);
+        } else if (failed) {
+          fail(in.failed, words);
+        } else if (trust_ == 0) {
+          enter(SinusoidalState::kRun);
+        } else if (over) {
+          fail(SinusoidalReason::kNoLock, words);
+        }
+        break;
+      case SinusoidalState::kRun:
+        if (failed) {
+          fail(in.failed, words);
+        } else if (leave) {
+          const bool slow_down = run || in.command.brake_to_stop;
+          enter(slow_down ? SinusoidalState::kSlowDown : SinusoidalState::kIdle);
+        }
+        break;
+      case SinusoidalState::kSlowDown:
+        if (!leave) {
+          enter(SinusoidalState::kRun);
+        } else if (in.stopping) {
+          timer_ = words.brake;
+          enter(SinusoidalState::kBrake);
+        }
+        break;
+      case SinusoidalState::kBrake:
+        if (over) enter(SinusoidalState::kIdle);
+        break;
+      case SinusoidalState::kRest:
+        if (!run) {
+          enter(SinusoidalState::kIdle);
+        } else if (over) {
+          enter(SinusoidalState::kCalibrate);
+        }
+        break;
+      case SinusoidalState::kFault:
+        if (in.command.clear_fault && !in.command.run && !in.fault_pin) {
+          enter(SinusoidalState::kIdle);
+        }
+        break;
+      case SinusoidalState::kPilot:
+        enter(SinusoidalState::kIdle);
+        break;
+    }
+  }
+
+  SinusoidalState state_ = SinusoidalState::kIdle;
+  SinusoidalReason reason_ = SinusoidalReason::kNone;
+  Periods timer_ = 0;        // periods left of the state
+  Periods trust_ = 0;        // periods in which the estimate has still to be trusted
+  UInt<4> tries_ = 0;        // that failed
+  UInt<2> modulated_ = 0;    // periods begun under the regulators
+  bool regulated_ = false;   // their first on-times stand
+  bool first_half_ = false;  // of the pattern
+  bool reverse_ = false;
+  bool entered_ = false;
+};
+
+}  // namespace steplock

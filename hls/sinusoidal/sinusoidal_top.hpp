@@ -1,0 +1,208 @@
+// The sinusoidal drive: wires between the blocks, and nothing else.
+//
+//     codes -> CurrentSense -> CurrentModel -> SpeedRegulator -> CurrentControl -> SpaceVector
+//                               ^ on-clocks of the period that ended                   |
+//                         gates <- GateGuard <- 3 x PwmGenerator <- next period <------'
+//
+// Each of the scheduled blocks begins when the one before is done.  SinusoidalSequence says who is
+// closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
+// taken, so that the whole chain works under the same orders.
+//
+// `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
+// and give their codes with `valid` any time before the next.
+//
+//     sample's codes to new on-clocks    1 clock and the four schedules, 100 in all
+//     fault pin to all six gates off     3 clocks
+//
+// Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
+
+#pragma once
+
+#include "hls/bridge/gate_guard.hpp"
+#include "hls/bridge/pwm_generator.hpp"
+#include "hls/bridge/synchroniser.hpp"
+#include "hls/sinusoidal/current_control.hpp"
+#include "hls/sinusoidal/current_model.hpp"
+#include "hls/sinusoidal/current_sense.hpp"
+#include "hls/sinusoidal/drive_protection.hpp"
+#include "hls/sinusoidal/sinusoidal_sequence.hpp"
+#include "hls/sinusoidal/space_vector.hpp"
+#include "hls/sinusoidal/speed_regulator.hpp"
+#include "hls/sinusoidal/words.hpp"
+
+namespace steplock {
+
+class SinusoidalTop {
+ public:
+  struct In {
+    bool fault = false;          // asynchronous pin, active high
+    CurrentSense::Codes codes;   // from the converters
+    Command command;
+    SinusoidalWords words;
+  };
+
+  struct Out {
+    Gates gates;
+    SinusoidalState state = SinusoidalState::kIdle;
+    SinusoidalReason reason = SinusoidalReason::kNone;
+    bool sample = false;      // strobe: hold currents and dc voltage now
+    bool locked = false;      // running, the estimate is claimed to be right
+    bool estimating = false;  // the loop is closed
+    bool done = false;        // strobe: a sample is worked through
+    Angle angle = 0;          // u0.24, electrical turns, at the last sample
+    Int<16> speed = 0;        // s0.15 of 1/16 turn per sample, smoothed
+    Int<16> reference = 0;    // the same, slewed, in the wanted direction
+    Int<16> i_gamma = 0;      // s0.15
+    Int<16> i_delta = 0;      // s0.15
+    Int<16> wanted = 0;       // s0.15, i_delta*
+    LegClocks on_u = 0;       // clocks, of the next period
+    LegClocks on_v = 0;
+    LegClocks on_w = 0;
+    bool operator==(const Out&) const = default;
+  };
+
+  Out tick(const In& in) {
+    const SinusoidalWords& words = in.words;
+    const auto pins = synchroniser_.tick({.fault = in.fault});
+    const auto sense = sense_.tick({.codes = in.codes,
+                                    .calibrate = orders_.calibrate,
+                                    .over_current = words.fault.over_current});
+    const auto model = model_.tick({{.enable = orders_.estimate,
+                                     .i_u = sense.i_u,
+                                     .i_v = sense.i_v,
+                                     .v_dc = sense.v_dc,
+                                     .pattern = {.on_u = ended_.on_u,
+                                                 .on_v = ended_.on_v,
+                                                 .on_w = ended_.on_w,
+                                                 .period = words.bridge.period,
+                                                 .dead = words.bridge.lost,
+                                                 .inverse = words.bridge.inverse},
+                                     .words = words.estimator},
+                                    sense.taken});
+    const auto speed = regulator_.tick({{.enable = orders_.regulate,
+                                     .reverse = orders_.reverse,
+                                     .slow_down = orders_.slow_down,
+                                     .step = model.step,
+                                     .emf_step = model.emf_step,
+                                     .words = words.speed},
+                                    model.done});
+    // A sample and a half on; the speed's last place is an eighth of the angle's.
+    const auto further = (speed.speed + (speed.speed >> 1)) >> 3;
+    const UInt<16> angle = model.angle.slice<23, 8>();
+    const auto control = control_.tick({{.enable = orders_.regulate,
+                                         .i_u = sense.i_u,
+                                         .i_v = sense.i_v,
+                                         .angle = angle,
+                                         .ahead = wrap<UInt<16>>(angle + further),
+                                         .speed = speed.speed,
+                                         .set_gamma = words.control.set_gamma,
+                                         .set_delta = speed.current,
+                                         .k_p = words.control.k_p,
+                                         .k_i = words.control.k_i,
+                                         .inductance = words.control.inductance,
+                                         .emf = words.control.emf,
+                                         .v_dc = sense.v_dc,
+                                         .limit = words.control.limit},
+                                        speed.done});
+    const auto legs =
+        modulator_.tick({{.v_alpha = control.v_alpha,
+                          .v_beta = control.v_beta,
+                          .i_u = sense.i_u,
+                          .i_v = sense.i_v,
+                          .v_dc = sense.v_dc,
+                          .period = words.bridge.period,
+                          .minimum = words.bridge.minimum,
+                          .dead = words.bridge.compensate ? words.bridge.lost : DeadClocks(0),
+                          .sine = words.bridge.sine,
+                          .hold = orders_.hold,
+                          .hold_v = orders_.hold_v,
+                          .hold_voltage = words.sequence.hold_voltage},
+                         control.done});
+
+    const auto u = pwm_u_.tick(pulse(legs.on_u, words.bridge));
+    const auto v = pwm_v_.tick(pulse(legs.on_v, words.bridge));
+    const auto w = pwm_w_.tick(pulse(legs.on_w, words.bridge));
+
+    const auto faults = protection_.tick({.restart = restart_,
+                                          .period = u.start,
+                                          .sampled = legs.done,
+                                          .over_current = sense.over,
+                                          .regulating = orders_.regulate,
+                                          .saturated = control.limited || speed.saturated,
+                                          .locked = orders_.locked,
+                                          .fast = speed.fast,
+                                          .slow = speed.slow,
+                                          .plausible = speed.plausible,
+                                          .words = words.fault});
+    const auto now = sequence_.tick({.command = in.command,
+                                     .fault_pin = pins.fault,
+                                     .period = u.start,
+                                     .sampled = legs.done,
+                                     .measured = sense.measured,
+                                     .fast = speed.fast,
+                                     .plausible = speed.plausible,
+                                     .stopping = speed.stopping,
+                                     .fatal = faults.fatal,
+                                     .failed = faults.failed,
+                                     .words = words.sequence});
+
+    const bool off = !now.modulate;
+    const auto gates = guard_.tick({.request = {.uh = !off && u.on,
+                                                .ul = now.brake || (!off && !u.on),
+                                                .vh = !off && v.on,
+                                                .vl = now.brake || (!off && !v.on),
+                                                .wh = !off && w.on,
+                                                .wl = now.brake || (!off && !w.on)},
+                                    .enable = in.command.configured,
+                                    .fault = pins.fault,
+                                    .dead_time = words.bridge.dead_time});
+
+    restart_ = now.entered;
+    if (in.codes.valid) orders_ = now;
+    if (u.start) {
+      ended_ = running_;
+      running_ = {legs.on_u, legs.on_v, legs.on_w};
+    }
+    return {.gates = gates,
+            .state = now.state,
+            .reason = now.reason,
+            .sample = u.start,
+            .locked = now.locked,
+            .estimating = now.regulate,
+            .done = legs.done,
+            .angle = model.angle,
+            .speed = speed.speed,
+            .reference = speed.reference,
+            .i_gamma = control.i_gamma,
+            .i_delta = control.i_delta,
+            .wanted = speed.current,
+            .on_u = legs.on_u,
+            .on_v = legs.on_v,
+            .on_w = legs.on_w};
+  }
+
+ private:
+  static PwmGenerator::In pulse(LegClocks on, const BridgeWords& words) {
+    return {.on_clocks = on, .period = words.period, .minimum = words.minimum, .centred = true};
+  }
+
+  Synchroniser synchroniser_;
+  CurrentSense sense_;
+  CurrentModelLoop model_;
+  SpeedRegulatorLoop regulator_;
+  CurrentLoop control_;
+  SpaceVectorLoop modulator_;
+  PwmGenerator pwm_u_;
+  PwmGenerator pwm_v_;
+  PwmGenerator pwm_w_;
+  DriveProtection protection_;
+  SinusoidalSequence sequence_;
+  GateGuard<> guard_;
+
+  SinusoidalSequence::Out orders_;  // as of the present sample
+  SpaceVector::Out running_;        // of the present period
+  SpaceVector::Out ended_;          // of the one before
+  bool restart_ = false;
+};
+
+}  // namespace steplock

@@ -1,0 +1,77 @@
+// The words of the sinusoidal drive: what firmware sets.
+//
+// Full scales: the converters' ranges for current and voltage, of a phase's peak; 1/16 electrical
+// turn per sample for speeds.  One sample per PWM period; all slow times are counted in these
+// periods.  Words stand still while the drive runs: a sample is computed over many clocks, and
+// takes them where it needs them.
+//
+// Doc: docs/sinusoidal.md
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/sinusoidal/current_model.hpp"
+#include "hls/sinusoidal/speed_regulator.hpp"
+
+namespace steplock {
+
+using Periods = UInt<20>;  // PWM periods
+
+// Places as in the reference, so that a record reads the same; kPilot and its reasons do not occur.
+enum class SinusoidalState : std::uint8_t {
+  kIdle, kCalibrate, kPilot, kPattern, kStarting, kRun, kSlowDown, kBrake, kRest, kFault
+};
+
+enum class SinusoidalReason : std::uint8_t {
+  kNone, kFaultPin, kOverCurrent, kLostSample, kSaturated, kTooSlow, kEmf, kNoLock, kNoDecay,
+  kNoSaliency, kNoPolarity
+};
+
+struct BridgeWords {
+  LegClocks period = 0;    // clocks; 683 at least
+  LegClocks minimum = 0;   // clocks; shorter on or off times become 0 % or 100 %
+  UInt<8> dead_time = 0;   // clocks; the guard's floor wins
+  DeadClocks lost = 0;     // u8.4 clocks that a leg loses by it, with its diode's drop
+  bool compensate = false; // the on-times make up for it
+  bool sine = false;       // no zero component
+  UInt<15> inverse = 0;    // u0.26: 1 / (3 period)
+};
+
+struct ControlWords {
+  Int<16> set_gamma = 0;    // s0.15
+  UInt<15> k_p = 0;         // u3.12
+  UInt<15> k_i = 0;         // u0.15, per sample
+  UInt<15> inductance = 0;  // u3.12, voltage per current and speed
+  UInt<15> emf = 0;         // u3.12, voltage per speed
+  UInt<15> limit = 0;       // u0.15, of the dc voltage
+};
+
+struct SequenceWords {
+  bool arbitrary = false;     // no pattern before the loop is closed
+  UInt<15> hold_voltage = 0;  // u0.15, of the pattern's leg
+  Periods pattern = 0;        // each of its two halves
+  Periods lock = 0;           // the estimate has to be trusted for so long
+  Periods give_up = 0;        // no lock in this time is a failed try
+  Periods brake = 0;
+  Periods rest = 0;
+  UInt<4> retries = 0;
+};
+
+struct FaultWords {
+  UInt<15> over_current = 0;  // u0.15, any phase
+  Periods saturated = 0;      // a regulator at its limit for more than this; 0: no test
+  Periods slow = 0;           // slow for more than this longer than not; 0: no test
+  Periods emf = 0;            // an EMF that does not belong to the speed for more; 0: no test
+  UInt<4> lost_samples = 0;   // in a row; 0: no test
+};
+
+struct SinusoidalWords {
+  BridgeWords bridge;
+  EstimatorWords estimator;
+  RegulatorWords speed;
+  ControlWords control;
+  SequenceWords sequence;
+  FaultWords fault;
+};
+
+}  // namespace steplock

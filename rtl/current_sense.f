@@ -1,0 +1,1 @@
+rtl/current_sense.sv

@@ -1,0 +1,1 @@
+rtl/drive_protection.sv

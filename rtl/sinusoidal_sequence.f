@@ -1,0 +1,1 @@
+rtl/sinusoidal_sequence.sv

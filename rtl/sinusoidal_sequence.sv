@@ -1,0 +1,376 @@
+// sinusoidal_sequence: steplock::SinusoidalSequence, printed by hlsgen from hls/sinusoidal/sinusoidal_sequence.hpp:25.
+// Do not edit: change the C++ and print again.
+
+module sinusoidal_sequence (
+    input  logic        clk,
+    input  logic        rst,  // synchronous, active high
+    input  logic        command_configured_i,  // the words are valid; until then all six gates are off
+    input  logic        command_run_i,
+    input  logic        command_reverse_i,
+    input  logic        command_brake_to_stop_i,  // else coast
+    input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
+    input  logic        fault_pin_i,
+    input  logic        period_i,  // a PWM period begins
+    input  logic        sampled_i,  // a sample has been worked through
+    input  logic        measured_i,  // the converters' offsets stand
+    input  logic        fast_i,  // the speed may be trusted
+    input  logic        plausible_i,  // the EMF belongs to it
+    input  logic        stopping_i,  // slower than the stop speed
+    input  logic [3:0]  fatal_i,
+    input  logic [3:0]  failed_i,
+    input  logic        words_arbitrary_i,  // no pattern before the loop is closed
+    input  logic [14:0] words_hold_voltage_i,  // u0.15, of the pattern's leg
+    input  logic [19:0] words_pattern_i,  // each of its two halves
+    input  logic [19:0] words_lock_i,  // the estimate has to be trusted for so long
+    input  logic [19:0] words_give_up_i,  // no lock in this time is a failed try
+    input  logic [19:0] words_brake_i,
+    input  logic [19:0] words_rest_i,
+    input  logic [3:0]  words_retries_i,
+    output logic [3:0]  state_o,
+    output logic [3:0]  reason_o,
+    output logic        entered_o,  // one clock: the state is new
+    output logic        reverse_o,  // the wanted direction
+    output logic        calibrate_o,
+    output logic        hold_o,  // one leg alone
+    output logic        hold_v_o,  // that is v
+    output logic        regulate_o,  // the loop is closed
+    output logic        estimate_o,  // the estimator has seen a whole period of it
+    output logic        modulate_o,  // gates follow the PWM
+    output logic        brake_o,  // all low sides on
+    output logic        slow_down_o,
+    output logic        locked_o
+);
+  localparam logic [3:0] SinusoidalReason_kNone = 4'd0;
+  localparam logic [3:0] SinusoidalReason_kFaultPin = 4'd1;
+  localparam logic [3:0] SinusoidalReason_kNoLock = 4'd7;
+  localparam logic [3:0] SinusoidalState_kIdle = 4'd0;
+  localparam logic [3:0] SinusoidalState_kCalibrate = 4'd1;
+  localparam logic [3:0] SinusoidalState_kPilot = 4'd2;
+  localparam logic [3:0] SinusoidalState_kPattern = 4'd3;
+  localparam logic [3:0] SinusoidalState_kStarting = 4'd4;
+  localparam logic [3:0] SinusoidalState_kRun = 4'd5;
+  localparam logic [3:0] SinusoidalState_kSlowDown = 4'd6;
+  localparam logic [3:0] SinusoidalState_kBrake = 4'd7;
+  localparam logic [3:0] SinusoidalState_kRest = 4'd8;
+  localparam logic [3:0] SinusoidalState_kFault = 4'd9;
+
+  logic [3:0] state;
+  logic [3:0] reason;
+  logic [19:0] timer;  // periods left of the state
+  logic [19:0] trust;  // periods in which the estimate has still to be trusted
+  logic [3:0] tries;  // that failed
+  logic [1:0] modulated;  // periods begun under the regulators
+  logic regulated;  // their first on-times stand
+  logic first_half;  // of the pattern
+  logic reverse;
+  logic entered;
+
+  wire regulate =
+      state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
+      state == SinusoidalState_kSlowDown;
+  wire both_122 = command_run_i && command_configured_i;  // line 122
+  wire both_74 = period_i && timer != 20'd0;  // line 74
+  wire [19:0] sum_74 = timer + {20{both_74}};  // line 74
+  wire both_149 = sum_74 == 20'd0 && first_half;  // line 149
+  wire below_106 = tries < words_retries_i;  // line 106
+  wire [19:0] choice_77 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
+  wire both_78 = period_i && choice_77 != 20'd0;  // line 78
+  wire [19:0] sum_78 = choice_77 + {20{both_78}};  // line 78
+  wire differ = command_reverse_i ^ reverse;
+  wire either_123 = !both_122 || differ;  // line 123
+  wire [3:0] sum_109 = tries + {3'd0, below_106};  // line 109
+  wire [1:0] sum_75 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 75
+  wire either = fault_pin_i || fatal_i != SinusoidalReason_kNone;
+  wire either_76 = sampled_i || regulated;  // line 76
+
+  always_ff @(posedge clk) begin
+    if (rst) begin
+      state <= SinusoidalState_kIdle;
+      reason <= SinusoidalReason_kNone;
+      timer <= 20'd0;
+      trust <= 20'd0;
+      tries <= 4'd0;
+      modulated <= 2'd0;
+      regulated <= 1'b0;
+      first_half <= 1'b0;
+      reverse <= 1'b0;
+      entered <= 1'b0;
+    end else begin
+      if (state != SinusoidalState_kFault && fault_pin_i) begin
+        state <= SinusoidalState_kFault;
+        reason <= SinusoidalReason_kFaultPin;
+        entered <= 1'b1;
+      end else if (state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone) begin
+        state <= SinusoidalState_kFault;
+        reason <= fatal_i;
+        entered <= 1'b1;
+      end else if (state == SinusoidalState_kIdle) begin
+        if (both_122) begin
+          state <= SinusoidalState_kCalibrate;
+          reason <= SinusoidalReason_kNone;
+        end
+        entered <= both_122;
+      end else if (state == SinusoidalState_kCalibrate) begin
+        if (both_122) begin
+          if (measured_i) begin
+            if (words_arbitrary_i) begin
+              state <= SinusoidalState_kStarting;
+            end else begin
+              state <= SinusoidalState_kPattern;
+            end
+          end
+        end else begin
+          state <= SinusoidalState_kIdle;
+        end
+        entered <= !both_122 || measured_i;
+      end else if (state == SinusoidalState_kPattern) begin
+        if (both_122) begin
+          if (sum_74 == 20'd0 && !first_half) begin
+            state <= SinusoidalState_kStarting;
+          end
+          entered <= !both_149 && sum_74 == 20'd0;
+        end else begin
+          state <= SinusoidalState_kIdle;
+          entered <= 1'b1;
+        end
+      end else begin
+        case (state)
+          SinusoidalState_kPilot: begin
+            state <= SinusoidalState_kIdle;
+            entered <= 1'b1;
+          end
+          SinusoidalState_kStarting, SinusoidalState_kRun: begin
+            logic [3:0] choice_166;
+            choice_166 = below_106 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 166
+            case (state)
+              SinusoidalState_kStarting: begin
+                if (both_122) begin
+                  logic [3:0] choice;
+                  logic [3:0] choice_2;
+                  choice =
+                      (sum_78 == 20'd0) ? SinusoidalState_kRun :
+                      (sum_74 == 20'd0) ? choice_166 :
+                      state;
+                  choice_2 =
+                      (sum_78 == 20'd0) ? reason :
+                      (sum_74 == 20'd0) ? SinusoidalReason_kNoLock :
+                      reason;
+                  state <=
+                      differ ? SinusoidalState_kBrake :
+                      (failed_i == SinusoidalReason_kNone) ? choice :
+                      choice_166;
+                  reason <=
+                      differ ? reason :
+                      (failed_i == SinusoidalReason_kNone) ? choice_2 :
+                      failed_i;
+                  entered <=
+                      differ ||
+                      failed_i != SinusoidalReason_kNone || sum_78 == 20'd0 || sum_74 == 20'd0;
+                end else begin
+                  state <= SinusoidalState_kBrake;
+                  entered <= 1'b1;
+                end
+              end
+              default: begin  // SinusoidalState_kRun
+                if (failed_i == SinusoidalReason_kNone) begin
+                  state <=
+                      either_123 ?
+                      ((both_122 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
+                      SinusoidalState_kIdle) : state;
+                  entered <= either_123;
+                end else begin
+                  state <= choice_166;
+                  reason <= failed_i;
+                  entered <= 1'b1;
+                end
+              end
+            endcase
+          end
+          SinusoidalState_kSlowDown: begin
+            if (either_123) begin
+              state <= stopping_i ? SinusoidalState_kBrake : state;
+            end else begin
+              state <= SinusoidalState_kRun;
+            end
+            entered <= !either_123 || stopping_i;
+          end
+          SinusoidalState_kBrake: begin
+            if (sum_74 == 20'd0) begin
+              state <= SinusoidalState_kIdle;
+            end
+            entered <= sum_74 == 20'd0;
+          end
+          SinusoidalState_kRest: begin
+            if (both_122) begin
+              state <= (sum_74 == 20'd0) ? SinusoidalState_kCalibrate : state;
+              entered <= sum_74 == 20'd0;
+            end else begin
+              state <= SinusoidalState_kIdle;
+              entered <= 1'b1;
+            end
+          end
+          SinusoidalState_kFault: begin
+            if (fault_pin_i) begin
+              entered <= 1'b0;
+            end else begin
+              logic both_2;
+              both_2 = command_clear_fault_i && !command_run_i;
+              state <= both_2 ? SinusoidalState_kIdle : state;
+              entered <= both_2;
+            end
+          end
+          default: entered <= 1'b0;
+        endcase
+      end
+      case (state)
+        SinusoidalState_kIdle: begin
+          timer <= sum_74;
+          trust <= sum_78;
+          if (!either && both_122) begin
+            tries <= 4'd0;
+            reverse <= command_reverse_i;
+          end
+          modulated <= sum_75;
+        end
+        SinusoidalState_kCalibrate: begin
+          if (either) begin
+            timer <= sum_74;
+            trust <= sum_78;
+            modulated <= sum_75;
+          end else if (both_122 && measured_i && words_arbitrary_i) begin
+            timer <= words_give_up_i;
+            trust <= words_lock_i;
+            modulated <= 2'd0;
+            regulated <= 1'b0;
+          end else begin
+            if (measured_i) begin
+              if (both_122) begin
+                if (words_arbitrary_i) begin
+                  timer <= words_give_up_i;
+                end else begin
+                  timer <= words_pattern_i;
+                end
+                regulated <= !words_arbitrary_i && regulated;
+              end else begin
+                timer <= sum_74;
+              end
+              first_half <= (both_122 && !words_arbitrary_i) || first_half;
+            end else begin
+              timer <= sum_74;
+            end
+            trust <= sum_78;
+            modulated <= sum_75;
+          end
+        end
+        SinusoidalState_kPattern: begin
+          if (either) begin
+            timer <= sum_74;
+            trust <= sum_78;
+            modulated <= sum_75;
+          end else begin
+            logic both;
+            both = both_122 && sum_74 == 20'd0;
+            if (both && !first_half) begin
+              timer <= words_give_up_i;
+              trust <= words_lock_i;
+              modulated <= 2'd0;
+            end else begin
+              if (both) begin
+                if (first_half) begin
+                  timer <= words_pattern_i;
+                end else begin
+                  timer <= words_give_up_i;
+                end
+              end else begin
+                timer <= sum_74;
+              end
+              trust <= sum_78;
+              modulated <= sum_75;
+            end
+            if (both_122) begin
+              if (!both_149) begin
+                regulated <= sum_74 != 20'd0 && regulated;
+              end
+              first_half <= !both_149 && first_half;
+            end
+          end
+        end
+        SinusoidalState_kStarting: begin
+          if (either) begin
+            timer <= sum_74;
+            trust <= sum_78;
+          end else if (either_123) begin
+            timer <= words_brake_i;
+            trust <= sum_78;
+          end else if (failed_i == SinusoidalReason_kNone) begin
+            if (sum_78 == 20'd0) begin
+              timer <= sum_74;
+              trust <= 20'd0;
+            end else begin
+              if (sum_74 == 20'd0) begin
+                timer <= words_rest_i;
+                tries <= sum_109;
+              end else begin
+                timer <= sum_74;
+              end
+              trust <= sum_78;
+            end
+          end else begin
+            timer <= words_rest_i;
+            trust <= sum_78;
+            tries <= sum_109;
+          end
+          modulated <= sum_75;
+          regulated <= either_76;
+        end
+        SinusoidalState_kRun: begin
+          if (failed_i == SinusoidalReason_kNone) begin
+            timer <= sum_74;
+          end else if (either) begin
+            timer <= sum_74;
+          end else begin
+            timer <= words_rest_i;
+            tries <= sum_109;
+          end
+          trust <= sum_78;
+          modulated <= sum_75;
+          regulated <= either_76;
+        end
+        SinusoidalState_kSlowDown: begin
+          if (either) begin
+            timer <= sum_74;
+          end else if (either_123 && stopping_i) begin
+            timer <= words_brake_i;
+          end else begin
+            timer <= sum_74;
+          end
+          trust <= sum_78;
+          modulated <= sum_75;
+          regulated <= either_76;
+        end
+        default: begin
+          timer <= sum_74;
+          trust <= sum_78;
+          modulated <= sum_75;
+        end
+      endcase
+    end
+  end
+
+  assign state_o = state;
+  assign reason_o = reason;
+  assign entered_o = entered;
+  assign reverse_o = reverse;
+  assign calibrate_o = state == SinusoidalState_kCalibrate;
+  assign hold_o = state == SinusoidalState_kPattern;
+  assign hold_v_o = first_half;
+  assign regulate_o = regulate;
+  assign estimate_o = regulate && modulated[1];
+  assign modulate_o = state == SinusoidalState_kPattern || (regulate && modulated != 2'd0);
+  assign brake_o = state == SinusoidalState_kBrake;
+  assign slow_down_o = state == SinusoidalState_kSlowDown;
+  assign locked_o = regulate && state != SinusoidalState_kStarting;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, words_hold_voltage_i};
+endmodule

@@ -1,0 +1,12 @@
+rtl/synchroniser.sv
+rtl/current_sense.sv
+rtl/current_model.sv
+rtl/speed_regulator.sv
+rtl/current_control.sv
+rtl/space_vector.sv
+rtl/pwm_generator.sv
+rtl/drive_protection.sv
+rtl/sinusoidal_sequence.sv
+rtl/guarded_leg.sv
+rtl/gate_guard.sv
+rtl/sinusoidal_top.sv

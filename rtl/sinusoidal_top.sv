@@ -1,0 +1,514 @@
+// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:35.
+// Do not edit: change the C++ and print again.
+
+module sinusoidal_top (
+    input  logic        clk,
+    input  logic        rst,  // synchronous, active high
+    input  logic        fault_i,  // asynchronous pin, active high
+    input  logic        codes_valid_i,  // one clock: the codes are of a new sample
+    input  logic [11:0] codes_u_i,  // s0.11, current of phase u
+    input  logic [11:0] codes_v_i,  // s0.11, current of phase v
+    input  logic [11:0] codes_dc_i,  // u0.12, dc voltage
+    input  logic        command_configured_i,  // the words are valid; until then all six gates are off
+    input  logic        command_run_i,
+    input  logic        command_reverse_i,
+    input  logic        command_brake_to_stop_i,  // else coast
+    input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
+    input  logic [13:0] words_bridge_period_i,  // clocks; 683 at least
+    input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
+    input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
+    input  logic [11:0] words_bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
+    input  logic        words_bridge_compensate_i,  // the on-times make up for it
+    input  logic        words_bridge_sine_i,  // no zero component
+    input  logic [14:0] words_bridge_inverse_i,  // u0.26: 1 / (3 period)
+    input  logic [14:0] words_estimator_decay_i,  // u0.15, per sample
+    input  logic [14:0] words_estimator_gain_i,  // u2.13, current per voltage
+    input  logic [14:0] words_estimator_k_e_i,  // u2.13, voltage per current
+    input  logic [14:0] words_estimator_k_theta_i,  // u1.14, turns per current
+    input  logic [14:0] words_estimator_k_speed_i,  // u-2.17, turns per voltage
+    input  logic [24:0] words_speed_target_i,  // u0.25
+    input  logic [14:0] words_speed_slew_i,  // u0.25, per sample
+    input  logic [14:0] words_speed_filter_i,  // u0.15, per sample
+    input  logic [14:0] words_speed_k_p_i,  // u7.8
+    input  logic [14:0] words_speed_k_i_i,  // u-2.17, per sample
+    input  logic [14:0] words_speed_limit_i,  // u0.15, of the current
+    input  logic [14:0] words_speed_lock_i,  // u0.15: above, the estimate may be trusted
+    input  logic [14:0] words_speed_slow_i,  // u0.15: below, it may not
+    input  logic [14:0] words_speed_stop_i,  // u0.15: below, the drive lets go
+    input  logic [14:0] words_speed_emf_low_i,  // u2.13
+    input  logic [14:0] words_speed_emf_high_i,  // u2.13
+    input  logic [15:0] words_control_set_gamma_i,  // s0.15
+    input  logic [14:0] words_control_k_p_i,  // u3.12
+    input  logic [14:0] words_control_k_i_i,  // u0.15, per sample
+    input  logic [14:0] words_control_inductance_i,  // u3.12, voltage per current and speed
+    input  logic [14:0] words_control_emf_i,  // u3.12, voltage per speed
+    input  logic [14:0] words_control_limit_i,  // u0.15, of the dc voltage
+    input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
+    input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg
+    input  logic [19:0] words_sequence_pattern_i,  // each of its two halves
+    input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
+    input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
+    input  logic [19:0] words_sequence_brake_i,
+    input  logic [19:0] words_sequence_rest_i,
+    input  logic [3:0]  words_sequence_retries_i,
+    input  logic [14:0] words_fault_over_current_i,  // u0.15, any phase
+    input  logic [19:0] words_fault_saturated_i,  // a regulator at its limit for more than this; 0: no test
+    input  logic [19:0] words_fault_slow_i,  // slow for more than this longer than not; 0: no test
+    input  logic [19:0] words_fault_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
+    input  logic [3:0]  words_fault_lost_samples_i,  // in a row; 0: no test
+    output logic        gates_uh_o,  // phase U, high side
+    output logic        gates_ul_o,  // phase U, low side
+    output logic        gates_vh_o,  // phase V, high side
+    output logic        gates_vl_o,  // phase V, low side
+    output logic        gates_wh_o,  // phase W, high side
+    output logic        gates_wl_o,  // phase W, low side
+    output logic [3:0]  state_o,
+    output logic [3:0]  reason_o,
+    output logic        sample_o,  // strobe: hold currents and dc voltage now
+    output logic        locked_o,  // running, the estimate is claimed to be right
+    output logic        estimating_o,  // the loop is closed
+    output logic        done_o,  // strobe: a sample is worked through
+    output logic [23:0] angle_o,  // u0.24, electrical turns, at the last sample
+    output logic [15:0] speed_o,  // s0.15 of 1/16 turn per sample, smoothed
+    output logic [15:0] reference_o,  // the same, slewed, in the wanted direction
+    output logic [15:0] i_gamma_o,  // s0.15
+    output logic [15:0] i_delta_o,  // s0.15
+    output logic [15:0] wanted_o,  // s0.15, i_delta*
+    output logic [13:0] on_u_o,  // clocks, of the next period
+    output logic [13:0] on_v_o,
+    output logic [13:0] on_w_o
+);
+  logic orders_reverse;  // the wanted direction
+  logic orders_calibrate;
+  logic orders_hold;  // one leg alone
+  logic orders_hold_v;  // that is v
+  logic orders_regulate;  // the loop is closed
+  logic orders_estimate;  // the estimator has seen a whole period of it
+  logic orders_slow_down;
+  logic orders_locked;
+  logic [13:0] running_on_u;  // clocks
+  logic [13:0] running_on_v;  // clocks
+  logic [13:0] running_on_w;  // clocks
+  logic [13:0] ended_on_u;  // clocks
+  logic [13:0] ended_on_v;  // clocks
+  logic [13:0] ended_on_w;  // clocks
+  logic restart;
+
+  wire sense_taken;
+  wire sense_measured;
+  wire sense_over;
+  wire [15:0] sense_i_u;
+  wire [15:0] sense_i_v;
+  wire [11:0] sense_v_dc;
+  current_sense sense (
+      .clk(clk),
+      .rst(rst),
+      .codes_valid_i(codes_valid_i),
+      .codes_u_i(codes_u_i),
+      .codes_v_i(codes_v_i),
+      .codes_dc_i(codes_dc_i),
+      .calibrate_i(orders_calibrate),
+      .over_current_i(words_fault_over_current_i),
+      .taken_o(sense_taken),
+      .measured_o(sense_measured),
+      .over_o(sense_over),
+      .i_u_o(sense_i_u),
+      .i_v_o(sense_i_v),
+      .v_dc_o(sense_v_dc)
+  );
+
+  wire [23:0] model_angle;
+  wire [19:0] model_step;
+  wire [19:0] model_emf_step;
+  wire [15:0] unused_model_error;
+  wire model_done;
+  wire unused_model_busy;
+  wire unused_model_missed;
+  current_model model (
+      .clk(clk),
+      .rst(rst),
+      .enable_i(orders_estimate),
+      .initial_i(24'd0),
+      .i_u_i(sense_i_u),
+      .i_v_i(sense_i_v),
+      .v_dc_i(sense_v_dc),
+      .pattern_on_u_i(ended_on_u),
+      .pattern_on_v_i(ended_on_v),
+      .pattern_on_w_i(ended_on_w),
+      .pattern_period_i(words_bridge_period_i),
+      .pattern_dead_i(words_bridge_lost_i),
+      .pattern_inverse_i(words_bridge_inverse_i),
+      .words_decay_i(words_estimator_decay_i),
+      .words_gain_i(words_estimator_gain_i),
+      .words_k_e_i(words_estimator_k_e_i),
+      .words_k_theta_i(words_estimator_k_theta_i),
+      .words_k_speed_i(words_estimator_k_speed_i),
+      .start_i(sense_taken),
+      .angle_o(model_angle),
+      .step_o(model_step),
+      .emf_step_o(model_emf_step),
+      .error_o(unused_model_error),
+      .done_o(model_done),
+      .busy_o(unused_model_busy),
+      .missed_o(unused_model_missed)
+  );
+
+  wire [15:0] regulator_current;
+  wire [15:0] regulator_speed;
+  wire [15:0] regulator_reference;
+  wire regulator_saturated;
+  wire regulator_fast;
+  wire regulator_slow;
+  wire regulator_stopping;
+  wire regulator_plausible;
+  wire regulator_done;
+  wire unused_regulator_busy;
+  wire unused_regulator_missed;
+  speed_regulator regulator (
+      .clk(clk),
+      .rst(rst),
+      .enable_i(orders_regulate),
+      .reverse_i(orders_reverse),
+      .slow_down_i(orders_slow_down),
+      .step_i(model_step),
+      .emf_step_i(model_emf_step),
+      .words_target_i(words_speed_target_i),
+      .words_slew_i(words_speed_slew_i),
+      .words_filter_i(words_speed_filter_i),
+      .words_k_p_i(words_speed_k_p_i),
+      .words_k_i_i(words_speed_k_i_i),
+      .words_limit_i(words_speed_limit_i),
+      .words_lock_i(words_speed_lock_i),
+      .words_slow_i(words_speed_slow_i),
+      .words_stop_i(words_speed_stop_i),
+      .words_emf_low_i(words_speed_emf_low_i),
+      .words_emf_high_i(words_speed_emf_high_i),
+      .start_i(model_done),
+      .current_o(regulator_current),
+      .speed_o(regulator_speed),
+      .reference_o(regulator_reference),
+      .saturated_o(regulator_saturated),
+      .fast_o(regulator_fast),
+      .slow_o(regulator_slow),
+      .stopping_o(regulator_stopping),
+      .plausible_o(regulator_plausible),
+      .done_o(regulator_done),
+      .busy_o(unused_regulator_busy),
+      .missed_o(unused_regulator_missed)
+  );
+
+  wire [16:0] sum_90 =  // line 90
+      {regulator_speed[15], regulator_speed} + {{2{regulator_speed[15]}}, regulator_speed[15:1]};
+
+  wire [15:0] control_v_alpha;
+  wire [15:0] control_v_beta;
+  wire [15:0] control_i_gamma;
+  wire [15:0] control_i_delta;
+  wire control_limited;
+  wire control_done;
+  wire unused_control_busy;
+  wire unused_control_missed;
+  current_control control (
+      .clk(clk),
+      .rst(rst),
+      .enable_i(orders_regulate),
+      .i_u_i(sense_i_u),
+      .i_v_i(sense_i_v),
+      .angle_i(model_angle[23:8]),
+      .ahead_i(model_angle[23:8] + {{2{sum_90[16]}}, sum_90[16:3]}),
+      .speed_i(regulator_speed),
+      .set_gamma_i(words_control_set_gamma_i),
+      .set_delta_i(regulator_current),
+      .k_p_i(words_control_k_p_i),
+      .k_i_i(words_control_k_i_i),
+      .inductance_i(words_control_inductance_i),
+      .emf_i(words_control_emf_i),
+      .v_dc_i(sense_v_dc),
+      .limit_i(words_control_limit_i),
+      .start_i(regulator_done),
+      .v_alpha_o(control_v_alpha),
+      .v_beta_o(control_v_beta),
+      .i_gamma_o(control_i_gamma),
+      .i_delta_o(control_i_delta),
+      .limited_o(control_limited),
+      .done_o(control_done),
+      .busy_o(unused_control_busy),
+      .missed_o(unused_control_missed)
+  );
+
+  wire [13:0] modulator_on_u;
+  wire [13:0] modulator_on_v;
+  wire [13:0] modulator_on_w;
+  wire modulator_done;
+  wire unused_modulator_busy;
+  wire unused_modulator_missed;
+  space_vector modulator (
+      .clk(clk),
+      .rst(rst),
+      .v_alpha_i(control_v_alpha),
+      .v_beta_i(control_v_beta),
+      .i_u_i(sense_i_u),
+      .i_v_i(sense_i_v),
+      .v_dc_i(sense_v_dc),
+      .period_i(words_bridge_period_i),
+      .minimum_i(words_bridge_minimum_i),
+      .dead_i(words_bridge_compensate_i ? words_bridge_lost_i : 12'd0),
+      .sine_i(words_bridge_sine_i),
+      .hold_i(orders_hold),
+      .hold_v_i(orders_hold_v),
+      .hold_voltage_i(words_sequence_hold_voltage_i),
+      .start_i(control_done),
+      .on_u_o(modulator_on_u),
+      .on_v_o(modulator_on_v),
+      .on_w_o(modulator_on_w),
+      .done_o(modulator_done),
+      .busy_o(unused_modulator_busy),
+      .missed_o(unused_modulator_missed)
+  );
+
+  wire pwm_u_on;
+  wire pwm_u_start;
+  wire unused_pwm_u_tick;
+  pwm_generator pwm_u (
+      .clk(clk),
+      .rst(rst),
+      .on_clocks_i(modulator_on_u),
+      .period_i(words_bridge_period_i),
+      .minimum_i(words_bridge_minimum_i),
+      .centred_i(1'b1),
+      .tick_periods_i(8'd1),
+      .on_o(pwm_u_on),
+      .start_o(pwm_u_start),
+      .tick_o(unused_pwm_u_tick)
+  );
+
+  wire unused_synchroniser_comparator_u;
+  wire unused_synchroniser_comparator_v;
+  wire unused_synchroniser_comparator_w;
+  wire unused_synchroniser_limit;
+  wire synchroniser_fault;
+  wire unused_synchroniser_hall_u;
+  wire unused_synchroniser_hall_v;
+  wire unused_synchroniser_hall_w;
+  synchroniser synchroniser (
+      .clk(clk),
+      .rst(rst),
+      .comparator_u_i(1'b0),
+      .comparator_v_i(1'b0),
+      .comparator_w_i(1'b0),
+      .limit_i(1'b0),
+      .fault_i(fault_i),
+      .hall_u_i(1'b0),
+      .hall_v_i(1'b0),
+      .hall_w_i(1'b0),
+      .comparator_u_o(unused_synchroniser_comparator_u),
+      .comparator_v_o(unused_synchroniser_comparator_v),
+      .comparator_w_o(unused_synchroniser_comparator_w),
+      .limit_o(unused_synchroniser_limit),
+      .fault_o(synchroniser_fault),
+      .hall_u_o(unused_synchroniser_hall_u),
+      .hall_v_o(unused_synchroniser_hall_v),
+      .hall_w_o(unused_synchroniser_hall_w)
+  );
+
+  wire [3:0] protection_fatal;
+  wire [3:0] protection_failed;
+  drive_protection protection (
+      .clk(clk),
+      .rst(rst),
+      .restart_i(restart),
+      .period_i(pwm_u_start),
+      .sampled_i(modulator_done),
+      .over_current_i(sense_over),
+      .regulating_i(orders_regulate),
+      .saturated_i(control_limited || regulator_saturated),
+      .locked_i(orders_locked),
+      .fast_i(regulator_fast),
+      .slow_i(regulator_slow),
+      .plausible_i(regulator_plausible),
+      .words_over_current_i(words_fault_over_current_i),
+      .words_saturated_i(words_fault_saturated_i),
+      .words_slow_i(words_fault_slow_i),
+      .words_emf_i(words_fault_emf_i),
+      .words_lost_samples_i(words_fault_lost_samples_i),
+      .fatal_o(protection_fatal),
+      .failed_o(protection_failed)
+  );
+
+  wire [3:0] sequence__state;
+  wire [3:0] sequence__reason;
+  wire sequence__entered;
+  wire sequence__reverse;
+  wire sequence__calibrate;
+  wire sequence__hold;
+  wire sequence__hold_v;
+  wire sequence__regulate;
+  wire sequence__estimate;
+  wire sequence__modulate;
+  wire sequence__brake;
+  wire sequence__slow_down;
+  wire sequence__locked;
+  sinusoidal_sequence sequence_ (
+      .clk(clk),
+      .rst(rst),
+      .command_configured_i(command_configured_i),
+      .command_run_i(command_run_i),
+      .command_reverse_i(command_reverse_i),
+      .command_brake_to_stop_i(command_brake_to_stop_i),
+      .command_clear_fault_i(command_clear_fault_i),
+      .fault_pin_i(synchroniser_fault),
+      .period_i(pwm_u_start),
+      .sampled_i(modulator_done),
+      .measured_i(sense_measured),
+      .fast_i(regulator_fast),
+      .plausible_i(regulator_plausible),
+      .stopping_i(regulator_stopping),
+      .fatal_i(protection_fatal),
+      .failed_i(protection_failed),
+      .words_arbitrary_i(words_sequence_arbitrary_i),
+      .words_hold_voltage_i(words_sequence_hold_voltage_i),
+      .words_pattern_i(words_sequence_pattern_i),
+      .words_lock_i(words_sequence_lock_i),
+      .words_give_up_i(words_sequence_give_up_i),
+      .words_brake_i(words_sequence_brake_i),
+      .words_rest_i(words_sequence_rest_i),
+      .words_retries_i(words_sequence_retries_i),
+      .state_o(sequence__state),
+      .reason_o(sequence__reason),
+      .entered_o(sequence__entered),
+      .reverse_o(sequence__reverse),
+      .calibrate_o(sequence__calibrate),
+      .hold_o(sequence__hold),
+      .hold_v_o(sequence__hold_v),
+      .regulate_o(sequence__regulate),
+      .estimate_o(sequence__estimate),
+      .modulate_o(sequence__modulate),
+      .brake_o(sequence__brake),
+      .slow_down_o(sequence__slow_down),
+      .locked_o(sequence__locked)
+  );
+
+  wire pwm_v_on;
+  wire unused_pwm_v_start;
+  wire unused_pwm_v_tick;
+  pwm_generator pwm_v (
+      .clk(clk),
+      .rst(rst),
+      .on_clocks_i(modulator_on_v),
+      .period_i(words_bridge_period_i),
+      .minimum_i(words_bridge_minimum_i),
+      .centred_i(1'b1),
+      .tick_periods_i(8'd1),
+      .on_o(pwm_v_on),
+      .start_o(unused_pwm_v_start),
+      .tick_o(unused_pwm_v_tick)
+  );
+
+  wire pwm_w_on;
+  wire unused_pwm_w_start;
+  wire unused_pwm_w_tick;
+  pwm_generator pwm_w (
+      .clk(clk),
+      .rst(rst),
+      .on_clocks_i(modulator_on_w),
+      .period_i(words_bridge_period_i),
+      .minimum_i(words_bridge_minimum_i),
+      .centred_i(1'b1),
+      .tick_periods_i(8'd1),
+      .on_o(pwm_w_on),
+      .start_o(unused_pwm_w_start),
+      .tick_o(unused_pwm_w_tick)
+  );
+
+  wire guard_uh;
+  wire guard_ul;
+  wire guard_vh;
+  wire guard_vl;
+  wire guard_wh;
+  wire guard_wl;
+  gate_guard guard (
+      .clk(clk),
+      .rst(rst),
+      .request_uh_i(sequence__modulate && pwm_u_on),
+      .request_ul_i(sequence__brake || (sequence__modulate && !pwm_u_on)),
+      .request_vh_i(sequence__modulate && pwm_v_on),
+      .request_vl_i(sequence__brake || (sequence__modulate && !pwm_v_on)),
+      .request_wh_i(sequence__modulate && pwm_w_on),
+      .request_wl_i(sequence__brake || (sequence__modulate && !pwm_w_on)),
+      .enable_i(command_configured_i),
+      .fault_i(synchroniser_fault),
+      .dead_time_i(words_bridge_dead_time_i),
+      .minimum_i(8'd0),
+      .uh_o(guard_uh),
+      .ul_o(guard_ul),
+      .vh_o(guard_vh),
+      .vl_o(guard_vl),
+      .wh_o(guard_wh),
+      .wl_o(guard_wl)
+  );
+
+  always_ff @(posedge clk) begin
+    if (rst) begin
+      orders_reverse <= 1'b0;
+      orders_calibrate <= 1'b0;
+      orders_hold <= 1'b0;
+      orders_hold_v <= 1'b0;
+      orders_regulate <= 1'b0;
+      orders_estimate <= 1'b0;
+      orders_slow_down <= 1'b0;
+      orders_locked <= 1'b0;
+      running_on_u <= 14'd0;
+      running_on_v <= 14'd0;
+      running_on_w <= 14'd0;
+      ended_on_u <= 14'd0;
+      ended_on_v <= 14'd0;
+      ended_on_w <= 14'd0;
+      restart <= 1'b0;
+    end else begin
+      if (codes_valid_i) begin
+        orders_reverse <= sequence__reverse;
+        orders_calibrate <= sequence__calibrate;
+        orders_hold <= sequence__hold;
+        orders_hold_v <= sequence__hold_v;
+        orders_regulate <= sequence__regulate;
+        orders_estimate <= sequence__estimate;
+        orders_slow_down <= sequence__slow_down;
+        orders_locked <= sequence__locked;
+      end
+      if (pwm_u_start) begin
+        running_on_u <= modulator_on_u;
+        running_on_v <= modulator_on_v;
+        running_on_w <= modulator_on_w;
+        ended_on_u <= running_on_u;
+        ended_on_v <= running_on_v;
+        ended_on_w <= running_on_w;
+      end
+      restart <= sequence__entered;
+    end
+  end
+
+  assign gates_uh_o = guard_uh;
+  assign gates_ul_o = guard_ul;
+  assign gates_vh_o = guard_vh;
+  assign gates_vl_o = guard_vl;
+  assign gates_wh_o = guard_wh;
+  assign gates_wl_o = guard_wl;
+  assign state_o = sequence__state;
+  assign reason_o = sequence__reason;
+  assign sample_o = pwm_u_start;
+  assign locked_o = sequence__locked;
+  assign estimating_o = sequence__regulate;
+  assign done_o = modulator_done;
+  assign angle_o = model_angle;
+  assign speed_o = regulator_speed;
+  assign reference_o = regulator_reference;
+  assign i_gamma_o = control_i_gamma;
+  assign i_delta_o = control_i_delta;
+  assign wanted_o = regulator_current;
+  assign on_u_o = modulator_on_u;
+  assign on_v_o = modulator_on_v;
+  assign on_w_o = modulator_on_w;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_90[2:0]};
+endmodule

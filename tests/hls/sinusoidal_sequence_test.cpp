@@ -1,0 +1,154 @@
+// The sequence: its order, its times, its retries, and what ends it.
+
+#include "hls/sinusoidal/sinusoidal_sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace steplock {
+namespace {
+
+using S = SinusoidalState;
+using R = SinusoidalReason;
+
+class Started {
+ public:
+  SinusoidalSequence::In in{
+      .command = {.configured = true, .run = true},
+      .measured = true,
+      .words = {.pattern = 10, .lock = 5, .give_up = 50, .brake = 7, .rest = 9, .retries = 2}};
+
+  // A PWM period of eight clocks: its start, then a sample worked through.
+  SinusoidalSequence::Out period() {
+    SinusoidalSequence::Out out;
+    for (int clock = 0; clock < 8; ++clock) {
+      in.period = clock == 0;
+      in.sampled = clock == 5;
+      out = dut_.tick(in);
+      if (out.entered) entered.push_back(out.state);
+    }
+    return out;
+  }
+  // Periods until `state`, at most 1000.
+  int until(S state) {
+    for (int n = 0; n < 1000; ++n) {
+      if (period().state == state) return n;
+    }
+    return 1000;
+  }
+  std::vector<S> entered;
+
+ private:
+  SinusoidalSequence dut_;
+};
+
+TEST(SinusoidalSequence, AStartGoesThroughItsStatesInTheirTimes) {
+  Started s;
+  EXPECT_EQ(s.until(S::kPattern), 0);
+  EXPECT_TRUE(s.period().hold_v) << "first v";
+  int first = 1, second = 0;
+  auto out = s.period();
+  for (; out.hold && out.hold_v; out = s.period()) ++first;
+  for (; out.hold; out = s.period()) ++second;
+  EXPECT_NEAR(first, 10, 1);
+  EXPECT_NEAR(second, 10, 1);
+  EXPECT_EQ(out.state, S::kStarting);
+  s.in.fast = s.in.plausible = true;
+  EXPECT_NEAR(s.until(S::kRun), 5, 1);
+  EXPECT_TRUE(s.period().locked);
+  EXPECT_EQ(s.entered, (std::vector{S::kCalibrate, S::kPattern, S::kStarting, S::kRun}));
+}
+
+// Gates first in the period for which on-times were computed under the loop, the estimator one
+// later: only then a whole period of them has been seen.
+TEST(SinusoidalSequence, GatesAndEstimatorWaitForOnTimesOfTheLoop) {
+  Started s;
+  s.in.words.arbitrary = true;
+  s.until(S::kStarting);
+  auto out = s.period();
+  int period = 0, gates = -1, estimator = -1;
+  for (; period < 10; ++period, out = s.period()) {
+    if (out.modulate && gates < 0) gates = period;
+    if (out.estimate && estimator < 0) estimator = period;
+    EXPECT_TRUE(out.regulate);
+  }
+  EXPECT_GE(gates, 0);
+  EXPECT_EQ(estimator, gates + 1);
+}
+
+TEST(SinusoidalSequence, OneDoubtfulSampleBeginsTheWaitForLockAnew) {
+  Started s;
+  s.in.words.arbitrary = true;
+  s.until(S::kStarting);
+  for (int n = 0; n < 10; ++n) {
+    s.in.fast = s.in.plausible = true;
+    for (int m = 0; m < 3; ++m) ASSERT_EQ(s.period().state, S::kStarting);
+    s.in.plausible = false;
+    ASSERT_EQ(s.period().state, S::kStarting);
+  }
+}
+
+TEST(SinusoidalSequence, WithoutLockItTriesAgainAndThenGivesUp) {
+  Started s;
+  EXPECT_LT(s.until(S::kFault), 1000);
+  EXPECT_EQ(s.period().reason, R::kNoLock);
+  int tries = 0, rests = 0;
+  for (const S state : s.entered) tries += state == S::kStarting, rests += state == S::kRest;
+  EXPECT_EQ(tries, 3);
+  EXPECT_EQ(rests, 2);
+  EXPECT_EQ(s.period().state, S::kFault) << "latched";
+  s.in.command.clear_fault = true;
+  EXPECT_EQ(s.period().state, S::kFault) << "while run is set";
+  s.in.command.run = false;
+  EXPECT_EQ(s.period().state, S::kIdle);
+}
+
+TEST(SinusoidalSequence, AFaultEndsItFromEveryState) {
+  for (const bool pin : {true, false}) {
+    for (int periods = 0; periods < 60; ++periods) {
+      Started s;
+      s.in.fast = s.in.plausible = true;
+      for (int n = 0; n < periods; ++n) s.period();
+      (pin ? s.in.fault_pin : s.in.measured) = true;
+      if (!pin) s.in.fatal = R::kOverCurrent;
+      const auto out = s.period();
+      ASSERT_EQ(out.state, S::kFault);
+      ASSERT_EQ(out.reason, pin ? R::kFaultPin : R::kOverCurrent);
+      ASSERT_FALSE(out.modulate || out.brake || out.regulate);
+    }
+  }
+}
+
+TEST(SinusoidalSequence, AStopSlowsDownBrakesAndRests) {
+  Started s;
+  s.in.fast = s.in.plausible = true;
+  s.until(S::kRun);
+  s.in.command.run = false;
+  s.in.command.brake_to_stop = true;
+  EXPECT_TRUE(s.period().slow_down);
+  s.in.stopping = true;
+  EXPECT_TRUE(s.period().brake);
+  EXPECT_NEAR(s.until(S::kIdle), 6, 1);
+}
+
+TEST(SinusoidalSequence, AReversalBrakesAndStartsTheOtherWay) {
+  Started s;
+  s.in.fast = s.in.plausible = true;
+  s.until(S::kRun);
+  s.in.command.reverse = true;
+  EXPECT_EQ(s.period().state, S::kSlowDown);
+  EXPECT_FALSE(s.period().reverse) << "still turning forward";
+  s.in.stopping = true;
+  s.until(S::kStarting);
+  EXPECT_TRUE(s.period().reverse);
+}
+
+TEST(SinusoidalSequence, UnconfiguredItNeverStarts) {
+  Started s;
+  s.in.command.configured = false;
+  EXPECT_EQ(s.until(S::kCalibrate), 1000);
+}
+
+}  // namespace
+}  // namespace steplock

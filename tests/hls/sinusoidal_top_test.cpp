@@ -1,0 +1,133 @@
+// What the wires of the top promise: its pattern, its latencies, and gates that obey.  The drive in
+// closed loop, with motors, is in tests/testbench/sinusoidal_engines_test.cpp.
+
+#include "hls/sinusoidal/sinusoidal_top.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace steplock {
+namespace {
+
+class Bench {
+ public:
+  SinusoidalTop::In in;
+  SinusoidalTop::Out out;
+
+  Bench() {
+    auto& w = in.words;
+    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
+                .inverse = 18641};
+    w.estimator = {.decay = 3113, .gain = 3686, .k_e = 541, .k_theta = 3277, .k_speed = 5894};
+    w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
+               .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
+               .emf_high = 20480};
+    w.control = {.k_p = 1092, .k_i = 831, .inductance = 3570, .emf = 5700, .limit = 18919};
+    w.sequence = {.hold_voltage = 2000, .pattern = 20, .lock = 400, .give_up = 1000, .brake = 10,
+                  .rest = 10, .retries = 1};
+    w.fault = {.over_current = 30000, .saturated = 0, .lost_samples = 3};
+    in.command.configured = in.command.run = true;
+  }
+
+  // Codes come in the clock after the strobe.
+  void tick() {
+    in.codes.valid = out.sample;
+    in.codes.u = u, in.codes.v = v, in.codes.dc = 2700;
+    out = top_.tick(in);
+    const Gates& g = out.gates;
+    ASSERT_FALSE((g.uh && g.ul) || (g.vh && g.vl) || (g.wh && g.wl));
+  }
+  int clocks_until(auto&& met) {
+    for (int n = 1; n < 200'000; ++n) {
+      tick();
+      if (met(out)) return n;
+    }
+    return 0;
+  }
+  bool off() const { return out.gates == Gates{}; }
+
+  int u = 0, v = 0;
+
+ private:
+  SinusoidalTop top_;
+};
+
+TEST(SinusoidalTop, ThePatternIsLegVAndThenLegUAgainstTheOthers) {
+  Bench b;
+  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
+  for (int n = 0; n < 3 * 1200; ++n) b.tick();  // the on-times of before are used up
+  EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.vh; }), 0);
+  EXPECT_TRUE(b.out.gates.ul && b.out.gates.wl);
+  for (int n = 0; n < 21 * 1200; ++n) b.tick();
+  EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
+  EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);
+}
+
+TEST(SinusoidalTop, OnTimesAreNew101ClocksAfterTheCodes) {
+  Bench b;
+  for (int period = 0; period < 5; ++period) {
+    b.clocks_until([](const auto& o) { return o.sample; });
+    // The codes' clock, one in the sense, and the schedules.
+    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }),
+              2 + CurrentModelLoop::kClocks + SpeedRegulatorLoop::kClocks + CurrentLoop::kClocks +
+                  SpaceVectorLoop::kClocks);
+  }
+}
+
+TEST(SinusoidalTop, SamplesAreTakenOncePerPeriodWithAllLowSidesOn) {
+  Bench b;
+  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
+  b.clocks_until([](const auto& o) { return o.sample; });
+  for (int period = 0; period < 10; ++period) {
+    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.sample; }), 1200);
+    if (period == 0) continue;
+    EXPECT_TRUE(b.out.gates.ul && b.out.gates.vl && b.out.gates.wl);
+  }
+}
+
+TEST(SinusoidalTop, AFaultPinTurnsAllGatesOffInThreeClocksWhateverTheyDo) {
+  std::mt19937 any(1);
+  for (int run = 0; run < 40; ++run) {
+    Bench b;
+    b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
+    const int more = std::uniform_int_distribution<>(100, 60'000)(any);
+    for (int n = 0; n < more; ++n) b.tick();
+    b.in.fault = true;
+    for (int n = 0; n < 3; ++n) b.tick();
+    for (int n = 0; n < 100; ++n) {
+      b.tick();
+      ASSERT_TRUE(b.off()) << run;
+    }
+    EXPECT_EQ(b.out.reason, SinusoidalReason::kFaultPin);
+  }
+}
+
+TEST(SinusoidalTop, OverCurrentAndLostSamplesLatch) {
+  Bench over;
+  over.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
+  over.u = -1900;
+  over.clocks_until([](const auto& o) { return o.state == SinusoidalState::kFault; });
+  EXPECT_EQ(over.out.reason, SinusoidalReason::kOverCurrent);
+
+  Bench lost;
+  lost.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
+  for (int n = 0; n < 6 * 1200; ++n) {
+    lost.out.sample = false;
+    lost.tick();
+  }
+  EXPECT_EQ(lost.out.reason, SinusoidalReason::kLostSample);
+  EXPECT_TRUE(lost.off());
+}
+
+TEST(SinusoidalTop, UnconfiguredAllGatesAreOff) {
+  Bench b;
+  b.in.command.configured = false;
+  for (int n = 0; n < 50'000; ++n) {
+    b.tick();
+    ASSERT_TRUE(b.off());
+  }
+}
+
+}  // namespace
+}  // namespace steplock
