@@ -10,6 +10,7 @@
 #include "testbench/run/check.hpp"
 #include "testbench/run/summary.hpp"
 #include "testbench/run/trace_writer.hpp"
+#include "model/design/sinusoidal/words.hpp"
 #include "testbench/sinusoidal/run.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 #include "testbench/sweep/row.hpp"
@@ -101,10 +102,13 @@ int run_sinusoidal(const Arguments& arguments, const DriveFile& file) {
     throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), what));
   };
   if (arguments.engine != EngineKind::kFloat) {
-    refuse(fmt::format("a sinusoidal drive has no {} engine yet, its blocks are not in hls/; use --engine float",
-                       name_of(arguments.engine)));
+    const auto words = design::sinusoidal::quantise(file.settings);
+    if (!words.problems.empty()) refuse(words.problems.front());
   }
   if (arguments.trace) refuse("a sinusoidal drive writes no wave yet; leave out --trace");
+  if (arguments.compare || arguments.lockstep) {
+    refuse("a sinusoidal drive is not compared yet; leave out --compare and --lockstep");
+  }
   const fs::path out = make_folder(arguments);
   RunOptions options{.engine = arguments.engine,
                      .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg)};

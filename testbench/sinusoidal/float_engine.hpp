@@ -24,6 +24,8 @@ class FloatEngine {
   FloatEngine(const design::sinusoidal::Parameters& p, const plant::AdcParameters& adc,
               double clock_hz)
       : drive_(p), adc_(adc), pole_pairs_(p.motor.pole_pairs), clock_hz_(clock_hz) {}
+  FloatEngine(const design::Settings& s, const plant::AdcParameters& adc)
+      : FloatEngine(design::sinusoidal::design_drive(s).parameters, adc, s.control.clock_hz) {}
 
   void set_pins(const plant::Pins&) {}  // comparators and Halls serve the six-step drive
   void set_command(const HostCommand& c) {

@@ -24,28 +24,46 @@
 namespace steplock::sinusoidal {
 
 // Engine, plant and recorder of one run, for whoever wants to intervene on the way.
-class Bench {
+template <class Engine>
+class BenchOf {
  public:
   // The drive is designed for `believed`; the plant is what `real` says.
-  Bench(const design::Settings& believed, const design::Settings& real, const Timeline&,
-        double angle_deg, std::size_t samples = 4000);
-  Bench(const Bench&) = delete;
+  BenchOf(const design::Settings& believed, const design::Settings& real, const Timeline& events,
+          double angle_deg, std::size_t samples = 4000)
+      : timeline_(events),
+        clock_hz_(believed.control.clock_hz),
+        plant_(plant_parameters(real), initial_state(real, angle_deg)),
+        engine_(believed, adc_parameters(believed)),
+        recorder_(static_cast<double>(events.clocks) / clock_hz_, samples),
+        simulation_(engine_, plant_, timeline_, recorder_, clock_hz_) {}
+  BenchOf(const BenchOf&) = delete;
 
-  void run_until(double seconds);
+  void run_until(double seconds) {
+    simulation_.run_until(static_cast<std::uint64_t>(seconds * clock_hz_));
+  }
   double time() const { return static_cast<double>(simulation_.clock()) / clock_hz_; }
   plant::Plant& plant() { return plant_; }
-  FloatEngine& engine() { return engine_; }
+  Engine& engine() { return engine_; }
   Recorder& recorder() { return recorder_; }
-  Record take();
+  Record take() {
+    Record record = recorder_.take();
+    record.clocks = simulation_.clock();
+    record.simulated_s = time();
+    record.shoot_throughs = plant_.shoot_throughs();
+    const plant::Energy energy = plant_.state().energy;
+    record.energy_residual = energy.supplied > 0 ? energy.residual() / energy.supplied : 0;
+    return record;
+  }
 
  private:
   Timeline timeline_;
   double clock_hz_;
   plant::Plant plant_;
-  FloatEngine engine_;
+  Engine engine_;
   Recorder recorder_;
-  Cosimulation<FloatEngine, Recorder> simulation_;
+  Cosimulation<Engine, Recorder> simulation_;
 };
+using Bench = BenchOf<FloatEngine>;
 
 struct Result {
   std::string drive, engine, estimator, start_by;

@@ -1,0 +1,109 @@
+// The sinusoidal blocks, compiled natively, behind the engines' interface, with their converters:
+// the same calls as FloatEngine.
+//
+// Test: tests/testbench/sinusoidal_engines_test.cpp
+#pragma once
+
+#include <numbers>
+
+#include "hls/sinusoidal/sinusoidal_top.hpp"
+#include "model/plant/adc.hpp"
+#include "testbench/engine/watch.hpp"
+#include "testbench/run/units.hpp"
+#include "testbench/sinusoidal/watch.hpp"
+#include "testbench/sinusoidal/words.hpp"
+
+namespace steplock::sinusoidal {
+
+inline Watch watch_of(const SinusoidalTop::Out& o) {
+  const Gates& g = o.gates;
+  return {std::uint32_t{g.uh} | std::uint32_t{g.ul} << 1 | std::uint32_t{g.vh} << 2 |
+          std::uint32_t{g.vl} << 3 | std::uint32_t{g.wh} << 4 | std::uint32_t{g.wl} << 5 |
+          static_cast<std::uint32_t>(o.state) << Watch::kState |
+          static_cast<std::uint32_t>(o.reason) << Watch::kReason |
+          std::uint32_t{o.sample} << Watch::kSample | std::uint32_t{o.locked} << Watch::kLocked};
+}
+
+// The scales of what the drive shows.
+struct Showing {
+  double current, rpm;  // of full scale: A, r/min
+
+  explicit Showing(const design::Settings& s)
+      : current(s.adc.current_a.value_or(4 * s.motor.rated_current_a)),
+        rpm(60 * s.control.pwm_hz / 16 / s.motor.pole_pairs) {}
+
+  View view(const SinusoidalTop::Out& o, bool reverse) const {
+    const auto part = [](Int<16> x) { return static_cast<double>(x.raw()) / 32768; };
+    return {.estimating = o.estimating,
+            .angle_deg = 360 * static_cast<double>(o.angle.raw()) / (1 << 24),
+            .speed_rpm = rpm * part(o.speed),
+            .reference_rpm = (reverse ? -rpm : rpm) * part(o.reference),
+            .i_gamma = current * part(o.i_gamma),
+            .i_delta = current * part(o.i_delta),
+            .i_wanted = current * part(o.wanted)};
+  }
+};
+
+// What every engine with registers shares: inputs, and the converters behind them.
+class Inputs {
+ public:
+  Inputs(const design::Settings& s, const plant::AdcParameters& adc) : settings_(s), adc_(adc) {
+    in.words = words_of(s);
+  }
+
+  void command(const HostCommand& c) {
+    in.command = {.configured = true, .run = c.run, .reverse = c.reverse,
+                  .brake_to_stop = c.brake_to_stop, .clear_fault = c.clear_fault};
+    in.fault = c.fault_pin;
+  }
+  void target_rpm(double rpm) {
+    in.words.speed.target = design::sinusoidal::target_word(settings_, rpm);
+  }
+  void lose(bool lose) { lose_ = lose; }
+  void reading(const plant::State& s) {
+    const plant::AdcCodes codes = adc_.sample(s, samples_++);
+    if (lose_) return;
+    in.codes = {.valid = true, .u = codes.current[0], .v = codes.current[1], .dc = codes.bus};
+  }
+
+  SinusoidalTop::In in;
+
+ private:
+  design::Settings settings_;
+  plant::Adc adc_;
+  std::int64_t samples_ = 0;
+  bool lose_ = false;
+};
+
+class FixedEngine {
+ public:
+  static constexpr const char* kName = "fixed";
+
+  FixedEngine(const design::Settings& s, const plant::AdcParameters& adc)
+      : inputs_(s, adc), showing_(s) {}
+
+  void set_pins(const plant::Pins&) {}  // comparators and Halls serve the six-step drive
+  void set_command(const HostCommand& c) { inputs_.command(c); }
+  void set_target_rpm(double rpm) { inputs_.target_rpm(rpm); }
+  void lose_samples(bool lose) { inputs_.lose(lose); }
+  void set_reading(const plant::State& s) { inputs_.reading(s); }
+
+  [[gnu::flatten]] void tick() {
+    out_ = top_.tick(inputs_.in);
+    inputs_.in.codes.valid = false;
+  }
+  std::uint64_t quiet() const { return 0; }
+  void skip(std::uint64_t) {}
+
+  Watch watch() const { return watch_of(out_); }
+  View view() const { return showing_.view(out_, inputs_.in.command.reverse); }
+  const SinusoidalTop::Out& output() const { return out_; }
+
+ private:
+  Inputs inputs_;
+  Showing showing_;
+  SinusoidalTop top_;
+  SinusoidalTop::Out out_;
+};
+
+}  // namespace steplock::sinusoidal

@@ -1,0 +1,53 @@
+#include "testbench/sinusoidal/words.hpp"
+
+#include <stdexcept>
+
+#include "testbench/sinusoidal/watch.hpp"
+
+namespace steplock::sinusoidal {
+namespace {
+
+// Enumerators have the same order on both sides.
+static_assert(int(State::kPattern) == int(SinusoidalState::kPattern));
+static_assert(int(State::kRun) == int(SinusoidalState::kRun));
+static_assert(int(State::kFault) == int(SinusoidalState::kFault));
+static_assert(int(Reason::kSaturated) == int(SinusoidalReason::kSaturated));
+static_assert(int(Reason::kNoLock) == int(SinusoidalReason::kNoLock));
+static_assert(int(Reason::kNoPolarity) == int(SinusoidalReason::kNoPolarity));
+
+}  // namespace
+
+SinusoidalWords hls_words(const design::sinusoidal::Words& d) {
+  return {.bridge = {.period = d.bridge.period, .minimum = d.bridge.minimum,
+                     .dead_time = d.bridge.dead_time, .lost = d.bridge.lost,
+                     .compensate = d.bridge.compensate, .sine = d.bridge.sine,
+                     .inverse = d.bridge.inverse},
+          .estimator = {.decay = d.estimator.decay, .gain = d.estimator.gain,
+                        .k_e = d.estimator.k_e, .k_theta = d.estimator.k_theta,
+                        .k_speed = d.estimator.k_speed},
+          .speed = {.target = d.speed.target, .slew = d.speed.slew, .filter = d.speed.filter,
+                    .k_p = d.speed.k_p, .k_i = d.speed.k_i, .limit = d.speed.limit,
+                    .lock = d.speed.lock, .slow = d.speed.slow, .stop = d.speed.stop,
+                    .emf_low = d.speed.emf_low, .emf_high = d.speed.emf_high},
+          .control = {.set_gamma = d.control.set_gamma, .k_p = d.control.k_p,
+                      .k_i = d.control.k_i, .inductance = d.control.inductance,
+                      .emf = d.control.emf, .limit = d.control.limit},
+          .sequence = {.arbitrary = d.sequence.arbitrary,
+                       .hold_voltage = d.sequence.hold_voltage, .pattern = d.sequence.pattern,
+                       .lock = d.sequence.lock, .give_up = d.sequence.give_up,
+                       .brake = d.sequence.brake, .rest = d.sequence.rest,
+                       .retries = d.sequence.retries},
+          .fault = {.over_current = d.fault.over_current, .saturated = d.fault.saturated,
+                    .slow = d.fault.slow, .emf = d.fault.emf,
+                    .lost_samples = d.fault.lost_samples}};
+}
+
+SinusoidalWords words_of(const design::Settings& s) {
+  const auto q = design::sinusoidal::quantise(s);
+  std::string lines;
+  for (const std::string& line : q.problems) lines += (lines.empty() ? "" : "\n") + line;
+  if (!lines.empty()) throw std::invalid_argument(lines);
+  return hls_words(q.words);
+}
+
+}  // namespace steplock::sinusoidal

@@ -1,0 +1,163 @@
+// The sinusoidal drive's blocks in closed loop with motors: natively, as RTL, and beside the reference in
+// doubles.
+#include <gtest/gtest.h>
+
+#include "testbench/run/check.hpp"
+#include "testbench/sinusoidal/rtl_engine.hpp"
+#include "testbench/sinusoidal/run.hpp"
+
+namespace steplock::sinusoidal {
+namespace {
+
+design::Settings drive(const std::string& name) {
+  return open_drive_file(STEPLOCK_DRIVES "/" + name + ".toml").settings;
+}
+
+Result result_of(const design::Settings& s, EngineKind engine, double angle_deg) {
+  const RunOptions options{.engine = engine, .angle_deg = angle_deg};
+  return summarise(s, options, run(s, options));
+}
+
+std::string all(const Result& r) {
+  std::string text = r.drive + ": ";
+  for (const std::string& line : r.failures()) text += line + "; ";
+  for (const std::string& line : r.reasons) text += "(" + line + ") ";
+  return text;
+}
+
+// Start, load step, stop.  One place of speed is 0.6 r/min of 3000; the mean of a lock cannot drift.
+TEST(SinusoidalEngines, TheFixedDriveRunsItsScenarioFromAllRound) {
+  for (const double angle : {0.0, 130.0, 250.0}) {
+    const Result r = result_of(drive("m2310p_sinusoidal"), EngineKind::kFixed, angle);
+    EXPECT_TRUE(r.failures().empty() && r.reasons.empty()) << angle << ' ' << all(r);
+    EXPECT_LT(std::abs(r.speed_error_percent), 0.05);
+    EXPECT_LT(r.delta_theta_rms_deg, 2);
+  }
+}
+
+TEST(SinusoidalEngines, TheFixedDriveRunsMatsuisMotor) {
+  const Result r = result_of(drive("matsui1996"), EngineKind::kFixed, 130);
+  EXPECT_TRUE(r.failures().empty() && r.reasons.empty()) << all(r);
+  EXPECT_LT(r.delta_theta_rms_deg, 2);
+}
+
+// Both see a rotor of their own; their angles part by noise of the converters alone.
+TEST(SinusoidalEngines, FixedAndFloatAgreeWithinTheConvertersNoise) {
+  const design::Settings s = drive("m2310p_sinusoidal");
+  const Result fixed = result_of(s, EngineKind::kFixed, 40);
+  const Result exact = result_of(s, EngineKind::kFloat, 40);
+  EXPECT_NEAR(fixed.mean_rpm, exact.mean_rpm, 0.5);
+  ASSERT_TRUE(fixed.lock_time_s && exact.lock_time_s);
+  EXPECT_NEAR(*fixed.lock_time_s, *exact.lock_time_s, 0.005);
+  EXPECT_NEAR(fixed.delta_theta_mean_deg, exact.delta_theta_mean_deg, 1);
+  EXPECT_NEAR(*fixed.load_dip_percent, *exact.load_dip_percent, 2);
+}
+
+TEST(SinusoidalEngines, TheFixedDriveReversesOnCommand) {
+  design::Settings s = drive("m2310p_sinusoidal");
+  s.scenario.load_step_s.reset(), s.scenario.load_off_s.reset(), s.scenario.stop_s.reset();
+  s.scenario.reverse_s = 0.5;
+  s.scenario.duration_s = 1.5;
+  const Record record = run(s, {.engine = EngineKind::kFixed});
+  EXPECT_NEAR(rpm(record.overview.back().plant.speed), -3000, 30);
+  EXPECT_TRUE(record.overview.back().watch.locked());
+}
+
+template <class Spoil>
+Reason spoiled(Spoil&& spoil) {
+  design::Settings s = drive("m2310p_sinusoidal");
+  s.sinusoidal_start.retries = 0;
+  s.scenario.load_step_s.reset(), s.scenario.load_off_s.reset(), s.scenario.stop_s.reset();
+  BenchOf<FixedEngine> bench(s, s, timeline(s), 0);
+  bench.run_until(0.4);
+  EXPECT_TRUE(bench.engine().watch().locked());
+  spoil(bench);
+  bench.run_until(0.9);
+  for (const StateChange& c : bench.take().changes) {
+    if (c.state == State::kFault) return c.reason;
+  }
+  return Reason::kNone;
+}
+
+TEST(SinusoidalEngines, FaultsOfTheFixedDriveHaveTheirReasons) {
+  using B = BenchOf<FixedEngine>;
+  EXPECT_EQ(spoiled([](B& b) { b.engine().lose_samples(true); }), Reason::kLostSample);
+  EXPECT_EQ(spoiled([](B& b) { b.plant().set_bus_voltage(8); }), Reason::kSaturated);
+  const HostCommand command{.run = true, .fault_pin = true};
+  EXPECT_EQ(spoiled([&](B& b) { b.engine().set_command(command); }), Reason::kFaultPin);
+  EXPECT_EQ(spoiled([](B&) {}), Reason::kNone);
+}
+
+// The RTL with its source beside it: the same inputs, and every output in every clock.
+class Lockstep {
+ public:
+  Lockstep(const design::Settings& s, const plant::AdcParameters& adc)
+      : rtl_(s, adc), cpp_(s, adc) {}
+
+  void set_pins(const plant::Pins&) {}
+  void set_command(const HostCommand& c) { rtl_.set_command(c), cpp_.set_command(c); }
+  void set_reading(const plant::State& s) { rtl_.set_reading(s), cpp_.set_reading(s); }
+  void tick() {
+    rtl_.tick();
+    cpp_.tick();
+    auto out = cpp_.output();
+    if (clocks == spoil) out.on_u = out.on_u ^ LegClocks(1);
+    if (const char* port = rtl_.differs(out); port != nullptr && first == nullptr) {
+      first = port;
+      at = clocks;
+    }
+    ++clocks;
+  }
+  std::uint64_t quiet() const { return 0; }
+  void skip(std::uint64_t) {}
+  Watch watch() const { return rtl_.watch(); }
+  View view() const { return rtl_.view(); }
+
+  const char* first = nullptr;  // the first port that differed
+  std::uint64_t clocks = 0, at = 0, spoil = ~std::uint64_t{0};
+
+ private:
+  RtlEngine rtl_;
+  FixedEngine cpp_;
+};
+
+// Offsets, both halves of the pattern, the closed loop to set speed: 4.8 million clocks.
+TEST(SinusoidalEngines, TheRtlIsItsSourceInEveryClockOfAStart) {
+  const design::Settings s = drive("m2310p_sinusoidal");
+  BenchOf<Lockstep> bench(s, s, timeline(s), 200);
+  bench.run_until(0.2);
+  EXPECT_EQ(bench.engine().first, nullptr)
+      << bench.engine().first << " in clock " << bench.engine().at;
+  EXPECT_EQ(bench.engine().watch().state(), State::kRun);
+  EXPECT_GT(rpm(bench.plant().state().speed), 1000);
+}
+
+TEST(SinusoidalEngines, OneWrongBitInOneClockIsNoticed) {
+  const design::Settings s = drive("m2310p_sinusoidal");
+  BenchOf<Lockstep> bench(s, s, timeline(s), 0);
+  bench.engine().spoil = 30'000;
+  bench.run_until(0.002);
+  ASSERT_NE(bench.engine().first, nullptr);
+  EXPECT_EQ(bench.engine().at, 30'000u);
+}
+
+TEST(SinusoidalEngines, WhatTheBlocksCannotDoIsRefusedWithOneLine) {
+  const auto refusal = [](auto&& change) -> std::string {
+    design::Settings s = drive("m2310p_sinusoidal");
+    change(s);
+    const auto q = design::sinusoidal::quantise(s);
+    return q.problems.empty() ? "accepted" : q.problems.front();
+  };
+  using D = design::Settings;
+  EXPECT_EQ(refusal([](D&) {}), "accepted");
+  EXPECT_EQ(refusal([](D& s) { s.sinusoidal_start.by = design::StartBy::kPilot; }),
+            "sinusoidal_start.by is \"pilot\"; must be \"pattern\" or \"arbitrary\" for this engine");
+  EXPECT_EQ(refusal([](D& s) { s.sinusoidal.estimator = design::Estimator::kVoltage; }),
+            "sinusoidal.estimator is \"voltage\"; must be \"current\" for this engine");
+  EXPECT_EQ(refusal([](D& s) { s.adc.bits = 14; }), "adc.bits is 14; must be 12 for this engine");
+  EXPECT_EQ(refusal([](D& s) { s.control.pwm_hz = 1e3; }),
+            "bridge.period needs the word 24000; at most 16383");
+}
+
+}  // namespace
+}  // namespace steplock::sinusoidal
