@@ -95,6 +95,8 @@ module drive_registers (
       {1'b0, {1'b0, (both_141 ? 2'd2 : 2'd0) | {1'b0, both_160}} | (both_153 ? 3'd4 : 3'd0)};
   wire [4:0] choice_168 = (both_153 && starting) ? 5'd16 : 5'd0;  // line 168
   wire [4:0] events = {1'b0, wide_157 | choice_154} | choice_168;  // line 158
+  wire [8:0] inverse_104 = ~either_76;  // line 104
+  wire [11:0] either_105 = ones | (period & {{3{inverse_104[8]}}, inverse_104});  // line 105
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -139,9 +141,7 @@ module drive_registers (
         end
         clear <= request_index_i == 10'd5 && ones[0];
         if (request_index_i == 10'd9) begin
-          logic [8:0] inverse_104;
-          inverse_104 = ~either_76;  // line 104
-          period <= ones | (period & {{3{inverse_104[8]}}, inverse_104});
+          period <= either_105;
         end
         if (request_index_i == 10'd11) begin
           shot_frequency <= drive_frequency_i;
@@ -171,7 +171,9 @@ module drive_registers (
       drive_fault <= drive_fault_next;
       watchdog_fault <= both_141 || choice_2;  // line 110
       interrupts <= (interrupts & kept) | events;  // line 92
-      if (both || !both_140) begin
+      if (both_75 && request_index_i == 10'd9) begin
+        left <= either_105;
+      end else if (both || !both_140) begin
         left <= period;
       end else if (tick_i && !(tick_i && left == 12'd0)) begin
         left <= left - 12'd1;

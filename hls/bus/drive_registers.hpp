@@ -102,7 +102,7 @@ class DriveRegisters {
     }
     if (writes && request.index == kWatchdog) {
       const UInt<32> old = UInt<32>(period_) & ~byte_mask(request.strobes);
-      period_ = wrap<WatchdogTicks>(ones | old);
+      left_ = period_ = wrap<WatchdogTicks>(ones | old);
     }
     if (writes && request.index == kSnapshot) {
       shot_ = {in.drive.frequency, in.drive.duty, in.drive.phase_error, in.drive.counts};

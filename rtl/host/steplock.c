@@ -57,8 +57,8 @@ static enum steplock_result write_words(const struct steplock_bus *bus,
   return STEPLOCK_OK;
 }
 
-enum steplock_result steplock_init(const struct steplock_bus *bus, const struct steplock_word *words,
-                                   size_t count) {
+enum steplock_result steplock_init(const struct steplock_bus *bus,
+                                   const struct steplock_word *words, size_t count) {
   uint32_t id, version;
   enum steplock_result result, closed;
   if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||

@@ -54,8 +54,8 @@ struct steplock_telemetry {
 struct steplock_bus steplock_memory_mapped(volatile uint32_t *base);
 
 /* Finds the drive, writes all words behind the lock, reads them back and enables the bridge. */
-enum steplock_result steplock_init(const struct steplock_bus *bus, const struct steplock_word *words,
-                                   size_t count);
+enum steplock_result steplock_init(const struct steplock_bus *bus,
+                                   const struct steplock_word *words, size_t count);
 
 enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse);
 enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake);

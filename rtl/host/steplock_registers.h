@@ -1,5 +1,5 @@
-/* The registers of the six-step drive: offsets in bytes, fields by their lowest bit and mask.
- * Printed by `steplock registers --c-header`; do not edit.  Described in docs/registers.md. */
+/* The registers of the six-step drive: offsets in bytes, fields by lowest bit and mask.
+ * Printed by `steplock registers --c-header`; do not edit.  See docs/registers.md. */
 #ifndef STEPLOCK_REGISTERS_H
 #define STEPLOCK_REGISTERS_H
 

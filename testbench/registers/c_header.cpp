@@ -19,8 +19,8 @@ std::string upper(std::string text) {
 
 std::string c_header() {
   std::string text =
-      "/* The registers of the six-step drive: offsets in bytes, fields by their lowest bit and mask.\n"
-      " * Printed by `steplock registers --c-header`; do not edit.  Described in docs/registers.md. */\n"
+      "/* The registers of the six-step drive: offsets in bytes, fields by lowest bit and mask.\n"
+      " * Printed by `steplock registers --c-header`; do not edit.  See docs/registers.md. */\n"
       "#ifndef STEPLOCK_REGISTERS_H\n#define STEPLOCK_REGISTERS_H\n\n";
   text += fmt::format("#define STEPLOCK_LOCK_KEY 0x{:x}u\n#define STEPLOCK_MAP_BYTES {}u\n",
                       kLockKey, kMapBytes);

@@ -6,10 +6,11 @@ namespace steplock::registers {
 namespace {
 
 std::string bits(const Field& f) {
-  return f.width == 1 ? fmt::format("{}", f.lsb) : fmt::format("{}:{}", f.lsb + f.width - 1, f.lsb);
+  const int top = f.lsb + f.width - 1;
+  return f.width == 1 ? fmt::format("{}", f.lsb) : fmt::format("{}:{}", top, f.lsb);
 }
 
-// The register as a strip of boxes, the highest bit left; one character for a bit of a field's part.
+// The register as a strip of boxes, the highest bit left; a long name is cut to its box.
 std::string drawing(const Register& r) {
   std::string top, middle;
   int bit = 32;

@@ -1,7 +1,7 @@
 // The register map (hls/bus/six_step_registers.hpp) as text, for those who cannot read C++.
 //
-//     markdown    docs/registers.md                 c_header   rtl/host/steplock_registers.h
-//     systemrdl   rtl/host/steplock.rdl             ip_xact    rtl/host/steplock.xml (IEEE 1685-2014)
+//     markdown    docs/registers.md         c_header   rtl/host/steplock_registers.h
+//     systemrdl   rtl/host/steplock.rdl     ip_xact    rtl/host/steplock.xml (IEEE 1685-2014)
 //
 // Doc: docs/registers.md   Test: tests/testbench/registers_test.cpp
 #pragma once

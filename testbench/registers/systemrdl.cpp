@@ -38,9 +38,9 @@ std::string systemrdl() {
   for (const Register& r : registers()) {
     text += "\n  reg {\n";
     for (const Field& f : r.fields) {
-      text += fmt::format("    field {{\n      desc = \"{}\";\n      {}\n    }} {}_f[{}:{}] = {:#x};\n",
-                          described(f), properties(f.access), f.name, f.lsb + f.width - 1, f.lsb,
-                          f.reset);
+      text += fmt::format(
+          "    field {{\n      desc = \"{}\";\n      {}\n    }} {}_f[{}:{}] = {:#x};\n",
+          described(f), properties(f.access), f.name, f.lsb + f.width - 1, f.lsb, f.reset);
     }
     text += fmt::format("  }} {} @ 0x{:02x};\n", r.name, r.address);
   }

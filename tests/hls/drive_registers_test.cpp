@@ -161,6 +161,16 @@ TEST(DriveRegisters, WithoutAHeartbeatTheBridgeGoesOffAndStaysOff) {
   EXPECT_FALSE(again.run) << "nothing starts by itself";
 }
 
+TEST(DriveRegisters, AWatchdogSetWhileConfiguredWaitsItsWholeTime) {
+  Bench bench;
+  bench.write(kControl, kConfigured);
+  bench.in.tick = true;
+  bench.write(index_of("WATCHDOG"), 5);
+  for (int tick = 0; tick < 4; ++tick) EXPECT_TRUE(bench.tick().command.configured) << tick;
+  for (int tick = 0; tick < 4; ++tick) bench.tick();
+  EXPECT_FALSE(bench.tick().command.configured);
+}
+
 TEST(DriveRegisters, ASnapshotIsOfOneInstant) {
   Bench bench;
   bench.in.drive.frequency = 1000;

@@ -1,7 +1,7 @@
 // The AXI4-Lite slave, rtl/axi_lite.sv, for every host that keeps valid until ready: no answer is
-// dropped or invented, reads and writes never meet, and while an answer waits no request is made that
-// could change its payload (the registers change it at a request alone: hls/bus/bus.hpp).  That
-// awready is wready, Yosys sees itself.
+// dropped or invented, reads and writes never meet, and while an answer waits no request is made
+// that could change its payload (the registers change it at a request alone: hls/bus/bus.hpp).
+// That awready is wready, Yosys sees itself.
 
 module axi_lite_proof (
     input logic        clk,

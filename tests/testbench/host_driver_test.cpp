@@ -1,0 +1,219 @@
+// The C driver of rtl/host turns a motor: every access goes through AXI4-Lite into the RTL of
+// six_step_axi, whose pins are the plant's; the bus and the motor share every clock.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "Vsix_step_axi.h"
+#include "hls/bus/six_step_axi.hpp"
+#include "model/design/design.hpp"
+#include "model/design/words.hpp"
+#include "ports/six_step_axi_ports.hpp"
+#include "rtl/host/steplock.h"
+#include "testbench/bus/axi_master.hpp"
+#include "testbench/engine/fixed.hpp"
+#include "testbench/engine/words.hpp"
+#include "testbench/run/check.hpp"
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock {
+namespace {
+
+// The words as `steplock design --c-header` prints them, here straight from the table.
+std::vector<steplock_word> words_of(const Words& words) {
+  std::map<int, std::uint32_t> values;
+  const auto place = [&](const auto& row) {
+    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
+    values[row.address] |= static_cast<std::uint32_t>(bits_of(Word::of(words)).raw()) << row.lsb;
+  };
+  std::apply([&](const auto&... row) { (place(row), ...); }, kWordRows);
+  std::vector<steplock_word> list;
+  for (const auto& [address, value] : values) list.push_back({std::uint32_t(address), value});
+  return list;
+}
+
+// Motor, inverter, drive and bus, clock by clock.
+class Bench {
+ public:
+  Bench()
+      : settings_(short_drive()),
+        clock_hz_(settings_.control.clock_hz),
+        words_(hls_words(
+            design::quantise(design::design_drive(settings_).parameters, clock_hz_).words)),
+        plant_(plant_parameters(settings_), initial_state(settings_, 70)) {
+    rtl_.rst = 1;
+    rtl_.eval();
+    rtl_.clk = 1;
+    rtl_.eval();
+    rtl_.rst = 0;
+  }
+  ~Bench() { rtl_.final(); }
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
+
+  steplock_bus bus() {
+    return {.write = [](void* self, std::uint32_t offset, std::uint32_t value) {
+              return static_cast<Bench*>(self)->master_.write(offset, value).okay ? 0 : 1;
+            },
+            .read = [](void* self, std::uint32_t offset, std::uint32_t* value) {
+              const auto answer = static_cast<Bench*>(self)->master_.read(offset);
+              *value = answer.data;
+              return answer.okay ? 0 : 1;
+            },
+            .context = this};
+  }
+  std::vector<steplock_word> words() const { return words_of(words_); }
+  std::uint32_t speed(std::uint32_t erpm) const {
+    return steplock_speed(erpm, std::uint32_t(clock_hz_), unsigned(words_.loop.divide.raw()));
+  }
+  void wait(double seconds) {
+    const auto end = clock_ + std::uint64_t(seconds * clock_hz_);
+    while (clock_ < end) tick({});
+  }
+  double rpm() {
+    plant_.advance_to(double(clock_) / clock_hz_);
+    return plant_.state().speed * 60 / (2 * 3.14159265358979);
+  }
+  int pole_pairs() const { return settings_.motor.pole_pairs; }
+  bool gates_off() const { return gates_ == plant::Gates{}; }
+  bool interrupt() { return rtl_.interrupt_o != 0; }
+  std::uint64_t shoot_throughs() const { return plant_.shoot_throughs(); }
+  bool fault_pin = false;
+
+ private:
+  SixStepAxi::Axi tick(const AxiLite::In& axi) {
+    Vsix_step_axi& rtl = rtl_;
+    const double now = double(clock_) / clock_hz_;
+    if (now >= plant_.next_event()) plant_.advance_to(now);
+    SixStepAxi::In in{.pins = {}, .axi = axi};
+    put_pins(in.pins, plant_.pins());
+    in.pins.fault = fault_pin;
+    ports::six_step_axi::drive_ports(rtl, in);
+    rtl.clk = 0;
+    rtl.eval();
+    const plant::Gates gates{.uh = rtl.gates_uh_o != 0, .ul = rtl.gates_ul_o != 0,
+                             .vh = rtl.gates_vh_o != 0, .vl = rtl.gates_vl_o != 0,
+                             .wh = rtl.gates_wh_o != 0, .wl = rtl.gates_wl_o != 0};
+    if (!(gates == gates_)) {
+      plant_.advance_to(now);
+      plant_.set_gates(gates_ = gates);
+    }
+    const SixStepAxi::Axi out{.awready = rtl.axi_awready_o != 0,
+                              .wready = rtl.axi_wready_o != 0,
+                              .bvalid = rtl.axi_bvalid_o != 0,
+                              .bresp = rtl.axi_bresp_o,
+                              .arready = rtl.axi_arready_o != 0,
+                              .rvalid = rtl.axi_rvalid_o != 0,
+                              .rdata = rtl.axi_rdata_o,
+                              .rresp = rtl.axi_rresp_o};
+    rtl.clk = 1;
+    rtl.eval();
+    ++clock_;
+    return out;
+  }
+
+  design::Settings settings_;
+  double clock_hz_;
+  Words words_;
+  plant::Plant plant_;
+  plant::Gates gates_;
+  Vsix_step_axi rtl_;
+  std::uint64_t clock_ = 0;
+  std::function<SixStepAxi::Axi(const AxiLite::In&)> step_ = [this](const AxiLite::In& axi) {
+    return tick(axi);
+  };
+  AxiMaster<decltype(step_)> master_{step_};
+};
+
+TEST(HostDriver, StartsReversesFaultsClearsAndStopsAMotorThroughTheRtl) {
+  Bench bench;
+  const steplock_bus bus = bench.bus();
+  const auto words = bench.words();
+  const auto erpm = std::uint32_t(3000 * bench.pole_pairs());
+  steplock_status status;
+  steplock_telemetry telemetry;
+  std::uint32_t bits = 0;
+
+  ASSERT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_OK);
+  ASSERT_EQ(steplock_set_watchdog(&bus, 200), STEPLOCK_OK);
+  const std::uint32_t events = STEPLOCK_INTERRUPT_STARTED_MASK | STEPLOCK_INTERRUPT_FAULT_MASK;
+  ASSERT_EQ(steplock_enable_interrupts(&bus, events), STEPLOCK_OK);
+  ASSERT_EQ(steplock_set_speed(&bus, bench.speed(erpm)), STEPLOCK_OK);
+  ASSERT_EQ(steplock_start(&bus, 0), STEPLOCK_OK);
+  EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NOT_STOPPED);
+
+  // As a main loop would: a heartbeat every 20 ms until `done` or 0.5 s.
+  const auto beat_until = [&](auto done) {
+    for (int i = 0; i < 25 && !done(); ++i) {
+      bench.wait(0.02);
+      ASSERT_EQ(steplock_heartbeat(&bus), STEPLOCK_OK);
+      ASSERT_EQ(steplock_get_status(&bus, &status), STEPLOCK_OK);
+    }
+  };
+  beat_until([&] { return bench.interrupt(); });
+  ASSERT_EQ(steplock_take_interrupts(&bus, &bits), STEPLOCK_OK);
+  EXPECT_EQ(bits, STEPLOCK_INTERRUPT_STARTED_MASK | STEPLOCK_INTERRUPT_LOCK_MASK);
+  EXPECT_FALSE(bench.interrupt());
+  beat_until([&] { return bench.rpm() > 2970; });
+  for (int i = 0; i < 3; ++i) beat_until([i, n = 0]() mutable { return n++ == 1; });
+  EXPECT_NEAR(bench.rpm(), 3000, 60);  // 2 %: the speed just arrived
+  ASSERT_EQ(steplock_get_telemetry(&bus, &telemetry), STEPLOCK_OK);
+  EXPECT_NEAR(telemetry.frequency, bench.speed(erpm), 0.02 * bench.speed(erpm));
+  EXPECT_GT(telemetry.crossings, 100);
+  EXPECT_GT(telemetry.duty, 0);
+
+  ASSERT_EQ(steplock_reverse(&bus, 1), STEPLOCK_OK);
+  beat_until([&] { return bench.rpm() < -2900; });
+  EXPECT_NEAR(bench.rpm(), -3000, 120);
+  EXPECT_TRUE(status.locked && status.reverse);
+
+  bench.fault_pin = true;
+  bench.wait(10e-6);
+  EXPECT_TRUE(bench.gates_off() && bench.interrupt());
+  EXPECT_EQ(steplock_clear_fault(&bus), STEPLOCK_FAULT_LATCHED) << "the pin is still up";
+  EXPECT_EQ(steplock_start(&bus, 0), STEPLOCK_FAULT_LATCHED);
+  ASSERT_EQ(steplock_get_status(&bus, &status), STEPLOCK_OK);
+  EXPECT_EQ(status.reason, 1u) << "fault pin";
+  bench.fault_pin = false;
+  bench.wait(10e-6);
+  EXPECT_EQ(steplock_clear_fault(&bus), STEPLOCK_OK);
+  ASSERT_EQ(steplock_get_status(&bus, &status), STEPLOCK_OK);
+  EXPECT_TRUE(status.stopped && !status.fault);
+  EXPECT_EQ(bench.shoot_throughs(), 0u);
+}
+
+TEST(HostDriver, AHostThatStopsBeatingLosesTheBridge) {
+  Bench bench;
+  const steplock_bus bus = bench.bus();
+  const auto words = bench.words();
+  ASSERT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_OK);
+  ASSERT_EQ(steplock_set_watchdog(&bus, 10), STEPLOCK_OK);
+  ASSERT_EQ(steplock_start(&bus, 0), STEPLOCK_OK);
+  bench.wait(0.03);  // ticks are about a millisecond
+  EXPECT_TRUE(bench.gates_off());
+  steplock_status status;
+  ASSERT_EQ(steplock_get_status(&bus, &status), STEPLOCK_OK);
+  EXPECT_TRUE(status.watchdog && status.stopped);
+  EXPECT_EQ(steplock_start(&bus, 0), STEPLOCK_FAULT_LATCHED);
+  EXPECT_EQ(steplock_clear_fault(&bus), STEPLOCK_OK);
+}
+
+TEST(HostDriver, FindsNoDriveWhereNoneIs) {
+  const steplock_bus nothing = {
+      .write = [](void*, std::uint32_t, std::uint32_t) { return 0; },
+      .read = [](void*, std::uint32_t, std::uint32_t* value) { return *value = 0, 0; },
+      .context = nullptr};
+  EXPECT_EQ(steplock_init(&nothing, nullptr, 0), STEPLOCK_NO_DRIVE);
+}
+
+// A word of 2^-32 turns per clock; truncated.
+TEST(HostDriver, ASpeedIsTheWordOfItsFrequency) {
+  EXPECT_EQ(steplock_speed(12000, 12'000'000, 0), 429496u);  // 1200 steps/s: 1e-4 turns per clock
+  EXPECT_EQ(steplock_speed(12000, 12'000'000, 2), 4 * 429496u);
+  EXPECT_EQ(steplock_speed(0xffffffff, 1'000'000, 0), 0x3ffffffu) << "stops at the largest";
+}
+
+}  // namespace
+}  // namespace steplock
