@@ -169,6 +169,14 @@ TEST(HostDriver, StartsReversesFaultsClearsAndStopsAMotorThroughTheRtl) {
   EXPECT_NEAR(bench.rpm(), -3000, 120);
   EXPECT_TRUE(status.locked && status.reverse);
 
+  ASSERT_EQ(steplock_stop(&bus, 1), STEPLOCK_OK);
+  beat_until([&] { return status.stopped != 0; });
+  EXPECT_NEAR(bench.rpm(), 0, 300) << "braked, not coasting";
+  ASSERT_EQ(steplock_start(&bus, 1), STEPLOCK_OK);
+  bench.wait(0.1);  // long enough to look, and to begin
+  ASSERT_EQ(steplock_get_status(&bus, &status), STEPLOCK_OK);
+  EXPECT_FALSE(status.stopped);
+
   bench.fault_pin = true;
   bench.wait(10e-6);
   EXPECT_TRUE(bench.gates_off() && bench.interrupt());
