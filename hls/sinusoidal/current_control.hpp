@@ -4,8 +4,8 @@
 //     Park        i_gamma =  i_alpha cos + i_beta sin,   i_delta = -i_alpha sin + i_beta cos
 //     PI          x += k_i e,  u = x + k_p e,  e = set - i                   (one for each axis)
 //     decoupling  u_gamma -= w L i_delta,  u_delta += w L i_gamma + w K_E   Matsui 1996, (5)
-//     limit       |u_gamma| <= U/2,  |u_delta| <= U - 7/16 |u_gamma|: an octagon in the circle U,
-//                 which is a part of the dc voltage
+//     limit       |u_gamma| <= U/2,  |u_delta| <= U - 9/64 |u_gamma|, 17/16 U - 13/32 |u_gamma|:
+//                 within the circle U, a part of the dc voltage, by 2 % of it at most
 //     back        v_alpha = u_gamma cos' - u_delta sin',  v_beta = u_gamma sin' + u_delta cos'
 //
 // The voltage acts one to two samples later: it goes back at the angle `ahead`, where the frame
@@ -18,7 +18,7 @@
 //     x                      s0.27, so that small gains still integrate
 //     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u3.12
 //     latency                one sample; as CurrentLoop the clocks of its budget
-//     multipliers            24 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers            29 products of 16 x 16 bits: one multiplier, in turn
 //
 // Doc: docs/blocks/current_control.md   Test: tests/hls/current_control_test.cpp
 
@@ -70,8 +70,12 @@ class CurrentControl {
     const auto gamma = control(integral_gamma_, in, saturate<Int<16>>(in.set_gamma - i_gamma),
                                -rounded(coupling * i_delta), UInt<15>(limit >> 1));
     const auto length = gamma.voltage.negative() ? -gamma.voltage : Int<17>(gamma.voltage);
-    const auto seven = (Int<20>(length) << 3) - length;
-    const auto left = limit - (seven >> 4);
+    const Int<22> one = length;
+    const auto eight = one << 3, nine = wrap<Int<22>>(eight + one);
+    const auto thirteen = wrap<Int<22>>(nine + (one << 2));
+    const auto near = wrap<Int<22>>(limit - (nine >> 6));
+    const auto far = wrap<Int<22>>(limit + (limit >> 4) - (thirteen >> 5));
+    const auto left = near < far ? near : far;
     const auto delta = control(integral_delta_, in, saturate<Int<16>>(in.set_delta - i_delta),
                                rounded(coupling * i_gamma) + emf, saturate<UInt<15>>(left));
 
@@ -123,6 +127,6 @@ class CurrentControl {
 // One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
 using CurrentLoop = Scheduled<
     CurrentControl,
-    Budget{.multipliers = 1, .clocks = 28, .levels = 10, .inputs = Inputs::kHeld}>;
+    Budget{.multipliers = 1, .clocks = 32, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock
