@@ -1,7 +1,8 @@
 // The generated SystemVerilog, compiled by Verilator, behind the engines' interface.
 //
 // What the module shows between two edges is the output of that clock.  tick() gives the edge that
-// ends the last clock, with the pins of that clock, and then puts the new ones there.  Words and command
+// ends the last clock, with the pins of that clock, and then puts the new ones there; run() goes on with
+// these.  Words and command
 // pass the wrapper's registers (bench_wrapper.cmake), which take them at that same edge.
 //
 // Test: tests/testbench/engine_test.cpp
@@ -40,11 +41,15 @@ class RtlEngine {
     shown_ = loaded_ = false;
   }
 
-  void tick() {
+  void tick() { run(1); }
+  // Clocks up to the first that changes watch(), at most `most`; returns how many.
+  std::uint64_t run(std::uint64_t most) {
     if (!loaded_) show_command();
     top_.toggle ^= 1;
+    top_.clocks = shown_ ? static_cast<std::uint16_t>(std::min(most, kMost)) : 1;
     top_.eval();
     if (!shown_) show_pins();
+    return top_.clocks - top_.left;
   }
   std::uint64_t quiet() const { return 0; }
   void skip(std::uint64_t) {}
@@ -75,6 +80,8 @@ class RtlEngine {
   }
 
  private:
+  static constexpr std::uint64_t kMost = 0xffff;  // clocks of one eval(): the port's width
+
   // Words and command are taken at the coming edge; the pins of the last clock stay until then.
   void show_command() {
     SixStepTop::In in = in_;

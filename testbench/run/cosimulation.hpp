@@ -11,6 +11,7 @@
 //     void tick();                        Watch watch() const;     DriveView view() const;
 //     uint64_t quiet() const;             clocks for which tick() would do nothing under these pins
 //     void skip(uint64_t clocks);         at most that many
+//     uint64_t run(uint64_t most);        instead of the three: ticks up to the first that changes watch()
 //     void set_reading(const plant::State&);    with converters only: at the clock of a sample strobe
 //
 // What it is watched by is its own (engine/watch.hpp, sinusoidal/watch.hpp).
@@ -52,13 +53,7 @@ class Cosimulation {
       if (clock_ >= visit_) visit();
       std::uint64_t stop = std::min(end, visit_);
       while (clock_ < stop) {
-        if (const std::uint64_t quiet = engine_.quiet(); quiet > 0) {
-          const std::uint64_t skipped = std::min(quiet, stop - clock_);
-          engine_.skip(skipped);
-          clock_ += skipped;
-          continue;
-        }
-        engine_.tick();
+        clock_ += advance(stop - clock_) - 1;
         if (const Watch now = engine_.watch(); now != watch_) {
           changed(now);
           stop = std::min(end, visit_);
@@ -69,6 +64,18 @@ class Cosimulation {
   }
 
  private:
+  // Clocks of the engine, up to the first whose watch() differs; from 1 to `most` of them.
+  std::uint64_t advance(std::uint64_t most) {
+    if constexpr (requires { engine_.run(most); }) {
+      return engine_.run(most);
+    } else if (const std::uint64_t quiet = engine_.quiet(); quiet > 0) {
+      const std::uint64_t skipped = std::min(quiet, most);
+      engine_.skip(skipped);
+      return skipped;
+    }
+    engine_.tick();
+    return 1;
+  }
   double time() const { return static_cast<double>(clock_) / clock_hz_; }
   std::uint64_t clock_at(double t) const {
     return t < kFar ? static_cast<std::uint64_t>(std::ceil(t * clock_hz_)) : kNever;
