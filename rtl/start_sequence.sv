@@ -1,4 +1,4 @@
-// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:36.
+// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:37.
 // Do not edit: change the C++ and print again.
 
 module start_sequence (
@@ -127,7 +127,7 @@ module start_sequence (
     endcase
   end
 
-  logic [15:0] out_duty;  // line 76
+  logic [15:0] out_duty;  // line 77
   always_comb begin
     case (state)
       State_kBrake: out_duty = words_brake_duty_i;
@@ -164,73 +164,74 @@ module start_sequence (
     endcase
   end
 
-  wire inverse_269 = !reverse;  // line 269
-  wire both_77 = tick_i && ticks == 12'd0;  // line 77
-  wire both_123 = fresh && words_good_crossings_i <= good;  // line 123
-  wire either_124 = !command_run_i || (command_reverse_i ^ reverse);  // line 124
-  wire [3:0] choice_78 =  // line 78
+  wire inverse_277 = !reverse;  // line 277
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 234
+  wire both_78 = tick_i && ticks == 12'd0;  // line 78
+  wire both_124 = fresh && words_good_crossings_i <= good;  // line 124
+  wire either_125 = !command_run_i || (command_reverse_i ^ reverse);  // line 125
+  wire [3:0] choice_79 =  // line 79
       (command_run_i || (!source_i && words_observe_i != 12'd0)) ? State_kObserve : State_kIdle;
-  wire [3:0] choice_78_2 =  // line 78
-      both_123 ? ((!command_run_i || (turns_reverse ^ reverse)) ? State_kBrake : State_kRun) :
-      both_77 ? {2'd0, {2{command_run_i}}} :
+  wire [3:0] choice_79_2 =  // line 79
+      both_124 ? ((!command_run_i || (turns_reverse ^ reverse)) ? State_kBrake : State_kRun) :
+      both_78 ? {2'd0, {2{command_run_i}}} :
       State_kObserve;
 
-  logic [3:0] choice_78_3;  // line 78
+  logic [3:0] choice_79_3;  // line 79
   always_comb begin
     case (state)
-      State_kIdle: choice_78_3 = State_kObserve;
-      State_kObserve: choice_78_3 = choice_78_2;
-      State_kBrake: choice_78_3 = both_77 ? choice_78 : State_kBrake;
-      State_kSettle: choice_78_3 = both_77 ? State_kReset : State_kSettle;
-      State_kReset: choice_78_3 = both_77 ? State_kAccelerate : State_kReset;
-      State_kAccelerate: choice_78_3 =
+      State_kIdle: choice_79_3 = State_kObserve;
+      State_kObserve: choice_79_3 = choice_79_2;
+      State_kBrake: choice_79_3 = both_78 ? choice_79 : State_kBrake;
+      State_kSettle: choice_79_3 = both_78 ? State_kReset : State_kSettle;
+      State_kReset: choice_79_3 = both_78 ? State_kAccelerate : State_kReset;
+      State_kAccelerate: choice_79_3 =
           fast_i ? State_kPullIn :
-          both_77 ? State_kRest :
+          both_78 ? State_kRest :
           State_kAccelerate;
-      State_kPullIn: choice_78_3 =
-          both_123 ? State_kRun :
-          both_77 ? State_kRest :
+      State_kPullIn: choice_79_3 =
+          both_124 ? State_kRun :
+          both_78 ? State_kRest :
           State_kPullIn;
-      State_kRun: choice_78_3 =
+      State_kRun: choice_79_3 =
           lost_i ? State_kRest :
-          either_124 ? State_kSlowDown :
+          either_125 ? State_kSlowDown :
           State_kRun;
-      State_kSlowDown: choice_78_3 =
+      State_kSlowDown: choice_79_3 =
           lost_i ? State_kRest :
-          either_124 ? ((both_77 || !fast_i) ? State_kBrake : State_kSlowDown) :
+          either_125 ? ((both_78 || !fast_i) ? State_kBrake : State_kSlowDown) :
           State_kRun;
-      default: choice_78_3 = both_77 ? State_kObserve : state;
+      default: choice_79_3 = both_78 ? State_kObserve : state;
     endcase
   end
 
-  wire either_121 =  // line 121
+  wire either_122 =  // line 122
       command_run_i ||
       (command_brake_to_stop_i && (running || state == State_kBrake || state == State_kObserve));
-  wire [3:0] wanted =  // line 78
+  wire [3:0] wanted =  // line 79
       (state == State_kFault) ?
       ((command_clear_fault_i && !clear_was && !(command_run_i || fatal_i)) ? State_kIdle :
       State_kFault) :
       (!command_configured_i || fatal_i) ? (command_configured_i ? State_kFault : State_kIdle) :
-      either_121 ? choice_78_3 :
+      either_122 ? choice_79_3 :
       State_kIdle;
 
-  logic [3:0] choice_80;  // line 80
+  logic [3:0] choice_81;  // line 81
   always_comb begin
     case (wanted)
-      State_kObserve: choice_80 =
+      State_kObserve: choice_81 =
           source_i ? State_kRun :
           (words_observe_i == 12'd0) ? State_kSettle :
           State_kObserve;
-      State_kBrake: choice_80 = (brakes == 8'd255) ? State_kFault : State_kBrake;
-      State_kRest: choice_80 = (retries < words_retries_i) ? State_kRest : State_kFault;
-      default: choice_80 = wanted;
+      State_kBrake: choice_81 = (brakes == 8'd255) ? State_kFault : State_kBrake;
+      State_kRest: choice_81 = (retries < words_retries_i) ? State_kRest : State_kFault;
+      default: choice_81 = wanted;
     endcase
   end
 
-  wire unequal_79 = wanted != state;  // line 79
-  wire equal_80 = wanted == state;  // line 80
-  wire [3:0] state_next = equal_80 ? state : choice_80;  // line 80
-  wire both_82 = unequal_79 && state == State_kIdle;  // line 82
+  wire unequal_80 = wanted != state;  // line 80
+  wire equal_81 = wanted == state;  // line 81
+  wire [3:0] state_next = equal_81 ? state : choice_81;  // line 81
+  wire both_83 = unequal_80 && state == State_kIdle;  // line 83
 
   always_ff @(posedge clk) begin
     if (rst) begin
@@ -249,10 +250,10 @@ module start_sequence (
       turns_reverse <= 1'b0;
       clear_was <= 1'b0;
     end else begin
-      state <= state_next;  // line 80
-      if (both_82 && wanted == State_kObserve) begin
+      state <= state_next;  // line 81
+      if (both_83 && wanted == State_kObserve) begin
         reason <= Reason_kNone;
-      end else if (!equal_80 && (state_next == State_kRest || state_next == State_kFault)) begin
+      end else if (!equal_81 && (state_next == State_kRest || state_next == State_kFault)) begin
         if (wanted == State_kBrake) begin
           reason <= Reason_kCannotStop;
         end else if (fatal_i || lost_i) begin
@@ -261,7 +262,7 @@ module start_sequence (
           reason <= Reason_kNoLock;
         end
       end
-      if (equal_80) begin
+      if (equal_81) begin
         if (tick_i && ticks != 12'd0) begin
           ticks <= ticks - 12'd1;
         end
@@ -269,8 +270,19 @@ module start_sequence (
         case (state_next)
           State_kObserve: ticks <= words_observe_i;
           State_kBrake: ticks <= words_brake_i;
-          State_kSettle: ticks <= words_settle_i;
-          State_kReset: ticks <= words_reset_i;
+          State_kSettle, State_kReset: begin
+            logic [11:0] ticks_2;
+            logic [14:0] once;
+            logic [14:0] choice_170;
+            ticks_2 = (state_next == State_kSettle) ? words_settle_i : words_reset_i;  // line 179
+            once = {3'd0, ticks_2} << gentle[0];  // line 169
+            choice_170 = gentle[1] ? {once[12:0], 2'd0} : once;  // line 170
+            if (choice_170[14:12] == 3'd0) begin
+              ticks <= choice_170[11:0];
+            end else begin
+              ticks <= 12'd4095;
+            end
+          end
           State_kPullIn: ticks <= words_pull_in_i;
           State_kRun: ticks <= 12'd1024;
           State_kSlowDown: ticks <= words_slow_down_i;
@@ -278,11 +290,11 @@ module start_sequence (
           default: ticks <= 12'd4095;
         endcase
       end
-      if (unequal_79 || !update_i) begin
-        if (!equal_80) begin
+      if (unequal_80 || !update_i) begin
+        if (!equal_81) begin
           good <= 6'd0;
         end
-        if (unequal_79) begin
+        if (unequal_80) begin
           load_step <=
               state_next == State_kAccelerate ||
               (state == State_kObserve && state_next == State_kRun);
@@ -302,18 +314,18 @@ module start_sequence (
         turns_reverse <= turns_reverse_i;
       end
       fresh <= update_i;
-      if (both_77 && state == State_kRun) begin
+      if (both_78 && state == State_kRun) begin
         retries <= 4'd0;
         brakes <= 8'd0;
       end else begin
         case (wanted)
           State_kObserve: begin
-            if (both_82) begin
+            if (both_83) begin
               retries <= 4'd0;
             end
           end
           State_kRest: begin
-            if (unequal_79) begin
+            if (unequal_80) begin
               retries <= retries + 4'd1;
             end
           end
@@ -323,12 +335,12 @@ module start_sequence (
           State_kIdle: begin
             case (wanted)
               State_kObserve: begin
-                if (unequal_79) begin
+                if (unequal_80) begin
                   brakes <= 8'd0;
                 end
               end
               State_kBrake: begin
-                if (unequal_79) begin
+                if (unequal_80) begin
                   brakes <= brakes + 8'd1;
                 end
               end
@@ -337,7 +349,7 @@ module start_sequence (
           end
           State_kRun: brakes <= 8'd0;
           default: begin
-            if (unequal_79 && wanted == State_kBrake) begin
+            if (unequal_80 && wanted == State_kBrake) begin
               brakes <= brakes + 8'd1;
             end
           end
@@ -346,7 +358,7 @@ module start_sequence (
       case (state)
         State_kIdle: begin
           boost <= words_start_duty_i;
-          began <= unequal_79 && wanted == State_kObserve;
+          began <= unequal_80 && wanted == State_kObserve;
         end
         State_kPullIn: begin
           if (commutate_i) begin
@@ -365,8 +377,8 @@ module start_sequence (
           began <= 1'b0;
         end
       endcase
-      failed <= unequal_79 && wanted == State_kRest;  // line 83
-      clear_was <= command_clear_fault_i;  // line 78
+      failed <= unequal_80 && wanted == State_kRest;  // line 84
+      clear_was <= command_clear_fault_i;  // line 79
     end
   end
 
@@ -383,12 +395,12 @@ module start_sequence (
   assign loop_o = loop;
   assign load_step_o = load_step;
   assign step_o =
-      (state == State_kAccelerate) ? {1'b0, {2{inverse_269}}} :
+      (state == State_kAccelerate) ? {1'b0, {2{inverse_277}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;
   assign turn_vco_o = either_3 || state == State_kRun || state == State_kSlowDown;
-  assign gentle_o = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;
+  assign gentle_o = gentle;
   assign began_o = began;
   assign failed_o = failed;
 

@@ -4,7 +4,8 @@
 //     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
 //                  at the speed and angle found.  The other way: kBrake.  Not in time: kSettle
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
-//     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22)
+//     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22).
+//                  Both last twice as long after each failed try, three times: a heavy rotor swings
 //     kAccelerate  forced steps, frequency from 0 to hand_over by `ramp` per tick   (t_a, Eq. 23),
 //                  a quarter as fast after each failed try, three times
 //     kPullIn      the PLL closes; `good_crossings` in a row are a lock
@@ -94,7 +95,7 @@ class StartSequence {
     count(in, over, leaves, wanted);
     fade(in);
     if (leaves) {
-      ticks_ = length(in, next);
+      ticks_ = length(in, next, present.gentle);
     } else if (in.tick && !over) {
       ticks_ = wrap<Ticks>(ticks_ - 1);
     }
@@ -163,12 +164,19 @@ class StartSequence {
     }
   }
 
-  static Ticks length(const In& in, State state) {
+  static Ticks doubled(Ticks ticks, UInt<2> times) {
+    const UInt<15> wide = ticks;
+    const UInt<15> once = times.bit(0) ? wide << 1 : wide;
+    return saturate<Ticks>(times.bit(1) ? once << 2 : once);
+  }
+
+  static Ticks length(const In& in, State state, UInt<2> failed) {
     switch (state) {
       case State::kObserve: return in.words.observe;
       case State::kBrake: return in.words.brake;
-      case State::kSettle: return in.words.settle;
-      case State::kReset: return in.words.reset;
+      case State::kSettle:
+      case State::kReset:
+        return doubled(state == State::kSettle ? in.words.settle : in.words.reset, failed);
       case State::kPullIn: return in.words.pull_in;
       case State::kSlowDown: return in.words.slow_down;
       case State::kRest: return in.words.rest;

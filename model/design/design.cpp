@@ -47,11 +47,11 @@ double mean_line_shape(const MotorSection& m) {
 
 double duty_for(const Settings& s, double current, double resistance) {
   const auto& i = s.inverter;
-  const double dead = i.dead_time_s * s.control.pwm_hz;
+  const double dead = i.dead_time_s * s.control.pwm_hz;  // each pulse begins that much later
   const double duty = s.control.chopping == Chopping::kComplementary
-                          ? current * resistance / i.bus_v + dead
+                          ? current * resistance / i.bus_v
                           : (current * resistance + i.diode_drop_v) / (i.bus_v + i.diode_drop_v);
-  return std::clamp(duty, 0.0, s.speed.maximum_duty);
+  return std::clamp(duty + dead, 0.0, s.speed.maximum_duty);
 }
 
 void set_bridge(const Settings& s, Parameters& p) {
@@ -122,7 +122,8 @@ double frequency_to_follow(const LoopParameters& l, double acceleration) {
 // What a start must overcome in the worst corner of the envelope.
 struct Heaviest {
   double torque = 0;   // N m, dry: friction and load
-  double share = 1;    // of the nominal torque that the start's duty then gives
+  double share = 1;    // of the nominal torque that the start's duty then gives, beside `lost`
+  double lost = 0;     // A, that diodes take there of the current in mean
   double inertia = 1;  // factor
 };
 
@@ -130,9 +131,13 @@ Heaviest heaviest(const Settings& s, const MotorConstants& m) {
   const auto& v = s.envelope;
   double load = 0;
   for (const double l : v.load) load = std::max(load, l);
+  // Chopped on one side, the other part of the period puts two conducting diodes' drop on the phases;
+  // with a bus that gives less, that does not become less.
+  const double drop = s.control.chopping == Chopping::kComplementary ? 0 : s.inverter.diode_drop_v;
   return {.torque = s.motor.coulomb_nm + s.load.opposing_nm + load * m.k_e * s.motor.rated_current_a,
           // The duty is a voltage: the current falls with the bus, and as resistance grows.
           .share = v.bus[0] / v.resistance[1] * v.flux[0],
+          .lost = (1 - v.bus[0]) * drop / (v.bus[0] * m.r_loop),
           .inertia = v.inertia[1]};
 }
 
@@ -151,7 +156,8 @@ void set_start(const Settings& s, Design& d) {
   const double swing = inertia * highest / steps / (kMostTicks * d.parameters.pwm.tick());
   d.start_current = t.start_current_a.value_or(
       std::max(s.motor.rated_current_a / 2,
-               std::max(1.3 * heavy.torque, 1.15 * heavy.torque + swing) / heavy.share / m.k_e));
+               std::max(1.3 * heavy.torque, 1.15 * heavy.torque + swing) / heavy.share / m.k_e +
+                   heavy.lost));
   d.reset_current = t.reset_current_a.value_or(d.start_current);
   d.kappa = t.kappa_nm > 0 ? t.kappa_nm
                            : reset_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.reset_current);
@@ -176,7 +182,7 @@ void set_start(const Settings& s, Design& d) {
   p.hand_over = t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : derived;
 
   // Each failed try takes a quarter of the ramp, the last one what the heaviest load can follow.
-  const double left = heavy.share * m.k_e * d.start_current - heavy.torque;
+  const double left = heavy.share * m.k_e * (d.start_current - heavy.lost) - heavy.torque;
   const double gentlest = std::max(0.7 * left / inertia * steps,
                                    p.hand_over / (kMostTicks * d.parameters.pwm.tick()));
   p.ramp = gentlest;

@@ -8,6 +8,8 @@
 // Doc: docs/theory.md   Test: tests/model/reference/commutation_test.cpp
 #pragma once
 
+#include <algorithm>
+
 #include "model/reference/pwm.hpp"
 #include "model/reference/signals.hpp"
 
@@ -53,6 +55,8 @@ class GateGuard {
     for (int gate = 0; gate < 6; ++gate) {
       const int other = gate ^ 1;
       const bool want = enable && wanted[gate] && !wanted[other];
+      if (!want) asked_[gate] = kNever;
+      if (want && asked_[gate] == kNever) asked_[gate] = t;
       if (on_[gate] && !want) {
         if (enable && t < since_[gate] + minimum_)
           next_ = std::min(next_, since_[gate] + minimum_);
@@ -63,8 +67,8 @@ class GateGuard {
     for (int gate = 0; gate < 6; ++gate) {
       const int other = gate ^ 1;
       if (on_[gate] || on_[other] || !enable || !wanted[gate] || wanted[other]) continue;
-      // since_ of a gate that is off is when it went off.
-      const double free = since_[other] + dead_;
+      // since_ of a gate that is off is when it went off.  Every request waits, also after a long pause.
+      const double free = std::max({since_[gate], since_[other], asked_[gate]}) + dead_;
       if (t < free)
         next_ = std::min(next_, free);
       else
@@ -78,6 +82,7 @@ class GateGuard {
   double dead_, minimum_, next_ = kNever;
   Gates on_ = {};
   std::array<double, 6> since_ = {};
+  std::array<double, 6> asked_ = {kNever, kNever, kNever, kNever, kNever, kNever};
 };
 
 }  // namespace steplock::reference

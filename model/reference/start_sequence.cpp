@@ -1,6 +1,7 @@
 // See start_sequence.hpp for the states; each case below is one arrow's condition.
 #include "model/reference/start_sequence.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steplock::reference {
@@ -92,10 +93,10 @@ void StartSequence::update(const In& in) {
       reverse_ = in.command.reverse;
       return begin_try();
     case State::kSettle:
-      if (time_is_up(p_.settle)) enter(State::kReset);
+      if (time_is_up(std::ldexp(p_.settle, std::min(retries_, 3)))) enter(State::kReset);
       return;
     case State::kReset:
-      if (time_is_up(p_.reset)) enter(State::kAccelerate);
+      if (time_is_up(std::ldexp(p_.reset, std::min(retries_, 3)))) enter(State::kAccelerate);
       return;
     case State::kAccelerate:
       if (in.ramp_done) enter(State::kPullIn);

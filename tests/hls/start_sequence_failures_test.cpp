@@ -20,6 +20,37 @@ TEST(StartSequence, EachFailedTryMakesTheRampGentlerThreeTimes) {
   EXPECT_EQ(bench.clocks(2).state, State::kFault);
 }
 
+// 3 and 5 ticks: a rotor too heavy for them still swings at their end.
+TEST(StartSequence, EachFailedTryDoublesSettleAndResetThreeTimes) {
+  Bench bench;
+  bench.in.words.retries = 6;
+  bench.in.command.run = true;
+  for (const int factor : {1, 2, 4, 8, 8}) {
+    int settle = 0, reset = 0;
+    bench.in.fast = false;
+    bench.until(State::kSettle);
+    for (State s = State::kSettle; s != State::kAccelerate; s = bench.clock().state) {
+      (s == State::kSettle ? settle : reset) += 1;
+    }
+    EXPECT_EQ(settle, 3 * factor + 1);
+    EXPECT_EQ(reset, 5 * factor + 1);
+    bench.in.fast = true;
+    bench.until(State::kPullIn);
+    bench.clocks(20);
+  }
+}
+
+TEST(StartSequence, ADoubledResetEndsAtTheTimersEnd) {
+  Bench bench;
+  bench.in.words.reset = 3000;
+  bench.in.command.run = bench.in.fast = true;
+  bench.until(State::kPullIn);
+  bench.clocks(20);
+  bench.until(State::kReset);
+  bench.clocks(Ticks::max().raw());
+  EXPECT_EQ(bench.clock().state, State::kAccelerate);
+}
+
 TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {
   Bench bench;
   bench.in.command.run = true;

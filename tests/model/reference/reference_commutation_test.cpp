@@ -84,20 +84,32 @@ TEST(ReferenceGateGuard, KeepsDeadTimeAndNeverShorts) {
   }
 }
 
+// As hls/bridge/guarded_leg.hpp, which does not know how long a gate has been off.
+TEST(ReferenceGateGuard, ARequestWaitsForItsDeadTimeAfterALongPause) {
+  GateGuard guard({.period = 1, .minimum = 0, .dead_time = 1e-6});
+  guard.update(1, {true}, true);
+  EXPECT_FALSE(guard.gates()[0]);
+  EXPECT_NEAR(guard.next(), 1 + 1e-6, 1e-12);
+  guard.update(1 + 1.1e-6, {true}, true);
+  EXPECT_TRUE(guard.gates()[0]);
+}
+
 TEST(ReferenceGateGuard, OpensAllGatesAtOnceWhenDisabled) {
   GateGuard guard({.period = 1, .minimum = 1e-3, .dead_time = 1e-6});
   guard.update(1, {true, false, false, true, false, false}, true);
+  guard.update(1 + 2e-6, {true, false, false, true, false, false}, true);
   EXPECT_TRUE(guard.gates()[0]);
-  guard.update(1 + 1e-6, {true, false, false, true, false, false}, false);
+  guard.update(1 + 3e-6, {true, false, false, true, false, false}, false);
   EXPECT_EQ(guard.gates(), Gates{});
 }
 
 TEST(ReferenceGateGuard, HoldsAGateForItsMinimumTime) {
   GateGuard guard({.period = 1, .minimum = 2e-6, .dead_time = 1e-6});
   guard.update(1, {true}, true);
-  guard.update(1 + 0.5e-6, {}, true);
+  guard.update(guard.next(), {true}, true);
+  guard.update(1 + 1.5e-6, {}, true);
   EXPECT_TRUE(guard.gates()[0]);
-  EXPECT_NEAR(guard.next(), 1 + 2e-6, 1e-12);
+  EXPECT_NEAR(guard.next(), 1 + 3e-6, 1e-12);
   guard.update(guard.next(), {}, true);
   EXPECT_FALSE(guard.gates()[0]);
 }
