@@ -54,10 +54,10 @@ TEST(DesignRules, StartDutyDrivesTheStartCurrent) {
   for (const auto chopping : {Chopping::kComplementary, Chopping::kHighSide}) {
     s.control.chopping = chopping;
     const auto d = design_drive(s);
-    const double on = d.parameters.start.start_duty, v = s.inverter.bus_v;
     const double lost = s.inverter.dead_time_s * s.control.pwm_hz;  // the on-time the guard takes
+    const double on = d.parameters.start.start_duty - lost, v = s.inverter.bus_v;
     const double mean = chopping == Chopping::kComplementary
-                            ? (on - lost) * v
+                            ? on * v
                             : on * v - (1 - on) * s.inverter.diode_drop_v;
     EXPECT_NEAR(mean, d.start_current * d.motor.r_loop, 1e-9);
   }
