@@ -35,30 +35,29 @@ module axi_lite (
   wire both_61 = arvalid_i && !(read_ready || read_done);  // line 61
 
   always_ff @(posedge clk) begin
+    if (both_61 && wrote) begin
+      write_ready <= 1'b0;
+      read_ready <= 1'b1;
+      wrote <= 1'b0;
+    end else begin
+      logic both_60;
+      logic read_ready_next;
+      both_60 = awvalid_i && wvalid_i && !(write_ready || write_done);  // line 60
+      read_ready_next = both_61 && (!both_60 || wrote);  // line 65
+      write_ready <= both_60;
+      read_ready <= read_ready_next;
+      if (both_60 || read_ready_next) begin
+        wrote <= both_60;
+      end
+    end
+    write_done <= request_write || (write_done && !bready_i);
+    read_done <= request_read || (read_done && !rready_i);
     if (rst) begin
       write_ready <= 1'b0;
       read_ready <= 1'b0;
       write_done <= 1'b0;
       read_done <= 1'b0;
       wrote <= 1'b0;
-    end else begin
-      if (both_61 && wrote) begin
-        write_ready <= 1'b0;
-        read_ready <= 1'b1;
-        wrote <= 1'b0;
-      end else begin
-        logic both_60;
-        logic read_ready_next;
-        both_60 = awvalid_i && wvalid_i && !(write_ready || write_done);  // line 60
-        read_ready_next = both_61 && (!both_60 || wrote);  // line 65
-        write_ready <= both_60;
-        read_ready <= read_ready_next;
-        if (both_60 || read_ready_next) begin
-          wrote <= both_60;
-        end
-      end
-      write_done <= request_write || (write_done && !bready_i);
-      read_done <= request_read || (read_done && !rready_i);
     end
   end
 

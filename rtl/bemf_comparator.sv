@@ -38,6 +38,91 @@ module bemf_comparator (
   wire [16:0] sum_120 = {1'b0, before_} + {1'b0, phase_i};  // line 120
 
   always_ff @(posedge clk) begin
+    if (commutate_i) begin
+      left <= words_blanking_i;
+      count <= full;
+      before_seen <= 1'b0;
+      found <= 1'b0;
+      crossing <= 1'b0;
+      if (!before_seen) begin
+        freewheel <= 16'd65535;
+      end
+    end else begin
+      logic differ_58;
+      differ_58 = chop_i ^ chop;  // line 58
+      if (differ_58) begin
+        left <= words_blanking_i;
+      end else if (left[9:1] == 9'd0) begin
+        left <= {2'd0, words_sample_every_i};
+      end else begin
+        left <= left - 10'd1;
+      end
+      if (found) begin
+        found <= 1'b1;
+        crossing <= 1'b0;
+      end else if (words_sampling_i == Sampling_kBoth ||
+          ((words_sampling_i != Sampling_kOnTime) ^ chop_i)) begin
+        if (differ_58) begin
+          found <= 1'b0;
+          crossing <= 1'b0;
+        end else if (left[9:1] == 9'd0) begin
+          logic choice_110;  // line 110
+          case (step_i)
+            3'd0, 3'd3: choice_110 = w_i;
+            3'd1, 3'd4: choice_110 = v_i;
+            default: choice_110 = u_i;
+          endcase
+          if (choice_110 ^ reverse_i ^ step_i[0]) begin
+            case (count)
+              4'd0, 4'd1: begin
+                logic [15:0] choice;
+                choice = before_seen ? freewheel : phase_i;
+                case (count)
+                  4'd0: begin
+                    before_seen <= 1'b1;
+                    before_ <= phase_i;
+                    freewheel <= choice;
+                  end
+                  default: begin  // 4'd1
+                    count <= count - 4'd1;
+                    before_seen <= 1'b1;
+                    before_ <= phase_i;
+                    freewheel <= choice;
+                  end
+                endcase
+              end
+              default: count <= count - 4'd1;
+            endcase
+            found <= 1'b0;
+            crossing <= 1'b0;
+          end else begin
+            logic [4:0] sum_119;
+            logic at_most_119;
+            logic both_122;
+            sum_119 = {1'b0, count} + 5'd1;  // line 119
+            at_most_119 = {1'b0, full} <= sum_119;  // line 119
+            both_122 = before_seen && at_most_119;  // line 122
+            if (at_most_119) begin
+              count <= full;
+            end else begin
+              count <= sum_119[3:0];
+            end
+            found <= both_122;
+            crossing <= both_122;
+            if (count == 4'd0) begin
+              place <= sum_120[16:1];
+            end
+          end
+        end else begin
+          found <= 1'b0;
+          crossing <= 1'b0;
+        end
+      end else begin
+        found <= 1'b0;
+        crossing <= 1'b0;
+      end
+    end
+    chop <= chop_i;
     if (rst) begin
       left <= 10'd0;
       chop <= 1'b0;
@@ -48,92 +133,6 @@ module bemf_comparator (
       before_ <= 16'd0;
       place <= 16'd0;
       freewheel <= 16'd0;
-    end else begin
-      if (commutate_i) begin
-        left <= words_blanking_i;
-        count <= full;
-        before_seen <= 1'b0;
-        found <= 1'b0;
-        crossing <= 1'b0;
-        if (!before_seen) begin
-          freewheel <= 16'd65535;
-        end
-      end else begin
-        logic differ_58;
-        differ_58 = chop_i ^ chop;  // line 58
-        if (differ_58) begin
-          left <= words_blanking_i;
-        end else if (left[9:1] == 9'd0) begin
-          left <= {2'd0, words_sample_every_i};
-        end else begin
-          left <= left - 10'd1;
-        end
-        if (found) begin
-          found <= 1'b1;
-          crossing <= 1'b0;
-        end else if (words_sampling_i == Sampling_kBoth ||
-            ((words_sampling_i != Sampling_kOnTime) ^ chop_i)) begin
-          if (differ_58) begin
-            found <= 1'b0;
-            crossing <= 1'b0;
-          end else if (left[9:1] == 9'd0) begin
-            logic choice_110;  // line 110
-            case (step_i)
-              3'd0, 3'd3: choice_110 = w_i;
-              3'd1, 3'd4: choice_110 = v_i;
-              default: choice_110 = u_i;
-            endcase
-            if (choice_110 ^ reverse_i ^ step_i[0]) begin
-              case (count)
-                4'd0, 4'd1: begin
-                  logic [15:0] choice;
-                  choice = before_seen ? freewheel : phase_i;
-                  case (count)
-                    4'd0: begin
-                      before_seen <= 1'b1;
-                      before_ <= phase_i;
-                      freewheel <= choice;
-                    end
-                    default: begin  // 4'd1
-                      count <= count - 4'd1;
-                      before_seen <= 1'b1;
-                      before_ <= phase_i;
-                      freewheel <= choice;
-                    end
-                  endcase
-                end
-                default: count <= count - 4'd1;
-              endcase
-              found <= 1'b0;
-              crossing <= 1'b0;
-            end else begin
-              logic [4:0] sum_119;
-              logic at_most_119;
-              logic both_122;
-              sum_119 = {1'b0, count} + 5'd1;  // line 119
-              at_most_119 = {1'b0, full} <= sum_119;  // line 119
-              both_122 = before_seen && at_most_119;  // line 122
-              if (at_most_119) begin
-                count <= full;
-              end else begin
-                count <= sum_119[3:0];
-              end
-              found <= both_122;
-              crossing <= both_122;
-              if (count == 4'd0) begin
-                place <= sum_120[16:1];
-              end
-            end
-          end else begin
-            found <= 1'b0;
-            crossing <= 1'b0;
-          end
-        end else begin
-          found <= 1'b0;
-          crossing <= 1'b0;
-        end
-      end
-      chop <= chop_i;
     end
   end
 

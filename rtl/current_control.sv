@@ -363,6 +363,572 @@ module current_control (
   wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 84
 
   always_ff @(posedge clk) begin
+    case (step)
+      5'd0: begin
+        logic [6:0] differ_61;
+        logic [16:0] joined_63;
+        logic [17:0] sum_63;
+        differ_61 = {angle_i[5:0], 1'b0} ^ 7'h40;  // line 61
+        joined_63 = {i_v_i, 1'b0};  // line 63
+        sum_63 = {joined_63[16], joined_63} + {{2{i_u_i[15]}}, i_u_i};  // line 63
+        step <= {4'd0, start_i};
+        kept_0 <= sum_61[9];
+        kept_1 <= angle_i[13:6] ^ {8{sum_61[8]}};
+        kept_2 <= {1'b0, sum_63[14:0]};
+        kept_3 <= sum_63[17:15];
+        kept_4 <= sum_63[17];
+        kept_5 <= sum_82[9];
+        kept_6 <= ahead_i[13:6] ^ {8{sum_82[8]}};
+        kept_7 <= {ahead_i[5:0], 1'b0} ^ 7'h40;
+        kept_8 <= ahead_i[13:6] ^ {8{ahead_i[14]}};
+        kQuarterWave_entry <= entry_82;
+        factor_a <= {{9{differ_61[6]}}, differ_61};
+        factor_b <= 16'd402;
+      end
+      5'd1, 5'd2, 5'd3, 5'd4: begin
+        logic [15:0] difference_61;
+        difference_61 = -{1'b0, kQuarterWave_entry};  // line 61
+        case (step)
+          5'd1: begin
+            step <= step + 5'd1;
+            if (angle_i[15]) begin
+              kept_9 <= difference_61;
+            end else begin
+              kept_9 <= {1'b0, kQuarterWave_entry};
+            end
+            kQuarterWave_entry <= entry_82;
+            factor_a <= {{13{kept_3[2]}}, kept_3};
+            factor_b <= 16'd18919;
+          end
+          5'd2: begin
+            step <= step + 5'd1;
+            if (kept_0) begin
+              kept_10 <= difference_61;
+            end else begin
+              kept_10 <= {1'b0, kQuarterWave_entry};
+            end
+            kept_11 <= {{16{product[15]}}, product[15:0]};
+            kQuarterWave_entry <= entry_82;
+            factor_a <= product[15:0];
+            factor_b <= kept_9;
+          end
+          5'd3: begin
+            step <= step + 5'd1;
+            kept_11 <= {13'd0, product[18:0]};
+            if (ahead_i[15]) begin
+              kept_12 <= difference_61;
+            end else begin
+              kept_12 <= {1'b0, kQuarterWave_entry};
+            end
+            kQuarterWave_entry <= entry_82;
+            factor_a <= kept_11[15:0];
+            factor_b <= kept_10;
+          end
+          default: begin  // 5'd4
+            logic [16:0] difference_61_2;
+            difference_61_2 = wide_61 - wide_61_3;  // line 61
+            step <= step + 5'd1;
+            kept_0 <= difference_61_2[16:15] == 2'd3;
+            if (kept_5) begin
+              kept_2 <= difference_61;
+            end else begin
+              kept_2 <= {1'b0, kQuarterWave_entry};
+            end
+            kept_3 <= {2'd0, difference_61_2[16]};
+            kept_5 <= difference_61_2[16:15] == 2'd0;
+            kept_10 <= difference_61_2[15:0];
+            factor_a <= {1'b0, kept_2[14:0]};
+            factor_b <= 16'd18919;
+          end
+        endcase
+      end
+      5'd5: begin
+        logic [15:0] _cosine;
+        logic [16:0] sum_61_3;
+        _cosine =  // line 61
+            kept_3[0] ? (kept_0 ? kept_10 : 16'd32768) :
+            kept_5 ? kept_10 :
+            16'd32767;
+        sum_61_3 = wide_61_4 + wide_61_3;  // line 61
+        step <= step + 5'd1;
+        kept_0 <= sum_61_3[16:15] == 2'd3;
+        kept_3 <= {2'd0, sum_61_3[16]};
+        kept_5 <= sum_61_3[16:15] == 2'd0;
+        kept_9 <= sum_61_3[15:0];
+        kept_13 <= {{16{_cosine[15]}}, _cosine};
+        factor_a <= i_u_i;
+        if (kept_3[0]) begin
+          if (kept_0) begin
+            factor_b <= kept_10;
+          end else begin
+            factor_b <= 16'd32768;
+          end
+        end else if (kept_5) begin
+          factor_b <= kept_10;
+        end else begin
+          factor_b <= 16'd32767;
+        end
+      end
+      5'd6: begin
+        logic [18:0] sum_63_2;
+        sum_63_2 = {4'd0, product[29:15]} + kept_11[18:0];  // line 63
+        step <= step + 5'd1;
+        if (kept_4) begin
+          if (sum_63_2[18:15] == 4'd15) begin
+            kept_9 <= sum_63_2[15:0];
+          end else begin
+            kept_9 <= 16'd32768;
+          end
+        end else if (sum_63_2[18:15] == 4'd0) begin
+          kept_9 <= sum_63_2[15:0];
+        end else begin
+          kept_9 <= 16'd32767;
+        end
+        if (kept_3[0]) begin
+          if (kept_0) begin
+            kept_10 <= kept_9;
+          end else begin
+            kept_10 <= 16'd32768;
+          end
+        end else if (kept_5) begin
+          kept_10 <= kept_9;
+        end else begin
+          kept_10 <= 16'd32767;
+        end
+        factor_a <= speed_i;
+        factor_b <= {1'b0, inductance_i};
+      end
+      5'd7: begin
+        step <= step + 5'd1;
+        kept_11 <= product;
+        factor_a <= i_u_i;
+        factor_b <= kept_10;
+      end
+      5'd8, 5'd20: begin
+        logic [15:0] coupling;
+        coupling =  // line 67
+            (product[30] && product[29:11] != 19'd524287) ?
+            ((sum_67[31:27] == 5'd31) ? sum_67[27:12] : 16'd32768) :
+            (sum_67[31:27] == 5'd0) ? sum_67[27:12] :
+            16'd32767;
+        case (step)
+          5'd8: begin
+            step <= step + 5'd1;
+            kept_13 <= {16'd0, coupling};
+            factor_a <= kept_9;
+            factor_b <= kept_13[15:0];
+          end
+          default: begin  // 5'd20
+            logic [15:0] _sine;
+            logic [21:0] wide_4;
+            _sine =  // line 82
+                kept_23 ? (kept_5 ? kept_19[15:0] : 16'd32768) :
+                kept_3[0] ? kept_19[15:0] :
+                16'd32767;
+            wide_4 = {6'd0, coupling};
+            step <= step + 5'd1;
+            kept_13 <= {16'd0, _sine};
+            kept_19 <= {{9{wide_4[21]}}, wide_4};
+            factor_a <= {15'd0, kept_4};
+            factor_b <= 16'd65533;
+          end
+        endcase
+      end
+      5'd9: begin
+        step <= step + 5'd1;
+        kept_14 <= {1'b0, product};
+        factor_a <= kept_9;
+        factor_b <= kept_10;
+      end
+      5'd10: begin
+        logic [32:0] product_3;
+        product_3 = wide_61_2 - {kept_14[31], kept_14[31:0]};  // line 65
+        step <= step + 5'd1;
+        kept_0 <= product_3[32] && product_3[31:14] != 18'd262143;
+        kept_14 <= product_3;
+        factor_a <= {4'd0, v_dc_i};
+        factor_b <= {1'b0, limit_i};
+      end
+      5'd11: begin
+        logic [32:0] product_2;
+        product_2 = wide_64 + wide_61_2;  // line 64
+        step <= step + 5'd1;
+        kept_0 <= product_2[32] && product_2[31:14] != 18'd262143;
+        if (kept_0) begin
+          if (sum_102[33:30] == 4'd15) begin
+            kept_9 <= sum_102[30:15];
+          end else begin
+            kept_9 <= 16'd32768;
+          end
+        end else if (sum_102[33:30] == 4'd0) begin
+          kept_9 <= sum_102[30:15];
+        end else begin
+          kept_9 <= 16'd32767;
+        end
+        kept_14 <= product_2;
+        factor_a <= {{9{kept_7[6]}}, kept_7};
+        factor_b <= 16'd402;
+      end
+      5'd12: begin
+        logic [16:0] difference_79;
+        difference_79 = {set_delta_i[15], set_delta_i} - wide_61_4;  // line 79
+        step <= step + 5'd1;
+        if (kept_0) begin
+          if (sum_102[33:30] == 4'd15) begin
+            kept_10 <= sum_102[30:15];
+          end else begin
+            kept_10 <= 16'd32768;
+          end
+        end else if (sum_102[33:30] == 4'd0) begin
+          kept_10 <= sum_102[30:15];
+        end else begin
+          kept_10 <= 16'd32767;
+        end
+        kept_11 <= {17'd0, product[26:12]};
+        kept_14 <= {19'd0, product[26:13]};
+        kept_15 <= {2'd0, product[26:13]};
+        kept_16 <= -{2'd0, product[26:13]};
+        if (difference_79[16]) begin
+          if (difference_79[16:15] == 2'd3) begin
+            kept_17 <= difference_79[15:0];
+          end else begin
+            kept_17 <= 16'd32768;
+          end
+        end else if (difference_79[16:15] == 2'd0) begin
+          kept_17 <= difference_79[15:0];
+        end else begin
+          kept_17 <= 16'd32767;
+        end
+        kept_18 <= {1'b0, product[26:12]} + {5'd0, product[26:16]};
+        factor_a <= kept_13[15:0];
+        factor_b <= kept_9;
+      end
+      5'd13: begin
+        step <= step + 5'd1;
+        kept_0 <= error[15];
+        if (difference_70[16]) begin
+          logic [21:0] wide_6;
+          wide_6 = {{6{choice_70[15]}}, choice_70};
+          kept_19 <= {{9{wide_6[21]}}, wide_6};
+          if (difference_70[16:15] == 2'd3) begin
+            factor_a <= difference_70[15:0];
+          end else begin
+            factor_a <= 16'd32768;
+          end
+        end else begin
+          logic [21:0] wide_7;
+          wide_7 = {{6{choice_70_2[15]}}, choice_70_2};
+          kept_19 <= {{9{wide_7[21]}}, wide_7};
+          if (difference_70[16:15] == 2'd0) begin
+            factor_a <= difference_70[15:0];
+          end else begin
+            factor_a <= 16'd32767;
+          end
+        end
+        kept_20 <= product[15:0];
+        factor_b <= {1'b0, k_p_i};
+      end
+      5'd14, 5'd18: begin
+        logic both_102;
+        both_102 = product[31] && product[30:14] != 17'd131071;  // line 102
+        case (step)
+          5'd14: begin
+            logic [15:0] choice_102;
+            logic [21:0] wide;
+            choice_102 =  // line 102
+                both_102 ? ((sum_102_2[32:30] == 3'd7) ? sum_102_2[30:15] : 16'd32768) :
+                (sum_102_2[32:30] == 3'd0) ? sum_102_2[30:15] :
+                16'd32767;
+            wide = {6'd0, choice_102};
+            step <= step + 5'd1;
+            kept_19 <= {{9{wide[21]}}, wide};
+            factor_a <= kept_19[15:0];
+            factor_b <= {1'b0, k_i_i};
+          end
+          default: begin  // 5'd18
+            if (enable_i) begin
+              logic below_111;
+              logic at_most_110;
+              below_111 = $signed(kept_19[20:0]) < $signed({{5{kept_16[15]}}, kept_16});
+              at_most_110 = $signed(kept_19[20:0]) <= $signed({7'd0, kept_14[13:0]});  // line 110
+              if (at_most_110 || kept_0) begin
+                if (!(below_111 && kept_0)) begin
+                  integral_gamma <= kept_13[27:0];
+                end
+                if (at_most_110) begin
+                  if (below_111) begin
+                    kept_15 <= kept_16;
+                  end else begin
+                    kept_15 <= kept_19[15:0];
+                  end
+                end
+              end
+              kept_0 <= $signed({7'd0, kept_14[13:0]}) < $signed(kept_19[20:0]) || below_111;
+            end else begin
+              integral_gamma <= 28'd0;
+              kept_0 <= 1'b0;
+              kept_15 <= 16'd0;
+            end
+            step <= step + 5'd1;
+            if (both_102) begin
+              if (sum_102_2[32:30] == 3'd7) begin
+                kept_16 <= sum_102_2[30:15];
+              end else begin
+                kept_16 <= 16'd32768;
+              end
+            end else if (sum_102_2[32:30] == 3'd0) begin
+              kept_16 <= sum_102_2[30:15];
+            end else begin
+              kept_16 <= 16'd32767;
+            end
+            factor_a <= speed_i;
+            factor_b <= {1'b0, emf_i};
+          end
+        endcase
+      end
+      5'd15: begin
+        step <= step + 5'd1;
+        kept_21 <= product[30:12];
+        factor_a <= kept_17;
+        factor_b <= {1'b0, k_i_i};
+      end
+      5'd16: begin
+        logic [28:0] sum_108;
+        logic [27:0] moved;
+        sum_108 = {integral_gamma[27], integral_gamma} + wide_108;  // line 108
+        moved =  // line 108
+            sum_108[28] ? ((sum_108[28:27] == 2'd3) ? sum_108[27:0] : 28'd134217728) :
+            (sum_108[28:27] == 2'd0) ? sum_108[27:0] :
+            28'd134217727;
+        step <= step + 5'd1;
+        kept_13 <= {4'd0, moved};
+        factor_a <= kept_13[15:0];
+        factor_b <= kept_10;
+      end
+      5'd17: begin
+        logic [19:0] sum_109;
+        logic [16:0] ahead;
+        logic [20:0] wanted;
+        logic [28:0] sum_108_2;
+        logic [21:0] wide_2;
+        sum_109 = {{4{kept_13[27]}}, kept_13[27:12]} + {kept_21[18], kept_21};  // line 109
+        ahead = -wide_71;  // line 71
+        wanted = {sum_109[19], sum_109} + {{4{ahead[16]}}, ahead};  // line 109
+        sum_108_2 = {integral_delta[27], integral_delta} + wide_108;  // line 108
+        wide_2 = {1'b0, wanted};
+        step <= step + 5'd1;
+        kept_19 <= {{9{wide_2[21]}}, wide_2};
+        if (sum_108_2[28]) begin
+          if (sum_108_2[28:27] == 2'd3) begin
+            kept_22 <= sum_108_2[27:0];
+          end else begin
+            kept_22 <= 28'd134217728;
+          end
+        end else if (sum_108_2[28:27] == 2'd0) begin
+          kept_22 <= sum_108_2[27:0];
+        end else begin
+          kept_22 <= 28'd134217727;
+        end
+        factor_a <= kept_20;
+        factor_b <= kept_2;
+      end
+      5'd19: begin
+        logic [15:0] choice_72;
+        logic [16:0] sum_82_2;
+        logic [21:0] wide_3;
+        choice_72 = kept_15[15] ? -kept_15 : kept_15;  // line 72
+        sum_82_2 = {kept_12[15], kept_12} + wide_61_3;  // line 82
+        wide_3 = {6'd0, sum_82_2[15:0]};
+        step <= step + 5'd1;
+        kept_3 <= {2'd0, sum_82_2[16:15] == 2'd0};
+        kept_4 <= choice_72[15];
+        kept_5 <= sum_82_2[16:15] == 2'd3;
+        kept_19 <= {{9{wide_3[21]}}, wide_3};
+        kept_21 <= {4'd0, choice_72[14:0]};
+        kept_23 <= sum_82_2[16];
+        factor_a <= {1'b0, choice_72[14:0]};
+        factor_b <= 16'd13;
+      end
+      5'd21: begin
+        step <= step + 5'd1;
+        kept_7 <= {3'd0, product[18:15]};
+        kept_21 <= {9'd0, product[14:5]};
+        factor_a <= kept_21[15:0];
+        factor_b <= 16'd9;
+      end
+      5'd22, 5'd24: begin
+        logic [4:0] sum_74;
+        sum_74 = {1'b0, kept_7[3:0]} + {1'b0, product[3:0]};  // line 74
+        case (step)
+          5'd22: begin
+            logic [17:0] far;
+            far = {2'd0, kept_18} - {3'd0, sum_74, kept_21[9:0]};  // line 77
+            step <= step + 5'd1;
+            kept_21 <= {1'b0, far};
+            factor_a <= {15'd0, kept_4};
+            factor_b <= 16'd65529;
+          end
+          default: begin  // 5'd24
+            logic [16:0] near;
+            logic [17:0] wide_78;
+            near = {2'd0, kept_11[14:0]} - {3'd0, sum_74, kept_18[8:0]};  // line 76
+            wide_78 = {near[16], near};  // line 78
+            step <= step + 5'd1;
+            kept_4 <= $signed(wide_78) < $signed(kept_21[17:0]);
+            kept_11 <= {14'd0, wide_78};
+            factor_a <= kept_20;
+            factor_b <= kept_12;
+          end
+        endcase
+      end
+      5'd23: begin
+        step <= step + 5'd1;
+        kept_7 <= {3'd0, product[18:15]};
+        kept_18 <= {7'd0, product[14:6]};
+        factor_a <= kept_17;
+        factor_b <= {1'b0, k_p_i};
+      end
+      5'd25: begin
+        logic [19:0] sum_109_2;
+        logic [16:0] ahead_2;
+        logic [20:0] wanted_2;
+        logic [17:0] left;
+        logic [14:0] limit;
+        logic [21:0] wide_5;
+        sum_109_2 = {{4{kept_22[27]}}, kept_22[27:12]} + {product[30], product[30:12]};  // line 109
+        ahead_2 = {kept_16[15], kept_16} + wide_71;  // line 80
+        wanted_2 = {sum_109_2[19], sum_109_2} + {{4{ahead_2[16]}}, ahead_2};  // line 109
+        left = kept_4 ? kept_11[17:0] : kept_21[17:0];  // line 78
+        limit =  // line 80
+            left[17] ? 15'd0 :
+            (left[17:15] == 3'd0) ? left[14:0] :
+            15'd32767;
+        wide_5 = {1'b0, wanted_2};
+        step <= step + 5'd1;
+        kept_12 <= {1'b0, limit};
+        kept_16 <= {1'b0, limit};
+        kept_18 <= -{1'b0, limit};
+        kept_19 <= {{9{wide_5[21]}}, wide_5};
+        factor_a <= kept_15;
+        factor_b <= kept_13[15:0];
+      end
+      5'd26: begin
+        logic [16:0] difference_82;
+        difference_82 = {kept_2[15], kept_2} - wide_61_3;  // line 82
+        if (enable_i) begin
+          logic below_111_2;
+          logic at_most_110_2;
+          logic [15:0] choice_79;
+          below_111_2 = $signed(kept_19[20:0]) < $signed({{5{kept_18[15]}}, kept_18});  // line 111
+          at_most_110_2 = $signed(kept_19[20:0]) <= $signed({6'd0, kept_12[14:0]});  // line 110
+          choice_79 = at_most_110_2 ? (below_111_2 ? kept_18 : kept_19[15:0]) : kept_16;  // line 79
+          if (at_most_110_2 || kept_17[15]) begin
+            if (!(below_111_2 && kept_17[15])) begin
+              integral_delta <= kept_22;
+            end
+            if (at_most_110_2) begin
+              if (below_111_2) begin
+                factor_a <= kept_18;
+              end else begin
+                factor_a <= kept_19[15:0];
+              end
+            end else begin
+              factor_a <= kept_16;
+            end
+          end else begin
+            factor_a <= kept_16;
+          end
+          kept_11 <= {{16{choice_79[15]}}, choice_79};
+          kept_23 <=
+              kept_0 || $signed({6'd0, kept_12[14:0]}) < $signed(kept_19[20:0]) || below_111_2;
+        end else begin
+          integral_delta <= 28'd0;
+          kept_11 <= 32'd0;
+          kept_23 <= kept_0;
+          factor_a <= 16'd0;
+        end
+        step <= step + 5'd1;
+        kept_0 <= difference_82[16:15] == 2'd3;
+        kept_2 <= difference_82[15:0];
+        kept_4 <= difference_82[16:15] == 2'd0;
+        kept_5 <= difference_82[16];
+        factor_b <= kept_13[15:0];
+      end
+      5'd27: begin
+        logic [15:0] _cosine_2;
+        _cosine_2 =  // line 82
+            kept_5 ? (kept_0 ? kept_2 : 16'd32768) :
+            kept_4 ? kept_2 :
+            16'd32767;
+        step <= step + 5'd1;
+        kept_11 <= {{16{_cosine_2[15]}}, _cosine_2};
+        kept_13 <= product;
+        factor_a <= kept_11[15:0];
+        if (kept_5) begin
+          if (kept_0) begin
+            factor_b <= kept_2;
+          end else begin
+            factor_b <= 16'd32768;
+          end
+        end else if (kept_4) begin
+          factor_b <= kept_2;
+        end else begin
+          factor_b <= 16'd32767;
+        end
+      end
+      5'd28: begin
+        step <= step + 5'd1;
+        kept_11 <= product;
+        factor_a <= kept_15;
+        factor_b <= kept_11[15:0];
+      end
+      5'd29: begin
+        logic [32:0] product_5;
+        product_5 = {kept_13[31], kept_13} + wide_61_2;  // line 84
+        step <= step + 5'd1;
+        kept_0 <= product_5[32] && product_5[31:14] != 18'd262143;
+        kept_14 <= product_5;
+      end
+      5'd30: begin
+        logic [32:0] product_4;
+        product_4 = wide_61_2 - wide_64;  // line 83
+        step <= step + 5'd1;
+        kept_0 <= product_4[32] && product_4[31:14] != 18'd262143;
+        if (kept_0) begin
+          if (sum_102[33:30] == 4'd15) begin
+            kept_2 <= sum_102[30:15];
+          end else begin
+            kept_2 <= 16'd32768;
+          end
+        end else if (sum_102[33:30] == 4'd0) begin
+          kept_2 <= sum_102[30:15];
+        end else begin
+          kept_2 <= 16'd32767;
+        end
+        kept_14 <= product_4;
+      end
+      default: begin  // 5'd31
+        step <= 5'd0;
+        if (kept_0) begin
+          if (sum_102[33:30] == 4'd15) begin
+            v_alpha_held <= sum_102[30:15];
+          end else begin
+            v_alpha_held <= 16'd32768;
+          end
+        end else if (sum_102[33:30] == 4'd0) begin
+          v_alpha_held <= sum_102[30:15];
+        end else begin
+          v_alpha_held <= 16'd32767;
+        end
+        v_beta_held <= kept_2;
+        i_gamma_held <= kept_10;
+        i_delta_held <= kept_9;
+        limited_held <= kept_23;
+      end
+    endcase
+    product <= product_next;  // line 84
+    done <= step == 5'd31;
+    missed <= start_i && step != 5'd0;
     if (rst) begin
       integral_gamma <= 28'sd0;
       integral_delta <= 28'sd0;
@@ -402,573 +968,6 @@ module current_control (
       limited_held <= 1'b0;
       done <= 1'b0;
       missed <= 1'b0;
-    end else begin
-      case (step)
-        5'd0: begin
-          logic [6:0] differ_61;
-          logic [16:0] joined_63;
-          logic [17:0] sum_63;
-          differ_61 = {angle_i[5:0], 1'b0} ^ 7'h40;  // line 61
-          joined_63 = {i_v_i, 1'b0};  // line 63
-          sum_63 = {joined_63[16], joined_63} + {{2{i_u_i[15]}}, i_u_i};  // line 63
-          step <= {4'd0, start_i};
-          kept_0 <= sum_61[9];
-          kept_1 <= angle_i[13:6] ^ {8{sum_61[8]}};
-          kept_2 <= {1'b0, sum_63[14:0]};
-          kept_3 <= sum_63[17:15];
-          kept_4 <= sum_63[17];
-          kept_5 <= sum_82[9];
-          kept_6 <= ahead_i[13:6] ^ {8{sum_82[8]}};
-          kept_7 <= {ahead_i[5:0], 1'b0} ^ 7'h40;
-          kept_8 <= ahead_i[13:6] ^ {8{ahead_i[14]}};
-          kQuarterWave_entry <= entry_82;
-          factor_a <= {{9{differ_61[6]}}, differ_61};
-          factor_b <= 16'd402;
-        end
-        5'd1, 5'd2, 5'd3, 5'd4: begin
-          logic [15:0] difference_61;
-          difference_61 = -{1'b0, kQuarterWave_entry};  // line 61
-          case (step)
-            5'd1: begin
-              step <= step + 5'd1;
-              if (angle_i[15]) begin
-                kept_9 <= difference_61;
-              end else begin
-                kept_9 <= {1'b0, kQuarterWave_entry};
-              end
-              kQuarterWave_entry <= entry_82;
-              factor_a <= {{13{kept_3[2]}}, kept_3};
-              factor_b <= 16'd18919;
-            end
-            5'd2: begin
-              step <= step + 5'd1;
-              if (kept_0) begin
-                kept_10 <= difference_61;
-              end else begin
-                kept_10 <= {1'b0, kQuarterWave_entry};
-              end
-              kept_11 <= {{16{product[15]}}, product[15:0]};
-              kQuarterWave_entry <= entry_82;
-              factor_a <= product[15:0];
-              factor_b <= kept_9;
-            end
-            5'd3: begin
-              step <= step + 5'd1;
-              kept_11 <= {13'd0, product[18:0]};
-              if (ahead_i[15]) begin
-                kept_12 <= difference_61;
-              end else begin
-                kept_12 <= {1'b0, kQuarterWave_entry};
-              end
-              kQuarterWave_entry <= entry_82;
-              factor_a <= kept_11[15:0];
-              factor_b <= kept_10;
-            end
-            default: begin  // 5'd4
-              logic [16:0] difference_61_2;
-              difference_61_2 = wide_61 - wide_61_3;  // line 61
-              step <= step + 5'd1;
-              kept_0 <= difference_61_2[16:15] == 2'd3;
-              if (kept_5) begin
-                kept_2 <= difference_61;
-              end else begin
-                kept_2 <= {1'b0, kQuarterWave_entry};
-              end
-              kept_3 <= {2'd0, difference_61_2[16]};
-              kept_5 <= difference_61_2[16:15] == 2'd0;
-              kept_10 <= difference_61_2[15:0];
-              factor_a <= {1'b0, kept_2[14:0]};
-              factor_b <= 16'd18919;
-            end
-          endcase
-        end
-        5'd5: begin
-          logic [15:0] _cosine;
-          logic [16:0] sum_61_3;
-          _cosine =  // line 61
-              kept_3[0] ? (kept_0 ? kept_10 : 16'd32768) :
-              kept_5 ? kept_10 :
-              16'd32767;
-          sum_61_3 = wide_61_4 + wide_61_3;  // line 61
-          step <= step + 5'd1;
-          kept_0 <= sum_61_3[16:15] == 2'd3;
-          kept_3 <= {2'd0, sum_61_3[16]};
-          kept_5 <= sum_61_3[16:15] == 2'd0;
-          kept_9 <= sum_61_3[15:0];
-          kept_13 <= {{16{_cosine[15]}}, _cosine};
-          factor_a <= i_u_i;
-          if (kept_3[0]) begin
-            if (kept_0) begin
-              factor_b <= kept_10;
-            end else begin
-              factor_b <= 16'd32768;
-            end
-          end else if (kept_5) begin
-            factor_b <= kept_10;
-          end else begin
-            factor_b <= 16'd32767;
-          end
-        end
-        5'd6: begin
-          logic [18:0] sum_63_2;
-          sum_63_2 = {4'd0, product[29:15]} + kept_11[18:0];  // line 63
-          step <= step + 5'd1;
-          if (kept_4) begin
-            if (sum_63_2[18:15] == 4'd15) begin
-              kept_9 <= sum_63_2[15:0];
-            end else begin
-              kept_9 <= 16'd32768;
-            end
-          end else if (sum_63_2[18:15] == 4'd0) begin
-            kept_9 <= sum_63_2[15:0];
-          end else begin
-            kept_9 <= 16'd32767;
-          end
-          if (kept_3[0]) begin
-            if (kept_0) begin
-              kept_10 <= kept_9;
-            end else begin
-              kept_10 <= 16'd32768;
-            end
-          end else if (kept_5) begin
-            kept_10 <= kept_9;
-          end else begin
-            kept_10 <= 16'd32767;
-          end
-          factor_a <= speed_i;
-          factor_b <= {1'b0, inductance_i};
-        end
-        5'd7: begin
-          step <= step + 5'd1;
-          kept_11 <= product;
-          factor_a <= i_u_i;
-          factor_b <= kept_10;
-        end
-        5'd8, 5'd20: begin
-          logic [15:0] coupling;
-          coupling =  // line 67
-              (product[30] && product[29:11] != 19'd524287) ?
-              ((sum_67[31:27] == 5'd31) ? sum_67[27:12] : 16'd32768) :
-              (sum_67[31:27] == 5'd0) ? sum_67[27:12] :
-              16'd32767;
-          case (step)
-            5'd8: begin
-              step <= step + 5'd1;
-              kept_13 <= {16'd0, coupling};
-              factor_a <= kept_9;
-              factor_b <= kept_13[15:0];
-            end
-            default: begin  // 5'd20
-              logic [15:0] _sine;
-              logic [21:0] wide_4;
-              _sine =  // line 82
-                  kept_23 ? (kept_5 ? kept_19[15:0] : 16'd32768) :
-                  kept_3[0] ? kept_19[15:0] :
-                  16'd32767;
-              wide_4 = {6'd0, coupling};
-              step <= step + 5'd1;
-              kept_13 <= {16'd0, _sine};
-              kept_19 <= {{9{wide_4[21]}}, wide_4};
-              factor_a <= {15'd0, kept_4};
-              factor_b <= 16'd65533;
-            end
-          endcase
-        end
-        5'd9: begin
-          step <= step + 5'd1;
-          kept_14 <= {1'b0, product};
-          factor_a <= kept_9;
-          factor_b <= kept_10;
-        end
-        5'd10: begin
-          logic [32:0] product_3;
-          product_3 = wide_61_2 - {kept_14[31], kept_14[31:0]};  // line 65
-          step <= step + 5'd1;
-          kept_0 <= product_3[32] && product_3[31:14] != 18'd262143;
-          kept_14 <= product_3;
-          factor_a <= {4'd0, v_dc_i};
-          factor_b <= {1'b0, limit_i};
-        end
-        5'd11: begin
-          logic [32:0] product_2;
-          product_2 = wide_64 + wide_61_2;  // line 64
-          step <= step + 5'd1;
-          kept_0 <= product_2[32] && product_2[31:14] != 18'd262143;
-          if (kept_0) begin
-            if (sum_102[33:30] == 4'd15) begin
-              kept_9 <= sum_102[30:15];
-            end else begin
-              kept_9 <= 16'd32768;
-            end
-          end else if (sum_102[33:30] == 4'd0) begin
-            kept_9 <= sum_102[30:15];
-          end else begin
-            kept_9 <= 16'd32767;
-          end
-          kept_14 <= product_2;
-          factor_a <= {{9{kept_7[6]}}, kept_7};
-          factor_b <= 16'd402;
-        end
-        5'd12: begin
-          logic [16:0] difference_79;
-          difference_79 = {set_delta_i[15], set_delta_i} - wide_61_4;  // line 79
-          step <= step + 5'd1;
-          if (kept_0) begin
-            if (sum_102[33:30] == 4'd15) begin
-              kept_10 <= sum_102[30:15];
-            end else begin
-              kept_10 <= 16'd32768;
-            end
-          end else if (sum_102[33:30] == 4'd0) begin
-            kept_10 <= sum_102[30:15];
-          end else begin
-            kept_10 <= 16'd32767;
-          end
-          kept_11 <= {17'd0, product[26:12]};
-          kept_14 <= {19'd0, product[26:13]};
-          kept_15 <= {2'd0, product[26:13]};
-          kept_16 <= -{2'd0, product[26:13]};
-          if (difference_79[16]) begin
-            if (difference_79[16:15] == 2'd3) begin
-              kept_17 <= difference_79[15:0];
-            end else begin
-              kept_17 <= 16'd32768;
-            end
-          end else if (difference_79[16:15] == 2'd0) begin
-            kept_17 <= difference_79[15:0];
-          end else begin
-            kept_17 <= 16'd32767;
-          end
-          kept_18 <= {1'b0, product[26:12]} + {5'd0, product[26:16]};
-          factor_a <= kept_13[15:0];
-          factor_b <= kept_9;
-        end
-        5'd13: begin
-          step <= step + 5'd1;
-          kept_0 <= error[15];
-          if (difference_70[16]) begin
-            logic [21:0] wide_6;
-            wide_6 = {{6{choice_70[15]}}, choice_70};
-            kept_19 <= {{9{wide_6[21]}}, wide_6};
-            if (difference_70[16:15] == 2'd3) begin
-              factor_a <= difference_70[15:0];
-            end else begin
-              factor_a <= 16'd32768;
-            end
-          end else begin
-            logic [21:0] wide_7;
-            wide_7 = {{6{choice_70_2[15]}}, choice_70_2};
-            kept_19 <= {{9{wide_7[21]}}, wide_7};
-            if (difference_70[16:15] == 2'd0) begin
-              factor_a <= difference_70[15:0];
-            end else begin
-              factor_a <= 16'd32767;
-            end
-          end
-          kept_20 <= product[15:0];
-          factor_b <= {1'b0, k_p_i};
-        end
-        5'd14, 5'd18: begin
-          logic both_102;
-          both_102 = product[31] && product[30:14] != 17'd131071;  // line 102
-          case (step)
-            5'd14: begin
-              logic [15:0] choice_102;
-              logic [21:0] wide;
-              choice_102 =  // line 102
-                  both_102 ? ((sum_102_2[32:30] == 3'd7) ? sum_102_2[30:15] : 16'd32768) :
-                  (sum_102_2[32:30] == 3'd0) ? sum_102_2[30:15] :
-                  16'd32767;
-              wide = {6'd0, choice_102};
-              step <= step + 5'd1;
-              kept_19 <= {{9{wide[21]}}, wide};
-              factor_a <= kept_19[15:0];
-              factor_b <= {1'b0, k_i_i};
-            end
-            default: begin  // 5'd18
-              if (enable_i) begin
-                logic below_111;
-                logic at_most_110;
-                below_111 = $signed(kept_19[20:0]) < $signed({{5{kept_16[15]}}, kept_16});
-                at_most_110 = $signed(kept_19[20:0]) <= $signed({7'd0, kept_14[13:0]});  // line 110
-                if (at_most_110 || kept_0) begin
-                  if (!(below_111 && kept_0)) begin
-                    integral_gamma <= kept_13[27:0];
-                  end
-                  if (at_most_110) begin
-                    if (below_111) begin
-                      kept_15 <= kept_16;
-                    end else begin
-                      kept_15 <= kept_19[15:0];
-                    end
-                  end
-                end
-                kept_0 <= $signed({7'd0, kept_14[13:0]}) < $signed(kept_19[20:0]) || below_111;
-              end else begin
-                integral_gamma <= 28'd0;
-                kept_0 <= 1'b0;
-                kept_15 <= 16'd0;
-              end
-              step <= step + 5'd1;
-              if (both_102) begin
-                if (sum_102_2[32:30] == 3'd7) begin
-                  kept_16 <= sum_102_2[30:15];
-                end else begin
-                  kept_16 <= 16'd32768;
-                end
-              end else if (sum_102_2[32:30] == 3'd0) begin
-                kept_16 <= sum_102_2[30:15];
-              end else begin
-                kept_16 <= 16'd32767;
-              end
-              factor_a <= speed_i;
-              factor_b <= {1'b0, emf_i};
-            end
-          endcase
-        end
-        5'd15: begin
-          step <= step + 5'd1;
-          kept_21 <= product[30:12];
-          factor_a <= kept_17;
-          factor_b <= {1'b0, k_i_i};
-        end
-        5'd16: begin
-          logic [28:0] sum_108;
-          logic [27:0] moved;
-          sum_108 = {integral_gamma[27], integral_gamma} + wide_108;  // line 108
-          moved =  // line 108
-              sum_108[28] ? ((sum_108[28:27] == 2'd3) ? sum_108[27:0] : 28'd134217728) :
-              (sum_108[28:27] == 2'd0) ? sum_108[27:0] :
-              28'd134217727;
-          step <= step + 5'd1;
-          kept_13 <= {4'd0, moved};
-          factor_a <= kept_13[15:0];
-          factor_b <= kept_10;
-        end
-        5'd17: begin
-          logic [19:0] sum_109;
-          logic [16:0] ahead;
-          logic [20:0] wanted;
-          logic [28:0] sum_108_2;
-          logic [21:0] wide_2;
-          sum_109 = {{4{kept_13[27]}}, kept_13[27:12]} + {kept_21[18], kept_21};  // line 109
-          ahead = -wide_71;  // line 71
-          wanted = {sum_109[19], sum_109} + {{4{ahead[16]}}, ahead};  // line 109
-          sum_108_2 = {integral_delta[27], integral_delta} + wide_108;  // line 108
-          wide_2 = {1'b0, wanted};
-          step <= step + 5'd1;
-          kept_19 <= {{9{wide_2[21]}}, wide_2};
-          if (sum_108_2[28]) begin
-            if (sum_108_2[28:27] == 2'd3) begin
-              kept_22 <= sum_108_2[27:0];
-            end else begin
-              kept_22 <= 28'd134217728;
-            end
-          end else if (sum_108_2[28:27] == 2'd0) begin
-            kept_22 <= sum_108_2[27:0];
-          end else begin
-            kept_22 <= 28'd134217727;
-          end
-          factor_a <= kept_20;
-          factor_b <= kept_2;
-        end
-        5'd19: begin
-          logic [15:0] choice_72;
-          logic [16:0] sum_82_2;
-          logic [21:0] wide_3;
-          choice_72 = kept_15[15] ? -kept_15 : kept_15;  // line 72
-          sum_82_2 = {kept_12[15], kept_12} + wide_61_3;  // line 82
-          wide_3 = {6'd0, sum_82_2[15:0]};
-          step <= step + 5'd1;
-          kept_3 <= {2'd0, sum_82_2[16:15] == 2'd0};
-          kept_4 <= choice_72[15];
-          kept_5 <= sum_82_2[16:15] == 2'd3;
-          kept_19 <= {{9{wide_3[21]}}, wide_3};
-          kept_21 <= {4'd0, choice_72[14:0]};
-          kept_23 <= sum_82_2[16];
-          factor_a <= {1'b0, choice_72[14:0]};
-          factor_b <= 16'd13;
-        end
-        5'd21: begin
-          step <= step + 5'd1;
-          kept_7 <= {3'd0, product[18:15]};
-          kept_21 <= {9'd0, product[14:5]};
-          factor_a <= kept_21[15:0];
-          factor_b <= 16'd9;
-        end
-        5'd22, 5'd24: begin
-          logic [4:0] sum_74;
-          sum_74 = {1'b0, kept_7[3:0]} + {1'b0, product[3:0]};  // line 74
-          case (step)
-            5'd22: begin
-              logic [17:0] far;
-              far = {2'd0, kept_18} - {3'd0, sum_74, kept_21[9:0]};  // line 77
-              step <= step + 5'd1;
-              kept_21 <= {1'b0, far};
-              factor_a <= {15'd0, kept_4};
-              factor_b <= 16'd65529;
-            end
-            default: begin  // 5'd24
-              logic [16:0] near;
-              logic [17:0] wide_78;
-              near = {2'd0, kept_11[14:0]} - {3'd0, sum_74, kept_18[8:0]};  // line 76
-              wide_78 = {near[16], near};  // line 78
-              step <= step + 5'd1;
-              kept_4 <= $signed(wide_78) < $signed(kept_21[17:0]);
-              kept_11 <= {14'd0, wide_78};
-              factor_a <= kept_20;
-              factor_b <= kept_12;
-            end
-          endcase
-        end
-        5'd23: begin
-          step <= step + 5'd1;
-          kept_7 <= {3'd0, product[18:15]};
-          kept_18 <= {7'd0, product[14:6]};
-          factor_a <= kept_17;
-          factor_b <= {1'b0, k_p_i};
-        end
-        5'd25: begin
-          logic [19:0] sum_109_2;
-          logic [16:0] ahead_2;
-          logic [20:0] wanted_2;
-          logic [17:0] left;
-          logic [14:0] limit;
-          logic [21:0] wide_5;
-          sum_109_2 = {{4{kept_22[27]}}, kept_22[27:12]} + {product[30], product[30:12]};
-          ahead_2 = {kept_16[15], kept_16} + wide_71;  // line 80
-          wanted_2 = {sum_109_2[19], sum_109_2} + {{4{ahead_2[16]}}, ahead_2};  // line 109
-          left = kept_4 ? kept_11[17:0] : kept_21[17:0];  // line 78
-          limit =  // line 80
-              left[17] ? 15'd0 :
-              (left[17:15] == 3'd0) ? left[14:0] :
-              15'd32767;
-          wide_5 = {1'b0, wanted_2};
-          step <= step + 5'd1;
-          kept_12 <= {1'b0, limit};
-          kept_16 <= {1'b0, limit};
-          kept_18 <= -{1'b0, limit};
-          kept_19 <= {{9{wide_5[21]}}, wide_5};
-          factor_a <= kept_15;
-          factor_b <= kept_13[15:0];
-        end
-        5'd26: begin
-          logic [16:0] difference_82;
-          difference_82 = {kept_2[15], kept_2} - wide_61_3;  // line 82
-          if (enable_i) begin
-            logic below_111_2;
-            logic at_most_110_2;
-            logic [15:0] choice_79;
-            below_111_2 = $signed(kept_19[20:0]) < $signed({{5{kept_18[15]}}, kept_18});
-            at_most_110_2 = $signed(kept_19[20:0]) <= $signed({6'd0, kept_12[14:0]});  // line 110
-            choice_79 = at_most_110_2 ? (below_111_2 ? kept_18 : kept_19[15:0]) : kept_16;
-            if (at_most_110_2 || kept_17[15]) begin
-              if (!(below_111_2 && kept_17[15])) begin
-                integral_delta <= kept_22;
-              end
-              if (at_most_110_2) begin
-                if (below_111_2) begin
-                  factor_a <= kept_18;
-                end else begin
-                  factor_a <= kept_19[15:0];
-                end
-              end else begin
-                factor_a <= kept_16;
-              end
-            end else begin
-              factor_a <= kept_16;
-            end
-            kept_11 <= {{16{choice_79[15]}}, choice_79};
-            kept_23 <=
-                kept_0 || $signed({6'd0, kept_12[14:0]}) < $signed(kept_19[20:0]) || below_111_2;
-          end else begin
-            integral_delta <= 28'd0;
-            kept_11 <= 32'd0;
-            kept_23 <= kept_0;
-            factor_a <= 16'd0;
-          end
-          step <= step + 5'd1;
-          kept_0 <= difference_82[16:15] == 2'd3;
-          kept_2 <= difference_82[15:0];
-          kept_4 <= difference_82[16:15] == 2'd0;
-          kept_5 <= difference_82[16];
-          factor_b <= kept_13[15:0];
-        end
-        5'd27: begin
-          logic [15:0] _cosine_2;
-          _cosine_2 =  // line 82
-              kept_5 ? (kept_0 ? kept_2 : 16'd32768) :
-              kept_4 ? kept_2 :
-              16'd32767;
-          step <= step + 5'd1;
-          kept_11 <= {{16{_cosine_2[15]}}, _cosine_2};
-          kept_13 <= product;
-          factor_a <= kept_11[15:0];
-          if (kept_5) begin
-            if (kept_0) begin
-              factor_b <= kept_2;
-            end else begin
-              factor_b <= 16'd32768;
-            end
-          end else if (kept_4) begin
-            factor_b <= kept_2;
-          end else begin
-            factor_b <= 16'd32767;
-          end
-        end
-        5'd28: begin
-          step <= step + 5'd1;
-          kept_11 <= product;
-          factor_a <= kept_15;
-          factor_b <= kept_11[15:0];
-        end
-        5'd29: begin
-          logic [32:0] product_5;
-          product_5 = {kept_13[31], kept_13} + wide_61_2;  // line 84
-          step <= step + 5'd1;
-          kept_0 <= product_5[32] && product_5[31:14] != 18'd262143;
-          kept_14 <= product_5;
-        end
-        5'd30: begin
-          logic [32:0] product_4;
-          product_4 = wide_61_2 - wide_64;  // line 83
-          step <= step + 5'd1;
-          kept_0 <= product_4[32] && product_4[31:14] != 18'd262143;
-          if (kept_0) begin
-            if (sum_102[33:30] == 4'd15) begin
-              kept_2 <= sum_102[30:15];
-            end else begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (sum_102[33:30] == 4'd0) begin
-            kept_2 <= sum_102[30:15];
-          end else begin
-            kept_2 <= 16'd32767;
-          end
-          kept_14 <= product_4;
-        end
-        default: begin  // 5'd31
-          step <= 5'd0;
-          if (kept_0) begin
-            if (sum_102[33:30] == 4'd15) begin
-              v_alpha_held <= sum_102[30:15];
-            end else begin
-              v_alpha_held <= 16'd32768;
-            end
-          end else if (sum_102[33:30] == 4'd0) begin
-            v_alpha_held <= sum_102[30:15];
-          end else begin
-            v_alpha_held <= 16'd32767;
-          end
-          v_beta_held <= kept_2;
-          i_gamma_held <= kept_10;
-          i_delta_held <= kept_9;
-          limited_held <= kept_23;
-        end
-      endcase
-      product <= product_next;  // line 84
-      done <= step == 5'd31;
-      missed <= start_i && step != 5'd0;
     end
   end
 

@@ -24,45 +24,44 @@ module current_limit (
   wire either_50 = released || !comparator_i;  // line 50
 
   always_ff @(posedge clk) begin
+    if (hit_next) begin
+      left <= words_off_time_i;
+      cut <= 1'b1;
+    end else begin
+      logic both_43;
+      both_43 = cut && left[11:1] == 11'd0;  // line 43
+      if (cut || on_i) begin
+        if (both_43) begin
+          left <= {4'd0, words_blanking_i};
+          if (either_50) begin
+            stuck <= 4'd0;
+          end else begin
+            logic [4:0] sum_46;
+            sum_46 = {1'b0, stuck} + 5'd1;  // line 46
+            if (!(sum_46[4] && sum_46[3:0] != 4'd15)) begin
+              stuck <= sum_46[3:0];
+            end
+          end
+        end else if (both_41) begin
+          if (!comparator_i) begin
+            stuck <= 4'd0;
+          end
+        end else begin
+          left <= left - 12'd1;
+        end
+      end else begin
+        left <= {4'd0, words_blanking_i};
+      end
+      cut <= both_43 ^ cut;
+    end
+    released <= cut && either_50;
+    hit <= hit_next;
     if (rst) begin
       left <= 12'd0;
       cut <= 1'b0;
       released <= 1'b0;
       hit <= 1'b0;
       stuck <= 4'd0;
-    end else begin
-      if (hit_next) begin
-        left <= words_off_time_i;
-        cut <= 1'b1;
-      end else begin
-        logic both_43;
-        both_43 = cut && left[11:1] == 11'd0;  // line 43
-        if (cut || on_i) begin
-          if (both_43) begin
-            left <= {4'd0, words_blanking_i};
-            if (either_50) begin
-              stuck <= 4'd0;
-            end else begin
-              logic [4:0] sum_46;
-              sum_46 = {1'b0, stuck} + 5'd1;  // line 46
-              if (!(sum_46[4] && sum_46[3:0] != 4'd15)) begin
-                stuck <= sum_46[3:0];
-              end
-            end
-          end else if (both_41) begin
-            if (!comparator_i) begin
-              stuck <= 4'd0;
-            end
-          end else begin
-            left <= left - 12'd1;
-          end
-        end else begin
-          left <= {4'd0, words_blanking_i};
-        end
-        cut <= both_43 ^ cut;
-      end
-      released <= cut && either_50;
-      hit <= hit_next;
     end
   end
 

@@ -392,6 +392,570 @@ module current_model (
   end
 
   always_ff @(posedge clk) begin
+    case (step_2)
+      6'd0: begin
+        logic [16:0] moved;
+        logic [16:0] moved_2;
+        moved = wide_64 - wide_64_2;  // line 69
+        moved_2 = wide_64_3 - wide_64_4;  // line 70
+        step_2 <= {5'd0, start_i};
+        if (enable_i) begin
+          kept_0 <= sum_77 + wide_77;
+        end else begin
+          kept_0 <= initial_i;
+        end
+        kept_1 <= {1'b0, moved};
+        kept_2 <= {1'b0, sum_u[14:0]};
+        kept_3 <= sum_u[16:15];
+        kept_4 <= {1'b0, moved_2};
+        kept_5 <= sum_v[14:0];
+        kept_6 <= sum_v[16:15];
+        kept_7 <= sum_66[16:1];
+        kept_8 <= $signed(sum_v[16:1]) > 16'sd16;
+        kept_9 <= sum_v[6:1];
+        kept_10 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
+        kept_11 <= {2'd0, {sum_u[16], sum_u} + {sum_v[16], sum_v}};
+        kept_12 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
+        kept_13 <= sum_78[9];
+        kept_14 <= sum_77[21:14] ^ {8{sum_78[8]}};
+        kept_15 <= {sum_77[13:8], 1'b0} ^ 7'h40;
+        kept_16 <= sum_77[23];
+        kept_17 <= {6'd0, sum_66_8[16:1]};
+        kept_18 <= $signed(sum_u[16:1]) > 16'sd16;
+        kept_19 <= sum_u[6:1];
+        kept_20 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
+        kept_21 <= way - {{5{way[24]}}, way[24:5]};
+        factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, last_dc}};
+        factor_b <= {1'b0, pattern_inverse_i};
+        kQuarterWave_entry <= entry_78;
+      end
+      6'd1, 6'd2: begin
+        logic [15:0] difference_78;
+        difference_78 = -{1'b0, kQuarterWave_entry};  // line 78
+        case (step_2)
+          6'd1: begin
+            logic [5:0] choice_66;
+            choice_66 = (kept_7 < 16'd65503) ? (kept_8 ? 6'd16 : 6'd48) : kept_9;  // line 66
+            step_2 <= step_2 + 6'd1;
+            if (kept_16) begin
+              kept_7 <= difference_78;
+            end else begin
+              kept_7 <= {1'b0, kQuarterWave_entry};
+            end
+            if (sum_66_2[17:1] < 17'd131039) begin
+              if ($signed(difference_66[17:1]) > 17'sd16) begin
+                kept_9 <= 6'd16;
+              end else begin
+                kept_9 <= 6'd48;
+              end
+            end else begin
+              kept_9 <= difference_66[6:1];
+            end
+            factor_a <= {{10{choice_66[5]}}, choice_66};
+            factor_b <= {4'd0, pattern_dead_i};
+            kQuarterWave_entry <= entry_78;
+          end
+          default: begin  // 6'd2
+            step_2 <= step_2 + 6'd1;
+            kept_8 <= sum_66_4[28];
+            kept_11 <= {5'd0, sum_66_4[27:13]};
+            if (kept_13) begin
+              kept_22 <= difference_78;
+            end else begin
+              kept_22 <= {1'b0, kQuarterWave_entry};
+            end
+            factor_a <= wide_66;
+            factor_b <= {4'd0, pattern_dead_i};
+          end
+        endcase
+      end
+      6'd3: begin
+        logic [13:0] choice_66_2;
+        logic [5:0] choice_66_4;
+        choice_66_2 = kept_10 ? product[17:4] : 14'd0;  // line 66
+        choice_66_4 = (kept_17[15:0] < 16'd65503) ? (kept_18 ? 6'd16 : 6'd48) : kept_19;  // line 66
+        step_2 <= step_2 + 6'd1;
+        kept_17 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_66_2[13]}}, choice_66_2}};
+        factor_a <= {{10{choice_66_4[5]}}, choice_66_4};
+        factor_b <= {4'd0, pattern_dead_i};
+      end
+      6'd4: begin
+        logic [13:0] choice_66_3;
+        logic [19:0] difference_66_2;
+        logic [19:0] difference_66_3;
+        choice_66_3 = kept_12 ? product[17:4] : 14'd0;  // line 66
+        difference_66_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_66_3[13]}}, choice_66_3};
+        difference_66_3 = kept_17[19:0] - difference_66_2;  // line 66
+        step_2 <= step_2 + 6'd1;
+        kept_2 <= {1'b0, difference_66_3[14:0]};
+        kept_9 <= {1'b0, difference_66_3[19:15]};
+        kept_17 <= {1'b0, {kept_17[19], kept_17[19:0]} + {difference_66_2[19], difference_66_2}};
+        factor_a <= {1'b0, kept_2[14:0]};
+        factor_b <= {1'b0, words_decay_i};
+      end
+      6'd5: begin
+        logic [13:0] choice_66_5;
+        logic [20:0] difference_66_4;
+        choice_66_5 = kept_20 ? product[17:4] : 14'd0;  // line 66
+        difference_66_4 =  // line 66
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_66_5[13]}}, choice_66_5}, 1'b0} -
+            kept_17[20:0];
+        step_2 <= step_2 + 6'd1;
+        kept_2 <= {1'b0, difference_66_4[14:0]};
+        kept_19 <= difference_66_4[20:15];
+        factor_a <= {1'b0, kept_2[14:0]};
+        factor_b <= 16'd28378;
+      end
+      6'd6: begin
+        step_2 <= step_2 + 6'd1;
+        kept_17 <= {7'd0, product[29:15]};
+        kept_23 <= product[14:0];
+        factor_a <= {{11{kept_9[4]}}, kept_9[4:0]};
+        factor_b <= 16'd28378;
+      end
+      6'd7: begin
+        step_2 <= step_2 + 6'd1;
+        kept_24 <= product[29:15];
+        kept_25 <= product[14:0];
+        factor_a <= {{14{kept_3[1]}}, kept_3};
+        factor_b <= {1'b0, words_decay_i};
+      end
+      6'd8: begin
+        step_2 <= step_2 + 6'd1;
+        kept_5 <= sum_66_3[28:14];
+        kept_9 <= sum_66_3[34:29];
+        factor_a <= {1'b0, kept_5};
+        factor_b <= {1'b0, words_decay_i};
+      end
+      6'd9: begin
+        step_2 <= step_2 + 6'd1;
+        kept_17 <= {4'd0, sum_114[32:15]};
+        factor_a <= {{14{kept_6[1]}}, kept_6};
+        factor_b <= {1'b0, words_decay_i};
+      end
+      6'd10: begin
+        logic [17:0] joined_114;
+        logic [18:0] sum_114_2;
+        logic [17:0] free_u;
+        joined_114 = {kept_1[16:0], 1'b0};  // line 114
+        sum_114_2 = {joined_114[17], joined_114} + wide_114;  // line 114
+        free_u =  // line 114
+            sum_114_2[18] ? ((sum_114_2[18:17] == 2'd3) ? sum_114_2[17:0] : 18'd131072) :
+            (sum_114_2[18:17] == 2'd0) ? sum_114_2[17:0] :
+            18'd131071;
+        step_2 <= step_2 + 6'd1;
+        kept_17 <= {4'd0, free_u};
+        kept_23 <= product[29:15];
+        kept_24 <= product[14:0];
+        factor_a <= {1'b0, kept_5};
+        factor_b <= {1'b0, kept_11[14:0]};
+      end
+      6'd11: begin
+        step_2 <= step_2 + 6'd1;
+        kept_1 <= sum_114_3[32:15];
+        factor_a <= {kept_5[14], kept_5};
+        factor_b <= {15'd0, kept_8};
+      end
+      6'd12: begin
+        logic [17:0] joined_114_3;
+        logic [18:0] sum_114_4;
+        joined_114_3 = {kept_4[16:0], 1'b0};  // line 114
+        sum_114_4 = {joined_114_3[17], joined_114_3} + wide_114_2;  // line 114
+        step_2 <= step_2 + 6'd1;
+        if (sum_114_4[18]) begin
+          if (sum_114_4[18:17] == 2'd3) begin
+            kept_1 <= sum_114_4[17:0];
+          end else begin
+            kept_1 <= 18'd131072;
+          end
+        end else if (sum_114_4[18:17] == 2'd0) begin
+          kept_1 <= sum_114_4[17:0];
+        end else begin
+          kept_1 <= 18'd131071;
+        end
+        kept_5 <= product[29:15];
+        kept_10 <= product[14];
+        kept_23 <= product[14:0];
+        factor_a <= {1'b0, kept_2[14:0]};
+        factor_b <= {1'b0, kept_11[14:0]};
+      end
+      6'd13: begin
+        logic [18:0] sum_71;
+        logic [19:0] sum_71_2;
+        logic [2:0] part_71;
+        sum_71 = wide_114 + wide_114_2;  // line 71
+        sum_71_2 = {sum_71[18], sum_71} + {{2{kept_1[17]}}, kept_1};  // line 71
+        part_71 = sum_71_2[19:17];  // line 71
+        step_2 <= step_2 + 6'd1;
+        case (part_71)
+          3'd0: begin
+            kept_1 <= 18'd131072;
+            kept_4 <= sum_71_2[17:0];
+          end
+          3'd7: begin
+            kept_1 <= sum_71_2[17:0];
+            kept_4 <= 18'd131071;
+          end
+          default: begin
+            kept_1 <= 18'd131072;
+            kept_4 <= 18'd131071;
+          end
+        endcase
+        kept_2 <= {1'b0, kept_5} + {1'b0, product[14:0]};
+        kept_12 <= sum_71_2[19];
+        factor_a <= {kept_2[14], kept_2[14:0]};
+        factor_b <= {15'd0, kept_8};
+      end
+      6'd14: begin
+        logic [17:0] twice;
+        twice = kept_12 ? kept_1 : kept_4;  // line 71
+        step_2 <= step_2 + 6'd1;
+        kept_5 <= twice[14:0];
+        kept_12 <= product[14];
+        kept_14 <= {5'd0, twice[17:15]};
+        kept_24 <= product[29:15];
+        kept_25 <= product[14:0];
+        factor_a <= wide_66;
+        factor_b <= {1'b0, kept_11[14:0]};
+      end
+      6'd15: begin
+        step_2 <= step_2 + 6'd1;
+        kept_1 <= {2'd0, {1'b0, kept_24} + {1'b0, product[14:0]}};
+        factor_a <= wide_66_2;
+        factor_b <= {1'b0, kept_11[14:0]};
+      end
+      6'd16: begin
+        logic [20:0] sum_66_5;
+        sum_66_5 = {5'd0, kept_2} + product[20:0];  // line 66
+        step_2 <= step_2 + 6'd1;
+        kept_9 <= sum_66_5[20:15];
+        kept_24 <= sum_66_5[14:0];
+        factor_a <= wide_66;
+        factor_b <= {15'd0, kept_8};
+      end
+      6'd17: begin
+        logic [20:0] sum_66_9;
+        sum_66_9 = {5'd0, kept_1[15:0]} + product[20:0];  // line 66
+        step_2 <= step_2 + 6'd1;
+        kept_2 <= {1'b0, sum_66_9[14:0]};
+        kept_19 <= sum_66_9[20:15];
+        factor_a <= wide_66_2;
+        factor_b <= {15'd0, kept_8};
+      end
+      6'd18: begin
+        step_2 <= step_2 + 6'd1;
+        kept_1 <= {2'd0, sum_66_7[30:15]};
+        kept_8 <= sum_66_6[5] && {sum_66_6[4:0], kept_24, kept_10} != 21'd2097151;
+        kept_15 <= sum_66_7[36:30];
+        factor_a <= wide_78;
+        factor_b <= 16'd402;
+      end
+      6'd19: begin
+        step_2 <= step_2 + 6'd1;
+        kept_1 <= {2'd0, sum_66_11[30:15]};
+        if (kept_8) begin
+          if (kept_15 == 7'd127) begin
+            kept_2 <= kept_1[15:0];
+          end else begin
+            kept_2 <= 16'd32768;
+          end
+        end else if (kept_15 == 7'd0) begin
+          kept_2 <= kept_1[15:0];
+        end else begin
+          kept_2 <= 16'd32767;
+        end
+        kept_8 <= sum_66_10[5] && {sum_66_10[4:0], kept_2[14:0], kept_12} != 21'd2097151;
+        kept_15 <= sum_66_11[36:30];
+        factor_a <= {1'b0, kept_5};
+        factor_b <= 16'd18919;
+      end
+      6'd20: begin
+        logic [15:0] _beta;
+        _beta =  // line 66
+            kept_8 ? ((kept_15 == 7'd127) ? kept_1[15:0] : 16'd32768) :
+            (kept_15 == 7'd0) ? kept_1[15:0] :
+            16'd32767;
+        step_2 <= step_2 + 6'd1;
+        kept_1 <= {2'd0, product[15:0]};
+        kept_4 <= {2'd0, _beta};
+        factor_a <= {{13{kept_14[2]}}, kept_14[2:0]};
+        factor_b <= 16'd18919;
+      end
+      6'd21: begin
+        step_2 <= step_2 + 6'd1;
+        kept_5 <= product[29:15];
+        kept_23 <= product[14:0];
+        factor_a <= kept_2;
+        factor_b <= {1'b0, words_gain_i};
+      end
+      6'd22: begin
+        step_2 <= step_2 + 6'd1;
+        kept_11 <= sum_73[34:15];
+        factor_a <= kept_1[15:0];
+        factor_b <= kept_7;
+      end
+      6'd23: begin
+        logic [20:0] difference_73;
+        difference_73 = wide_73 - wide_73_2;  // line 73
+        step_2 <= step_2 + 6'd1;
+        kept_2 <= difference_73[15:0];
+        kept_8 <= difference_73[20];
+        kept_9 <= difference_73[20:15];
+        factor_a <= kept_4[15:0];
+        factor_b <= {1'b0, words_gain_i};
+      end
+      6'd24: begin
+        logic [16:0] difference_78_2;
+        difference_78_2 = {kept_22[15], kept_22} - wide_78_3;  // line 78
+        step_2 <= step_2 + 6'd1;
+        if (kept_8) begin
+          if (kept_9 != 6'd63) begin
+            kept_2 <= 16'd32768;
+          end
+        end else if (kept_9 != 6'd0) begin
+          kept_2 <= 16'd32767;
+        end
+        kept_8 <= difference_78_2[16:15] == 2'd3;
+        kept_10 <= difference_78_2[16:15] == 2'd0;
+        kept_12 <= difference_78_2[16];
+        kept_22 <= difference_78_2[15:0];
+        factor_a <= kept_1[15:0];
+        factor_b <= kept_22;
+      end
+      6'd25, 6'd27: begin
+        logic [15:0] _cosine;
+        logic [31:0] wide_79;
+        _cosine =  // line 78
+            kept_12 ? (kept_8 ? kept_22 : 16'd32768) :
+            kept_10 ? kept_22 :
+            16'd32767;
+        wide_79 = {{16{_cosine[15]}}, _cosine};  // line 79
+        case (step_2)
+          6'd25: begin
+            logic [20:0] difference_72;
+            difference_72 = {{3{kept_17[17]}}, kept_17[17:0]} - wide_73_2;  // line 72
+            step_2 <= step_2 + 6'd1;
+            kept_8 <= difference_72[20];
+            kept_9 <= difference_72[20:15];
+            kept_22 <= difference_72[15:0];
+            kept_26 <= {1'b0, wide_79};
+            factor_a <= kept_2;
+            if (kept_12) begin
+              if (kept_8) begin
+                factor_b <= kept_22;
+              end else begin
+                factor_b <= 16'd32768;
+              end
+            end else if (kept_10) begin
+              factor_b <= kept_22;
+            end else begin
+              factor_b <= 16'd32767;
+            end
+          end
+          default: begin  // 6'd27
+            step_2 <= step_2 + 6'd1;
+            kept_27 <= product;
+            kept_28 <= wide_79;
+            factor_a <= kept_7;
+            if (kept_12) begin
+              if (kept_8) begin
+                factor_b <= kept_22;
+              end else begin
+                factor_b <= 16'd32768;
+              end
+            end else if (kept_10) begin
+              factor_b <= kept_22;
+            end else begin
+              factor_b <= 16'd32767;
+            end
+          end
+        endcase
+      end
+      6'd26: begin
+        logic [16:0] sum_78_3;
+        sum_78_3 = {kept_7[15], kept_7} + wide_78_3;  // line 78
+        step_2 <= step_2 + 6'd1;
+        if (kept_8) begin
+          if (kept_9 == 6'd63) begin
+            kept_7 <= kept_22;
+          end else begin
+            kept_7 <= 16'd32768;
+          end
+        end else if (kept_9 == 6'd0) begin
+          kept_7 <= kept_22;
+        end else begin
+          kept_7 <= 16'd32767;
+        end
+        kept_8 <= sum_78_3[16:15] == 2'd3;
+        kept_10 <= sum_78_3[16:15] == 2'd0;
+        kept_12 <= sum_78_3[16];
+        kept_22 <= sum_78_3[15:0];
+        factor_a <= emf[27:12];
+        factor_b <= {1'b0, words_gain_i};
+      end
+      6'd28: begin
+        step_2 <= step_2 + 6'd1;
+        kept_11 <= sum_118[31:12];
+        factor_a <= kept_7;
+        factor_b <= kept_26[15:0];
+      end
+      6'd29: begin
+        logic [32:0] product_2;
+        product_2 = wide_81 - wide_78_2;  // line 81
+        step_2 <= step_2 + 6'd1;
+        kept_8 <= product_2[32] && product_2[31:14] != 18'd262143;
+        kept_26 <= product_2;
+        factor_a <= kept_2;
+        factor_b <= kept_28[15:0];
+      end
+      6'd30: begin
+        step_2 <= step_2 + 6'd1;
+        if (kept_8) begin
+          if (sum_123[33:30] == 4'd15) begin
+            kept_2 <= sum_123[30:15];
+          end else begin
+            kept_2 <= 16'd32768;
+          end
+        end else if (sum_123[33:30] == 4'd0) begin
+          kept_2 <= sum_123[30:15];
+        end else begin
+          kept_2 <= 16'd32767;
+        end
+        kept_27 <= product;
+      end
+      6'd31: begin
+        logic [20:0] sum_81;
+        logic [32:0] product_3;
+        sum_81 = {{5{kept_2[15]}}, kept_2} + wide_73;  // line 81
+        product_3 = wide_81 + wide_78_2;  // line 79
+        step_2 <= step_2 + 6'd1;
+        kept_8 <= product_3[32] && product_3[31:14] != 18'd262143;
+        kept_26 <= product_3;
+        if (sum_81[20]) begin
+          if (sum_81[20:15] == 6'd63) begin
+            factor_a <= sum_81[15:0];
+          end else begin
+            factor_a <= 16'd32768;
+          end
+        end else if (sum_81[20:15] == 6'd0) begin
+          factor_a <= sum_81[15:0];
+        end else begin
+          factor_a <= 16'd32767;
+        end
+        factor_b <= {1'b0, words_k_e_i};
+      end
+      6'd32: begin
+        step_2 <= step_2 + 6'd1;
+        if (kept_8) begin
+          if (sum_123[33:30] == 4'd15) begin
+            kept_2 <= sum_123[30:15];
+          end else begin
+            kept_2 <= 16'd32768;
+          end
+        end else if (sum_123[33:30] == 4'd0) begin
+          kept_2 <= sum_123[30:15];
+        end else begin
+          kept_2 <= 16'd32767;
+        end
+      end
+      6'd33: begin
+        if (enable_i) begin
+          if (difference_83[29]) begin
+            if (difference_83[29:27] == 3'd7) begin
+              emf <= difference_83[27:0];
+            end else begin
+              emf <= 28'd134217728;
+            end
+          end else if (difference_83[29:27] == 3'd0) begin
+            emf <= difference_83[27:0];
+          end else begin
+            emf <= 28'd134217727;
+          end
+        end else begin
+          emf <= 28'd0;
+        end
+        step_2 <= step_2 + 6'd1;
+        kept_5 <= emf_now[20:6];
+        kept_15 <= emf_now[27:21];
+        factor_a <= kept_2;
+        factor_b <= {1'b0, words_k_theta_i};
+      end
+      6'd34: begin
+        step_2 <= step_2 + 6'd1;
+        factor_a <= {1'b0, kept_5};
+        factor_b <= {1'b0, words_k_speed_i};
+      end
+      6'd35: begin
+        step_2 <= step_2 + 6'd1;
+        kept_27 <= {7'd0, sum_87[31:7]};
+        factor_a <= wide_78;
+        factor_b <= {1'b0, words_k_speed_i};
+      end
+      6'd36: begin
+        step_2 <= step_2 + 6'd1;
+        kept_5 <= product[29:15];
+        kept_8 <= product[14];
+        kept_23 <= product[14:0];
+      end
+      6'd37: begin
+        logic [21:0] sum_85;
+        sum_85 = {7'd0, kept_5} + product[21:0];  // line 85
+        step_2 <= step_2 + 6'd1;
+        kept_8 <= sum_85[21] && {sum_85[20:0], kept_8} != 22'd4194303;
+        kept_17 <= sum_85;
+      end
+      6'd38: begin
+        step_2 <= step_2 + 6'd1;
+        if (kept_8) begin
+          if (sum_86[37:34] == 4'd15) begin
+            kept_11 <= sum_86[34:15];
+          end else begin
+            kept_11 <= 20'd524288;
+          end
+        end else if (sum_86[37:34] == 4'd0) begin
+          kept_11 <= sum_86[34:15];
+        end else begin
+          kept_11 <= 20'd524287;
+        end
+      end
+      6'd39: begin
+        logic [25:0] wide_88;
+        logic [25:0] wide_88_2;
+        logic [25:0] choice_88;
+        logic [19:0] step_3;
+        wide_88 = {{6{kept_11[19]}}, kept_11};  // line 88
+        wide_88_2 = {kept_27[24], kept_27[24:0]};  // line 88
+        choice_88 = way[24] ? wide_88 - wide_88_2 : wide_88 + wide_88_2;  // line 88
+        step_3 =  // line 88
+            choice_88[25] ? ((choice_88[25:19] == 7'd127) ? choice_88[19:0] : 20'd524288) :
+            (choice_88[25:19] == 7'd0) ? choice_88[19:0] :
+            20'd524287;
+        step_2 <= step_2 + 6'd1;
+        kept_17 <= {2'd0, step_3};
+      end
+      6'd40: begin
+        last_u <= i_u_i;
+        last_v <= i_v_i;
+        last_dc <= v_dc_i;
+        before_ <= kept_0;
+        if (enable_i) begin
+          step <= kept_17[19:0];
+          way <= kept_21 + {{5{kept_17[19]}}, kept_17[19:0]};
+          emf_step_held <= kept_11;
+          error_held <= kept_2;
+        end else begin
+          step <= 20'd0;
+          way <= 25'd0;
+          emf_step_held <= 20'd0;
+          error_held <= 16'd0;
+        end
+        step_2 <= 6'd0;
+      end
+      default: step_2 <= step_2 + 6'd1;
+    endcase
+    product <= product_next;  // line 87
+    done <= step_2 == 6'd40;
+    missed <= start_i && step_2 != 6'd0;
     if (rst) begin
       last_u <= 16'sd0;
       last_v <= 16'sd0;
@@ -438,571 +1002,6 @@ module current_model (
       error_held <= 16'sd0;
       done <= 1'b0;
       missed <= 1'b0;
-    end else begin
-      case (step_2)
-        6'd0: begin
-          logic [16:0] moved;
-          logic [16:0] moved_2;
-          moved = wide_64 - wide_64_2;  // line 69
-          moved_2 = wide_64_3 - wide_64_4;  // line 70
-          step_2 <= {5'd0, start_i};
-          if (enable_i) begin
-            kept_0 <= sum_77 + wide_77;
-          end else begin
-            kept_0 <= initial_i;
-          end
-          kept_1 <= {1'b0, moved};
-          kept_2 <= {1'b0, sum_u[14:0]};
-          kept_3 <= sum_u[16:15];
-          kept_4 <= {1'b0, moved_2};
-          kept_5 <= sum_v[14:0];
-          kept_6 <= sum_v[16:15];
-          kept_7 <= sum_66[16:1];
-          kept_8 <= $signed(sum_v[16:1]) > 16'sd16;
-          kept_9 <= sum_v[6:1];
-          kept_10 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
-          kept_11 <= {2'd0, {sum_u[16], sum_u} + {sum_v[16], sum_v}};
-          kept_12 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
-          kept_13 <= sum_78[9];
-          kept_14 <= sum_77[21:14] ^ {8{sum_78[8]}};
-          kept_15 <= {sum_77[13:8], 1'b0} ^ 7'h40;
-          kept_16 <= sum_77[23];
-          kept_17 <= {6'd0, sum_66_8[16:1]};
-          kept_18 <= $signed(sum_u[16:1]) > 16'sd16;
-          kept_19 <= sum_u[6:1];
-          kept_20 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
-          kept_21 <= way - {{5{way[24]}}, way[24:5]};
-          factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, last_dc}};
-          factor_b <= {1'b0, pattern_inverse_i};
-          kQuarterWave_entry <= entry_78;
-        end
-        6'd1, 6'd2: begin
-          logic [15:0] difference_78;
-          difference_78 = -{1'b0, kQuarterWave_entry};  // line 78
-          case (step_2)
-            6'd1: begin
-              logic [5:0] choice_66;
-              choice_66 = (kept_7 < 16'd65503) ? (kept_8 ? 6'd16 : 6'd48) : kept_9;  // line 66
-              step_2 <= step_2 + 6'd1;
-              if (kept_16) begin
-                kept_7 <= difference_78;
-              end else begin
-                kept_7 <= {1'b0, kQuarterWave_entry};
-              end
-              if (sum_66_2[17:1] < 17'd131039) begin
-                if ($signed(difference_66[17:1]) > 17'sd16) begin
-                  kept_9 <= 6'd16;
-                end else begin
-                  kept_9 <= 6'd48;
-                end
-              end else begin
-                kept_9 <= difference_66[6:1];
-              end
-              factor_a <= {{10{choice_66[5]}}, choice_66};
-              factor_b <= {4'd0, pattern_dead_i};
-              kQuarterWave_entry <= entry_78;
-            end
-            default: begin  // 6'd2
-              step_2 <= step_2 + 6'd1;
-              kept_8 <= sum_66_4[28];
-              kept_11 <= {5'd0, sum_66_4[27:13]};
-              if (kept_13) begin
-                kept_22 <= difference_78;
-              end else begin
-                kept_22 <= {1'b0, kQuarterWave_entry};
-              end
-              factor_a <= wide_66;
-              factor_b <= {4'd0, pattern_dead_i};
-            end
-          endcase
-        end
-        6'd3: begin
-          logic [13:0] choice_66_2;
-          logic [5:0] choice_66_4;
-          choice_66_2 = kept_10 ? product[17:4] : 14'd0;  // line 66
-          choice_66_4 = (kept_17[15:0] < 16'd65503) ? (kept_18 ? 6'd16 : 6'd48) : kept_19;
-          step_2 <= step_2 + 6'd1;
-          kept_17 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_66_2[13]}}, choice_66_2}};
-          factor_a <= {{10{choice_66_4[5]}}, choice_66_4};
-          factor_b <= {4'd0, pattern_dead_i};
-        end
-        6'd4: begin
-          logic [13:0] choice_66_3;
-          logic [19:0] difference_66_2;
-          logic [19:0] difference_66_3;
-          choice_66_3 = kept_12 ? product[17:4] : 14'd0;  // line 66
-          difference_66_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_66_3[13]}}, choice_66_3};
-          difference_66_3 = kept_17[19:0] - difference_66_2;  // line 66
-          step_2 <= step_2 + 6'd1;
-          kept_2 <= {1'b0, difference_66_3[14:0]};
-          kept_9 <= {1'b0, difference_66_3[19:15]};
-          kept_17 <= {1'b0, {kept_17[19], kept_17[19:0]} + {difference_66_2[19], difference_66_2}};
-          factor_a <= {1'b0, kept_2[14:0]};
-          factor_b <= {1'b0, words_decay_i};
-        end
-        6'd5: begin
-          logic [13:0] choice_66_5;
-          logic [20:0] difference_66_4;
-          choice_66_5 = kept_20 ? product[17:4] : 14'd0;  // line 66
-          difference_66_4 =  // line 66
-              {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_66_5[13]}}, choice_66_5}, 1'b0} -
-              kept_17[20:0];
-          step_2 <= step_2 + 6'd1;
-          kept_2 <= {1'b0, difference_66_4[14:0]};
-          kept_19 <= difference_66_4[20:15];
-          factor_a <= {1'b0, kept_2[14:0]};
-          factor_b <= 16'd28378;
-        end
-        6'd6: begin
-          step_2 <= step_2 + 6'd1;
-          kept_17 <= {7'd0, product[29:15]};
-          kept_23 <= product[14:0];
-          factor_a <= {{11{kept_9[4]}}, kept_9[4:0]};
-          factor_b <= 16'd28378;
-        end
-        6'd7: begin
-          step_2 <= step_2 + 6'd1;
-          kept_24 <= product[29:15];
-          kept_25 <= product[14:0];
-          factor_a <= {{14{kept_3[1]}}, kept_3};
-          factor_b <= {1'b0, words_decay_i};
-        end
-        6'd8: begin
-          step_2 <= step_2 + 6'd1;
-          kept_5 <= sum_66_3[28:14];
-          kept_9 <= sum_66_3[34:29];
-          factor_a <= {1'b0, kept_5};
-          factor_b <= {1'b0, words_decay_i};
-        end
-        6'd9: begin
-          step_2 <= step_2 + 6'd1;
-          kept_17 <= {4'd0, sum_114[32:15]};
-          factor_a <= {{14{kept_6[1]}}, kept_6};
-          factor_b <= {1'b0, words_decay_i};
-        end
-        6'd10: begin
-          logic [17:0] joined_114;
-          logic [18:0] sum_114_2;
-          logic [17:0] free_u;
-          joined_114 = {kept_1[16:0], 1'b0};  // line 114
-          sum_114_2 = {joined_114[17], joined_114} + wide_114;  // line 114
-          free_u =  // line 114
-              sum_114_2[18] ? ((sum_114_2[18:17] == 2'd3) ? sum_114_2[17:0] : 18'd131072) :
-              (sum_114_2[18:17] == 2'd0) ? sum_114_2[17:0] :
-              18'd131071;
-          step_2 <= step_2 + 6'd1;
-          kept_17 <= {4'd0, free_u};
-          kept_23 <= product[29:15];
-          kept_24 <= product[14:0];
-          factor_a <= {1'b0, kept_5};
-          factor_b <= {1'b0, kept_11[14:0]};
-        end
-        6'd11: begin
-          step_2 <= step_2 + 6'd1;
-          kept_1 <= sum_114_3[32:15];
-          factor_a <= {kept_5[14], kept_5};
-          factor_b <= {15'd0, kept_8};
-        end
-        6'd12: begin
-          logic [17:0] joined_114_3;
-          logic [18:0] sum_114_4;
-          joined_114_3 = {kept_4[16:0], 1'b0};  // line 114
-          sum_114_4 = {joined_114_3[17], joined_114_3} + wide_114_2;  // line 114
-          step_2 <= step_2 + 6'd1;
-          if (sum_114_4[18]) begin
-            if (sum_114_4[18:17] == 2'd3) begin
-              kept_1 <= sum_114_4[17:0];
-            end else begin
-              kept_1 <= 18'd131072;
-            end
-          end else if (sum_114_4[18:17] == 2'd0) begin
-            kept_1 <= sum_114_4[17:0];
-          end else begin
-            kept_1 <= 18'd131071;
-          end
-          kept_5 <= product[29:15];
-          kept_10 <= product[14];
-          kept_23 <= product[14:0];
-          factor_a <= {1'b0, kept_2[14:0]};
-          factor_b <= {1'b0, kept_11[14:0]};
-        end
-        6'd13: begin
-          logic [18:0] sum_71;
-          logic [19:0] sum_71_2;
-          logic [2:0] part_71;
-          sum_71 = wide_114 + wide_114_2;  // line 71
-          sum_71_2 = {sum_71[18], sum_71} + {{2{kept_1[17]}}, kept_1};  // line 71
-          part_71 = sum_71_2[19:17];  // line 71
-          step_2 <= step_2 + 6'd1;
-          case (part_71)
-            3'd0: begin
-              kept_1 <= 18'd131072;
-              kept_4 <= sum_71_2[17:0];
-            end
-            3'd7: begin
-              kept_1 <= sum_71_2[17:0];
-              kept_4 <= 18'd131071;
-            end
-            default: begin
-              kept_1 <= 18'd131072;
-              kept_4 <= 18'd131071;
-            end
-          endcase
-          kept_2 <= {1'b0, kept_5} + {1'b0, product[14:0]};
-          kept_12 <= sum_71_2[19];
-          factor_a <= {kept_2[14], kept_2[14:0]};
-          factor_b <= {15'd0, kept_8};
-        end
-        6'd14: begin
-          logic [17:0] twice;
-          twice = kept_12 ? kept_1 : kept_4;  // line 71
-          step_2 <= step_2 + 6'd1;
-          kept_5 <= twice[14:0];
-          kept_12 <= product[14];
-          kept_14 <= {5'd0, twice[17:15]};
-          kept_24 <= product[29:15];
-          kept_25 <= product[14:0];
-          factor_a <= wide_66;
-          factor_b <= {1'b0, kept_11[14:0]};
-        end
-        6'd15: begin
-          step_2 <= step_2 + 6'd1;
-          kept_1 <= {2'd0, {1'b0, kept_24} + {1'b0, product[14:0]}};
-          factor_a <= wide_66_2;
-          factor_b <= {1'b0, kept_11[14:0]};
-        end
-        6'd16: begin
-          logic [20:0] sum_66_5;
-          sum_66_5 = {5'd0, kept_2} + product[20:0];  // line 66
-          step_2 <= step_2 + 6'd1;
-          kept_9 <= sum_66_5[20:15];
-          kept_24 <= sum_66_5[14:0];
-          factor_a <= wide_66;
-          factor_b <= {15'd0, kept_8};
-        end
-        6'd17: begin
-          logic [20:0] sum_66_9;
-          sum_66_9 = {5'd0, kept_1[15:0]} + product[20:0];  // line 66
-          step_2 <= step_2 + 6'd1;
-          kept_2 <= {1'b0, sum_66_9[14:0]};
-          kept_19 <= sum_66_9[20:15];
-          factor_a <= wide_66_2;
-          factor_b <= {15'd0, kept_8};
-        end
-        6'd18: begin
-          step_2 <= step_2 + 6'd1;
-          kept_1 <= {2'd0, sum_66_7[30:15]};
-          kept_8 <= sum_66_6[5] && {sum_66_6[4:0], kept_24, kept_10} != 21'd2097151;
-          kept_15 <= sum_66_7[36:30];
-          factor_a <= wide_78;
-          factor_b <= 16'd402;
-        end
-        6'd19: begin
-          step_2 <= step_2 + 6'd1;
-          kept_1 <= {2'd0, sum_66_11[30:15]};
-          if (kept_8) begin
-            if (kept_15 == 7'd127) begin
-              kept_2 <= kept_1[15:0];
-            end else begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (kept_15 == 7'd0) begin
-            kept_2 <= kept_1[15:0];
-          end else begin
-            kept_2 <= 16'd32767;
-          end
-          kept_8 <= sum_66_10[5] && {sum_66_10[4:0], kept_2[14:0], kept_12} != 21'd2097151;
-          kept_15 <= sum_66_11[36:30];
-          factor_a <= {1'b0, kept_5};
-          factor_b <= 16'd18919;
-        end
-        6'd20: begin
-          logic [15:0] _beta;
-          _beta =  // line 66
-              kept_8 ? ((kept_15 == 7'd127) ? kept_1[15:0] : 16'd32768) :
-              (kept_15 == 7'd0) ? kept_1[15:0] :
-              16'd32767;
-          step_2 <= step_2 + 6'd1;
-          kept_1 <= {2'd0, product[15:0]};
-          kept_4 <= {2'd0, _beta};
-          factor_a <= {{13{kept_14[2]}}, kept_14[2:0]};
-          factor_b <= 16'd18919;
-        end
-        6'd21: begin
-          step_2 <= step_2 + 6'd1;
-          kept_5 <= product[29:15];
-          kept_23 <= product[14:0];
-          factor_a <= kept_2;
-          factor_b <= {1'b0, words_gain_i};
-        end
-        6'd22: begin
-          step_2 <= step_2 + 6'd1;
-          kept_11 <= sum_73[34:15];
-          factor_a <= kept_1[15:0];
-          factor_b <= kept_7;
-        end
-        6'd23: begin
-          logic [20:0] difference_73;
-          difference_73 = wide_73 - wide_73_2;  // line 73
-          step_2 <= step_2 + 6'd1;
-          kept_2 <= difference_73[15:0];
-          kept_8 <= difference_73[20];
-          kept_9 <= difference_73[20:15];
-          factor_a <= kept_4[15:0];
-          factor_b <= {1'b0, words_gain_i};
-        end
-        6'd24: begin
-          logic [16:0] difference_78_2;
-          difference_78_2 = {kept_22[15], kept_22} - wide_78_3;  // line 78
-          step_2 <= step_2 + 6'd1;
-          if (kept_8) begin
-            if (kept_9 != 6'd63) begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (kept_9 != 6'd0) begin
-            kept_2 <= 16'd32767;
-          end
-          kept_8 <= difference_78_2[16:15] == 2'd3;
-          kept_10 <= difference_78_2[16:15] == 2'd0;
-          kept_12 <= difference_78_2[16];
-          kept_22 <= difference_78_2[15:0];
-          factor_a <= kept_1[15:0];
-          factor_b <= kept_22;
-        end
-        6'd25, 6'd27: begin
-          logic [15:0] _cosine;
-          logic [31:0] wide_79;
-          _cosine =  // line 78
-              kept_12 ? (kept_8 ? kept_22 : 16'd32768) :
-              kept_10 ? kept_22 :
-              16'd32767;
-          wide_79 = {{16{_cosine[15]}}, _cosine};  // line 79
-          case (step_2)
-            6'd25: begin
-              logic [20:0] difference_72;
-              difference_72 = {{3{kept_17[17]}}, kept_17[17:0]} - wide_73_2;  // line 72
-              step_2 <= step_2 + 6'd1;
-              kept_8 <= difference_72[20];
-              kept_9 <= difference_72[20:15];
-              kept_22 <= difference_72[15:0];
-              kept_26 <= {1'b0, wide_79};
-              factor_a <= kept_2;
-              if (kept_12) begin
-                if (kept_8) begin
-                  factor_b <= kept_22;
-                end else begin
-                  factor_b <= 16'd32768;
-                end
-              end else if (kept_10) begin
-                factor_b <= kept_22;
-              end else begin
-                factor_b <= 16'd32767;
-              end
-            end
-            default: begin  // 6'd27
-              step_2 <= step_2 + 6'd1;
-              kept_27 <= product;
-              kept_28 <= wide_79;
-              factor_a <= kept_7;
-              if (kept_12) begin
-                if (kept_8) begin
-                  factor_b <= kept_22;
-                end else begin
-                  factor_b <= 16'd32768;
-                end
-              end else if (kept_10) begin
-                factor_b <= kept_22;
-              end else begin
-                factor_b <= 16'd32767;
-              end
-            end
-          endcase
-        end
-        6'd26: begin
-          logic [16:0] sum_78_3;
-          sum_78_3 = {kept_7[15], kept_7} + wide_78_3;  // line 78
-          step_2 <= step_2 + 6'd1;
-          if (kept_8) begin
-            if (kept_9 == 6'd63) begin
-              kept_7 <= kept_22;
-            end else begin
-              kept_7 <= 16'd32768;
-            end
-          end else if (kept_9 == 6'd0) begin
-            kept_7 <= kept_22;
-          end else begin
-            kept_7 <= 16'd32767;
-          end
-          kept_8 <= sum_78_3[16:15] == 2'd3;
-          kept_10 <= sum_78_3[16:15] == 2'd0;
-          kept_12 <= sum_78_3[16];
-          kept_22 <= sum_78_3[15:0];
-          factor_a <= emf[27:12];
-          factor_b <= {1'b0, words_gain_i};
-        end
-        6'd28: begin
-          step_2 <= step_2 + 6'd1;
-          kept_11 <= sum_118[31:12];
-          factor_a <= kept_7;
-          factor_b <= kept_26[15:0];
-        end
-        6'd29: begin
-          logic [32:0] product_2;
-          product_2 = wide_81 - wide_78_2;  // line 81
-          step_2 <= step_2 + 6'd1;
-          kept_8 <= product_2[32] && product_2[31:14] != 18'd262143;
-          kept_26 <= product_2;
-          factor_a <= kept_2;
-          factor_b <= kept_28[15:0];
-        end
-        6'd30: begin
-          step_2 <= step_2 + 6'd1;
-          if (kept_8) begin
-            if (sum_123[33:30] == 4'd15) begin
-              kept_2 <= sum_123[30:15];
-            end else begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (sum_123[33:30] == 4'd0) begin
-            kept_2 <= sum_123[30:15];
-          end else begin
-            kept_2 <= 16'd32767;
-          end
-          kept_27 <= product;
-        end
-        6'd31: begin
-          logic [20:0] sum_81;
-          logic [32:0] product_3;
-          sum_81 = {{5{kept_2[15]}}, kept_2} + wide_73;  // line 81
-          product_3 = wide_81 + wide_78_2;  // line 79
-          step_2 <= step_2 + 6'd1;
-          kept_8 <= product_3[32] && product_3[31:14] != 18'd262143;
-          kept_26 <= product_3;
-          if (sum_81[20]) begin
-            if (sum_81[20:15] == 6'd63) begin
-              factor_a <= sum_81[15:0];
-            end else begin
-              factor_a <= 16'd32768;
-            end
-          end else if (sum_81[20:15] == 6'd0) begin
-            factor_a <= sum_81[15:0];
-          end else begin
-            factor_a <= 16'd32767;
-          end
-          factor_b <= {1'b0, words_k_e_i};
-        end
-        6'd32: begin
-          step_2 <= step_2 + 6'd1;
-          if (kept_8) begin
-            if (sum_123[33:30] == 4'd15) begin
-              kept_2 <= sum_123[30:15];
-            end else begin
-              kept_2 <= 16'd32768;
-            end
-          end else if (sum_123[33:30] == 4'd0) begin
-            kept_2 <= sum_123[30:15];
-          end else begin
-            kept_2 <= 16'd32767;
-          end
-        end
-        6'd33: begin
-          if (enable_i) begin
-            if (difference_83[29]) begin
-              if (difference_83[29:27] == 3'd7) begin
-                emf <= difference_83[27:0];
-              end else begin
-                emf <= 28'd134217728;
-              end
-            end else if (difference_83[29:27] == 3'd0) begin
-              emf <= difference_83[27:0];
-            end else begin
-              emf <= 28'd134217727;
-            end
-          end else begin
-            emf <= 28'd0;
-          end
-          step_2 <= step_2 + 6'd1;
-          kept_5 <= emf_now[20:6];
-          kept_15 <= emf_now[27:21];
-          factor_a <= kept_2;
-          factor_b <= {1'b0, words_k_theta_i};
-        end
-        6'd34: begin
-          step_2 <= step_2 + 6'd1;
-          factor_a <= {1'b0, kept_5};
-          factor_b <= {1'b0, words_k_speed_i};
-        end
-        6'd35: begin
-          step_2 <= step_2 + 6'd1;
-          kept_27 <= {7'd0, sum_87[31:7]};
-          factor_a <= wide_78;
-          factor_b <= {1'b0, words_k_speed_i};
-        end
-        6'd36: begin
-          step_2 <= step_2 + 6'd1;
-          kept_5 <= product[29:15];
-          kept_8 <= product[14];
-          kept_23 <= product[14:0];
-        end
-        6'd37: begin
-          logic [21:0] sum_85;
-          sum_85 = {7'd0, kept_5} + product[21:0];  // line 85
-          step_2 <= step_2 + 6'd1;
-          kept_8 <= sum_85[21] && {sum_85[20:0], kept_8} != 22'd4194303;
-          kept_17 <= sum_85;
-        end
-        6'd38: begin
-          step_2 <= step_2 + 6'd1;
-          if (kept_8) begin
-            if (sum_86[37:34] == 4'd15) begin
-              kept_11 <= sum_86[34:15];
-            end else begin
-              kept_11 <= 20'd524288;
-            end
-          end else if (sum_86[37:34] == 4'd0) begin
-            kept_11 <= sum_86[34:15];
-          end else begin
-            kept_11 <= 20'd524287;
-          end
-        end
-        6'd39: begin
-          logic [25:0] wide_88;
-          logic [25:0] wide_88_2;
-          logic [25:0] choice_88;
-          logic [19:0] step_3;
-          wide_88 = {{6{kept_11[19]}}, kept_11};  // line 88
-          wide_88_2 = {kept_27[24], kept_27[24:0]};  // line 88
-          choice_88 = way[24] ? wide_88 - wide_88_2 : wide_88 + wide_88_2;  // line 88
-          step_3 =  // line 88
-              choice_88[25] ? ((choice_88[25:19] == 7'd127) ? choice_88[19:0] : 20'd524288) :
-              (choice_88[25:19] == 7'd0) ? choice_88[19:0] :
-              20'd524287;
-          step_2 <= step_2 + 6'd1;
-          kept_17 <= {2'd0, step_3};
-        end
-        6'd40: begin
-          last_u <= i_u_i;
-          last_v <= i_v_i;
-          last_dc <= v_dc_i;
-          before_ <= kept_0;
-          if (enable_i) begin
-            step <= kept_17[19:0];
-            way <= kept_21 + {{5{kept_17[19]}}, kept_17[19:0]};
-            emf_step_held <= kept_11;
-            error_held <= kept_2;
-          end else begin
-            step <= 20'd0;
-            way <= 25'd0;
-            emf_step_held <= 20'd0;
-            error_held <= 16'd0;
-          end
-          step_2 <= 6'd0;
-        end
-        default: step_2 <= step_2 + 6'd1;
-      endcase
-      product <= product_next;  // line 87
-      done <= step_2 == 6'd40;
-      missed <= start_i && step_2 != 6'd0;
     end
   end
 

@@ -32,6 +32,60 @@ module current_sense (
       $signed(i_w) < $signed({difference_46[15], difference_46});
 
   always_ff @(posedge clk) begin
+    if (codes_valid_i) begin
+      if (calibrate_i) begin
+        if (!samples[4]) begin
+          logic [15:0] choice_63;
+          logic [15:0] choice_64;
+          choice_63 = (samples == 5'd0) ? 16'd0 : offset_u;  // line 63
+          choice_64 = (samples == 5'd0) ? 16'd0 : offset_v;  // line 64
+          offset_u <= choice_63 + {{4{codes_u_i[11]}}, codes_u_i};
+          offset_v <= choice_64 + {{4{codes_v_i[11]}}, codes_v_i};
+        end
+        i_u <= 16'd0;
+        i_v <= 16'd0;
+      end else begin
+        logic [15:0] joined_72;
+        logic [16:0] difference_72;
+        logic [15:0] joined_72_2;
+        logic [16:0] difference_72_2;
+        joined_72 = {codes_u_i, 4'd0};  // line 72
+        difference_72 = {joined_72[15], joined_72} - {offset_u[15], offset_u};  // line 72
+        joined_72_2 = {codes_v_i, 4'd0};  // line 72
+        difference_72_2 = {joined_72_2[15], joined_72_2} - {offset_v[15], offset_v};  // line 72
+        if (difference_72[16]) begin
+          if (difference_72[16:15] == 2'd3) begin
+            i_u <= difference_72[15:0];
+          end else begin
+            i_u <= 16'd32768;
+          end
+        end else if (difference_72[16:15] == 2'd0) begin
+          i_u <= difference_72[15:0];
+        end else begin
+          i_u <= 16'd32767;
+        end
+        if (difference_72_2[16]) begin
+          if (difference_72_2[16:15] == 2'd3) begin
+            i_v <= difference_72_2[15:0];
+          end else begin
+            i_v <= 16'd32768;
+          end
+        end else if (difference_72_2[16:15] == 2'd0) begin
+          i_v <= difference_72_2[15:0];
+        end else begin
+          i_v <= 16'd32767;
+        end
+      end
+      v_dc <= codes_dc_i;
+    end
+    if (calibrate_i) begin
+      if (!(!codes_valid_i || samples[4])) begin
+        samples <= samples + 5'd1;
+      end
+    end else begin
+      samples <= 5'd0;
+    end
+    taken <= codes_valid_i;
     if (rst) begin
       offset_u <= 16'sd0;
       offset_v <= 16'sd0;
@@ -40,61 +94,6 @@ module current_sense (
       v_dc <= 12'd0;
       samples <= 5'd0;
       taken <= 1'b0;
-    end else begin
-      if (codes_valid_i) begin
-        if (calibrate_i) begin
-          if (!samples[4]) begin
-            logic [15:0] choice_63;
-            logic [15:0] choice_64;
-            choice_63 = (samples == 5'd0) ? 16'd0 : offset_u;  // line 63
-            choice_64 = (samples == 5'd0) ? 16'd0 : offset_v;  // line 64
-            offset_u <= choice_63 + {{4{codes_u_i[11]}}, codes_u_i};
-            offset_v <= choice_64 + {{4{codes_v_i[11]}}, codes_v_i};
-          end
-          i_u <= 16'd0;
-          i_v <= 16'd0;
-        end else begin
-          logic [15:0] joined_72;
-          logic [16:0] difference_72;
-          logic [15:0] joined_72_2;
-          logic [16:0] difference_72_2;
-          joined_72 = {codes_u_i, 4'd0};  // line 72
-          difference_72 = {joined_72[15], joined_72} - {offset_u[15], offset_u};  // line 72
-          joined_72_2 = {codes_v_i, 4'd0};  // line 72
-          difference_72_2 = {joined_72_2[15], joined_72_2} - {offset_v[15], offset_v};  // line 72
-          if (difference_72[16]) begin
-            if (difference_72[16:15] == 2'd3) begin
-              i_u <= difference_72[15:0];
-            end else begin
-              i_u <= 16'd32768;
-            end
-          end else if (difference_72[16:15] == 2'd0) begin
-            i_u <= difference_72[15:0];
-          end else begin
-            i_u <= 16'd32767;
-          end
-          if (difference_72_2[16]) begin
-            if (difference_72_2[16:15] == 2'd3) begin
-              i_v <= difference_72_2[15:0];
-            end else begin
-              i_v <= 16'd32768;
-            end
-          end else if (difference_72_2[16:15] == 2'd0) begin
-            i_v <= difference_72_2[15:0];
-          end else begin
-            i_v <= 16'd32767;
-          end
-        end
-        v_dc <= codes_dc_i;
-      end
-      if (calibrate_i) begin
-        if (!(!codes_valid_i || samples[4])) begin
-          samples <= samples + 5'd1;
-        end
-      end else begin
-        samples <= 5'd0;
-      end
-      taken <= codes_valid_i;
     end
   end
 

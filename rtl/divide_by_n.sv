@@ -42,12 +42,11 @@ module divide_by_n (
   wire [18:0] shifted_71 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 71
 
   always_ff @(posedge clk) begin
+    sub <= sub_next;
+    step <= step_next;
     if (rst) begin
       sub <= 3'd0;
       step <= 3'd0;
-    end else begin
-      sub <= sub_next;
-      step <= step_next;
     end
   end
 

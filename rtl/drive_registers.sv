@@ -99,6 +99,110 @@ module drive_registers (
   wire [11:0] either_105 = ones | (period & {{3{inverse_104[8]}}, inverse_104});  // line 105
 
   always_ff @(posedge clk) begin
+    if (both_75) begin
+      if (request_strobes_i[0]) begin
+        if (request_index_i == 10'd3) begin
+          configured <= request_data_i[0];
+          reverse <= request_data_i[2];
+          brake_to_stop <= request_data_i[3];
+        end
+        if (request_index_i == 10'd7) begin
+          enabled <= request_data_i[4:0];
+        end
+      end
+      clear <= request_index_i == 10'd5 && ones[0];
+      if (request_index_i == 10'd9) begin
+        period <= either_105;
+      end
+      if (request_index_i == 10'd11) begin
+        shot_frequency <= drive_frequency_i;
+        shot_duty <= drive_duty_i;
+        shot_phase_error <= drive_phase_error_i;
+        shot_counts_crossings <= drive_counts_crossings_i;
+        shot_counts_missed <= drive_counts_missed_i;
+        shot_counts_freewheel_long <= drive_counts_freewheel_long_i;
+        shot_counts_limit_hits <= drive_counts_limit_hits_i;
+        shot_counts_retries <= drive_counts_retries_i;
+      end
+      write_error <= 1'b0;
+    end else begin
+      clear <= 1'b0;
+      if (request_write_i) begin
+        write_error <= refused_i;
+      end
+    end
+    run <= !both_141 && choice;  // line 110
+    if (both_160) begin
+      cleared <= 1'b0;
+      fault_reason <= drive_reason_i;
+    end else begin
+      cleared <=
+          (drive_state_i != State_kFault || was_faulted) && (cleared || (both_79 && ones[0]));
+    end
+    drive_fault <= drive_fault_next;
+    watchdog_fault <= both_141 || choice_2;  // line 110
+    interrupts <= (interrupts & kept) | events;  // line 92
+    if (both_75 && request_index_i == 10'd9) begin
+      left <= either_105;
+    end else if (both || !both_140) begin
+      left <= period;
+    end else if (tick_i && !(tick_i && left == 12'd0)) begin
+      left <= left - 12'd1;
+    end
+    starting <= !run || (starting && !both_153);
+    was_faulted <= drive_state_i == State_kFault;  // line 62
+    was_locked <= drive_locked_i;
+    if (request_read_i) begin
+      if (hole_i) begin
+        data <= 32'd0;
+      end else begin
+        logic [3:0] wide_189;
+        logic [9:0] wide_194;
+        logic [11:0] choice_130;
+        logic [11:0] wide_196;
+        logic [5:0] part_182;
+        logic [15:0] choice_68;
+        logic [31:0] choice_68_2;  // line 68
+        wide_189 =  // line 189
+            {1'b0, {1'b0, (run ? 2'd2 : 2'd0) | {1'b0, configured}} | (reverse ? 3'd4 : 3'd0)};
+        wide_194 =  // line 194
+            {1'b0,
+            {1'b0, {drive_reason_i, 4'd0} | {4'd0, drive_state_i}} |
+            (drive_locked_i ? 9'd256 : 9'd0)};
+        choice_130 =  // line 130
+            run ? 12'd0 :
+            either_130 ? 12'd2048 :
+            12'd0;
+        wide_196 =  // line 196
+            {1'b0,
+            {1'b0, wide_194 | (drive_reverse_i ? 10'd512 : 10'd0)} |
+            (unlocked_i ? 11'd1024 : 11'd0)};
+        part_182 = request_index_i[5:0];  // line 182
+        choice_68 = (part_182 == 6'd16) ? shot_counts_retries : 16'd0;  // line 68
+        case (part_182)
+          6'd0: choice_68_2 = 32'd1398033483;
+          6'd1: choice_68_2 = 32'd256;
+          6'd2: choice_68_2 = 32'd3121;
+          6'd3: choice_68_2 = {28'd0, wide_189 | (brake_to_stop ? 4'd8 : 4'd0)};
+          6'd4: choice_68_2 = {20'd0, wide_196 | choice_130};
+          6'd5: choice_68_2 =
+              {24'd0,
+              {6'd0, (watchdog_fault ? 2'd2 : 2'd0) | {1'b0, drive_fault_next}} |
+              {fault_reason, 4'd0}};
+          6'd6: choice_68_2 = {27'd0, interrupts};
+          6'd7: choice_68_2 = {27'd0, enabled};
+          6'd9: choice_68_2 = {20'd0, period};
+          6'd12: choice_68_2 = {6'd0, shot_frequency};
+          6'd13: choice_68_2 = {shot_phase_error, 16'd0} | {16'd0, shot_duty};
+          6'd14: choice_68_2 = {shot_counts_missed, 16'd0} | {16'd0, shot_counts_crossings};
+          6'd15: choice_68_2 =
+              {shot_counts_limit_hits, 16'd0} | {16'd0, shot_counts_freewheel_long};
+          default: choice_68_2 = {16'd0, choice_68};
+        endcase
+        data <= word_i | choice_68_2;
+      end
+      read_error <= hole_i;
+    end
     if (rst) begin
       configured <= 1'b0;
       run <= 1'b0;
@@ -127,111 +231,6 @@ module drive_registers (
       data <= 32'd0;
       read_error <= 1'b0;
       write_error <= 1'b0;
-    end else begin
-      if (both_75) begin
-        if (request_strobes_i[0]) begin
-          if (request_index_i == 10'd3) begin
-            configured <= request_data_i[0];
-            reverse <= request_data_i[2];
-            brake_to_stop <= request_data_i[3];
-          end
-          if (request_index_i == 10'd7) begin
-            enabled <= request_data_i[4:0];
-          end
-        end
-        clear <= request_index_i == 10'd5 && ones[0];
-        if (request_index_i == 10'd9) begin
-          period <= either_105;
-        end
-        if (request_index_i == 10'd11) begin
-          shot_frequency <= drive_frequency_i;
-          shot_duty <= drive_duty_i;
-          shot_phase_error <= drive_phase_error_i;
-          shot_counts_crossings <= drive_counts_crossings_i;
-          shot_counts_missed <= drive_counts_missed_i;
-          shot_counts_freewheel_long <= drive_counts_freewheel_long_i;
-          shot_counts_limit_hits <= drive_counts_limit_hits_i;
-          shot_counts_retries <= drive_counts_retries_i;
-        end
-        write_error <= 1'b0;
-      end else begin
-        clear <= 1'b0;
-        if (request_write_i) begin
-          write_error <= refused_i;
-        end
-      end
-      run <= !both_141 && choice;  // line 110
-      if (both_160) begin
-        cleared <= 1'b0;
-        fault_reason <= drive_reason_i;
-      end else begin
-        cleared <=
-            (drive_state_i != State_kFault || was_faulted) && (cleared || (both_79 && ones[0]));
-      end
-      drive_fault <= drive_fault_next;
-      watchdog_fault <= both_141 || choice_2;  // line 110
-      interrupts <= (interrupts & kept) | events;  // line 92
-      if (both_75 && request_index_i == 10'd9) begin
-        left <= either_105;
-      end else if (both || !both_140) begin
-        left <= period;
-      end else if (tick_i && !(tick_i && left == 12'd0)) begin
-        left <= left - 12'd1;
-      end
-      starting <= !run || (starting && !both_153);
-      was_faulted <= drive_state_i == State_kFault;  // line 62
-      was_locked <= drive_locked_i;
-      if (request_read_i) begin
-        if (hole_i) begin
-          data <= 32'd0;
-        end else begin
-          logic [3:0] wide_189;
-          logic [9:0] wide_194;
-          logic [11:0] choice_130;
-          logic [11:0] wide_196;
-          logic [5:0] part_182;
-          logic [15:0] choice_68;
-          logic [31:0] choice_68_2;  // line 68
-          wide_189 =  // line 189
-              {1'b0, {1'b0, (run ? 2'd2 : 2'd0) | {1'b0, configured}} | (reverse ? 3'd4 : 3'd0)};
-          wide_194 =  // line 194
-              {1'b0,
-              {1'b0, {drive_reason_i, 4'd0} | {4'd0, drive_state_i}} |
-              (drive_locked_i ? 9'd256 : 9'd0)};
-          choice_130 =  // line 130
-              run ? 12'd0 :
-              either_130 ? 12'd2048 :
-              12'd0;
-          wide_196 =  // line 196
-              {1'b0,
-              {1'b0, wide_194 | (drive_reverse_i ? 10'd512 : 10'd0)} |
-              (unlocked_i ? 11'd1024 : 11'd0)};
-          part_182 = request_index_i[5:0];  // line 182
-          choice_68 = (part_182 == 6'd16) ? shot_counts_retries : 16'd0;  // line 68
-          case (part_182)
-            6'd0: choice_68_2 = 32'd1398033483;
-            6'd1: choice_68_2 = 32'd256;
-            6'd2: choice_68_2 = 32'd3121;
-            6'd3: choice_68_2 = {28'd0, wide_189 | (brake_to_stop ? 4'd8 : 4'd0)};
-            6'd4: choice_68_2 = {20'd0, wide_196 | choice_130};
-            6'd5: choice_68_2 =
-                {24'd0,
-                {6'd0, (watchdog_fault ? 2'd2 : 2'd0) | {1'b0, drive_fault_next}} |
-                {fault_reason, 4'd0}};
-            6'd6: choice_68_2 = {27'd0, interrupts};
-            6'd7: choice_68_2 = {27'd0, enabled};
-            6'd9: choice_68_2 = {20'd0, period};
-            6'd12: choice_68_2 = {6'd0, shot_frequency};
-            6'd13: choice_68_2 = {shot_phase_error, 16'd0} | {16'd0, shot_duty};
-            6'd14: choice_68_2 = {shot_counts_missed, 16'd0} | {16'd0, shot_counts_crossings};
-            6'd15: choice_68_2 =
-                {shot_counts_limit_hits, 16'd0} | {16'd0, shot_counts_freewheel_long};
-            default: choice_68_2 = {16'd0, choice_68};
-          endcase
-          data <= word_i | choice_68_2;
-        end
-        read_error <= hole_i;
-      end
     end
   end
 

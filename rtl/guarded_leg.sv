@@ -12,49 +12,46 @@ module guarded_leg (
     output logic       high_o,  // gate of the high side
     output logic       low_o  // gate of the low side
 );
-  logic high;  // gate of the high side
-  logic low;  // gate of the low side
-  logic was_high;  // the request of the last clock
-  logic was_low;  // the request of the last clock
+  logic [1:0] gate;  // the gates
+  logic [1:0] was;  // the request of the last clock
   logic [7:0] timer;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 
-  wire was_high_next = !off_i && high_i && !low_i;
-  wire was_low_next = !off_i && low_i && !high_i;
-  wire either_46 = !(off_i || timer[7:1] == 7'd0) || (high ? was_high_next : was_low_next);
-  wire either_42 = high || low;  // line 42
-  wire both = either_42 && either_46;
-  wire either_41 = (was_high_next && was_high) || (was_low_next && was_low);  // line 41
-  wire both_47 = !either_42 && either_41 && timer[7:1] == 7'd0;  // line 47
+  wire either_39 = off_i || !(high_i ^ low_i);  // line 39
+  wire [1:0] choice_40 = high_i ? 2'd1 : 2'd2;  // line 40
+  wire [1:0] was_next = either_39 ? 2'd0 : choice_40;  // line 40
   wire unequal_51 = timer[7:1] != 7'd0;  // line 51
   wire [7:0] sum_51 = timer + {8{unequal_51}};  // line 51
-  wire [7:0] choice_50 = both_47 ? minimum_i : dead_time_i;  // line 50
 
   always_ff @(posedge clk) begin
-    if (rst) begin
-      high <= 1'b0;
-      low <= 1'b0;
-      was_high <= 1'b0;
-      was_low <= 1'b0;
-      timer <= 8'd0;
+    if (gate != 2'd0 && (!(off_i || timer[7:1] == 7'd0) || was_next == gate)) begin
+      timer <= sum_51;
     end else begin
-      high <= (high && both) || (both_47 && was_high_next);  // line 54
-      low <= (low && both) || (both_47 && was_low_next);  // line 55
-      was_high <= was_high_next;
-      was_low <= was_low_next;
-      if (either_42) begin
-        if (either_46) begin
-          timer <= sum_51;
-        end else begin
+      logic both_41;
+      logic [7:0] choice_50;
+      both_41 = was_next == was && !either_39;  // line 41
+      choice_50 = (gate == 2'd0 && both_41 && timer[7:1] == 7'd0) ? minimum_i : dead_time_i;
+      if (gate == 2'd0) begin
+        if (!both_41 || timer[7:1] == 7'd0) begin
+          if (both_41 && timer[7:1] == 7'd0) begin
+            gate <= choice_40;
+          end
           timer <= choice_50;
+        end else begin
+          timer <= sum_51;
         end
-      end else if (!either_41 || timer[7:1] == 7'd0) begin
-        timer <= choice_50;
       end else begin
-        timer <= sum_51;
+        gate <= 2'd0;
+        timer <= choice_50;
       end
+    end
+    was <= was_next;  // line 40
+    if (rst) begin
+      gate <= 2'd0;
+      was <= 2'd0;
+      timer <= 8'd0;
     end
   end
 
-  assign high_o = high;
-  assign low_o = low;
+  assign high_o = gate[0];
+  assign low_o = gate[1];
 endmodule

@@ -84,6 +84,113 @@ module loop_filter (
   );
 
   always_ff @(posedge clk) begin
+    if (loop_i == Loop_kStop) begin
+      stage <= Stage_kIdle;
+      started <= 1'b0;
+      x <= 34'd0;
+      y <= 30'd0;
+      fast <= 1'b0;
+      slow <= 1'b0;
+      at_top <= 1'b0;
+      at_bottom <= 1'b0;
+    end else begin
+      case (stage)
+        Stage_kIdle: begin
+          if ((loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ?
+              tick_i : update_i) begin
+            stage <= Stage_kDelay;
+          end
+        end
+        Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep,
+        Stage_kIntegral: begin
+          logic [8:0] choice_127;
+          logic [10:0] choice_127_2;
+          logic [12:0] wide_127;
+          logic [12:0] choice_127_3;
+          logic [15:0] error;
+          logic [33:0] base;
+          logic [33:0] base_2;  // line 84
+          logic [33:0] sum;
+          choice_127 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 127
+          choice_127_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_127};  // line 127
+          wide_127 = {2'd0, choice_127_2};  // line 127
+          choice_127_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_127;  // line 127
+          error = (loop_i == Loop_kRamp) ? {3'd0, choice_127_3} : error_i;  // line 127
+          base = {{12{error[15]}}, error, 6'd0};  // line 128
+          case (stage)
+            Stage_kDelay: base_2 = base;
+            Stage_kIntegral, Stage_kProportional: base_2 = x;
+            Stage_kKeep: base_2 = work;
+            default: base_2 = 34'd0;
+          endcase
+          sum = base_2 + multiplier_product[47:14];  // line 132
+          case (stage)
+            Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep: begin
+              if (multiplier_done) begin
+                stage <= stage + 4'd1;
+                work <= sum;
+              end
+              started <= !multiplier_done;
+            end
+            default: begin  // Stage_kIntegral
+              if (multiplier_done) begin
+                if (loop_i != Loop_kTrack) begin
+                  stage <= Stage_kLow;
+                  work <= sum;
+                end else begin
+                  stage <= stage + 4'd1;
+                  if (!(work[33] ? at_bottom : at_top)) begin
+                    x <= sum;
+                  end
+                end
+              end
+              started <= !multiplier_done;
+            end
+          endcase
+        end
+        default: begin
+          logic [25:0] choice_157;
+          logic [25:0] limit;  // line 75
+          logic below_76;
+          choice_157 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 157
+          case (stage)
+            Stage_kLow: limit = choice_157;
+            Stage_kHigh: limit = maximum_i;
+            Stage_kSlow: limit = stall_i;
+            default: limit = hand_over_i;
+          endcase
+          below_76 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 76
+          case (stage)
+            Stage_kLow: begin
+              stage <= Stage_kHigh;
+              if (below_76) begin
+                work <= {4'd0, choice_157, 4'd0};
+              end
+              at_bottom <= below_76;
+            end
+            Stage_kHigh: begin
+              stage <= Stage_kSlow;
+              if (!below_76) begin
+                work <= {4'd0, maximum_i, 4'd0};
+              end
+              at_top <= !below_76;
+            end
+            Stage_kSlow: begin
+              stage <= Stage_kOut;
+              slow <= below_76;
+            end
+            default: begin
+              stage <= Stage_kIdle;
+              if (loop_i != Loop_kTrack) begin
+                x <= work;
+              end
+              y <= work[29:0];
+              fast <= ($signed({4'd0, limit}) <= $signed(work[33:4]));
+            end
+          endcase
+        end
+      endcase
+    end
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
@@ -94,114 +201,6 @@ module loop_filter (
       slow <= 1'b0;
       at_top <= 1'b0;
       at_bottom <= 1'b0;
-    end else begin
-      if (loop_i == Loop_kStop) begin
-        stage <= Stage_kIdle;
-        started <= 1'b0;
-        x <= 34'd0;
-        y <= 30'd0;
-        fast <= 1'b0;
-        slow <= 1'b0;
-        at_top <= 1'b0;
-        at_bottom <= 1'b0;
-      end else begin
-        case (stage)
-          Stage_kIdle: begin
-            if ((loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ?
-                tick_i : update_i) begin
-              stage <= Stage_kDelay;
-            end
-          end
-          Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep,
-          Stage_kIntegral: begin
-            logic [8:0] choice_127;
-            logic [10:0] choice_127_2;
-            logic [12:0] wide_127;
-            logic [12:0] choice_127_3;
-            logic [15:0] error;
-            logic [33:0] base;
-            logic [33:0] base_2;  // line 84
-            logic [33:0] sum;
-            choice_127 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 127
-            choice_127_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_127};  // line 127
-            wide_127 = {2'd0, choice_127_2};  // line 127
-            choice_127_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_127;  // line 127
-            error = (loop_i == Loop_kRamp) ? {3'd0, choice_127_3} : error_i;  // line 127
-            base = {{12{error[15]}}, error, 6'd0};  // line 128
-            case (stage)
-              Stage_kDelay: base_2 = base;
-              Stage_kIntegral, Stage_kProportional: base_2 = x;
-              Stage_kKeep: base_2 = work;
-              default: base_2 = 34'd0;
-            endcase
-            sum = base_2 + multiplier_product[47:14];  // line 132
-            case (stage)
-              Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep: begin
-                if (multiplier_done) begin
-                  stage <= stage + 4'd1;
-                  work <= sum;
-                end
-                started <= !multiplier_done;
-              end
-              default: begin  // Stage_kIntegral
-                if (multiplier_done) begin
-                  if (loop_i != Loop_kTrack) begin
-                    stage <= Stage_kLow;
-                    work <= sum;
-                  end else begin
-                    stage <= stage + 4'd1;
-                    if (!(work[33] ? at_bottom : at_top)) begin
-                      x <= sum;
-                    end
-                  end
-                end
-                started <= !multiplier_done;
-              end
-            endcase
-          end
-          default: begin
-            logic [25:0] choice_157;
-            logic [25:0] limit;  // line 75
-            logic below_76;
-            choice_157 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 157
-            case (stage)
-              Stage_kLow: limit = choice_157;
-              Stage_kHigh: limit = maximum_i;
-              Stage_kSlow: limit = stall_i;
-              default: limit = hand_over_i;
-            endcase
-            below_76 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 76
-            case (stage)
-              Stage_kLow: begin
-                stage <= Stage_kHigh;
-                if (below_76) begin
-                  work <= {4'd0, choice_157, 4'd0};
-                end
-                at_bottom <= below_76;
-              end
-              Stage_kHigh: begin
-                stage <= Stage_kSlow;
-                if (!below_76) begin
-                  work <= {4'd0, maximum_i, 4'd0};
-                end
-                at_top <= !below_76;
-              end
-              Stage_kSlow: begin
-                stage <= Stage_kOut;
-                slow <= below_76;
-              end
-              default: begin
-                stage <= Stage_kIdle;
-                if (loop_i != Loop_kTrack) begin
-                  x <= work;
-                end
-                y <= work[29:0];
-                fast <= ($signed({4'd0, limit}) <= $signed(work[33:4]));
-              end
-            endcase
-          end
-        endcase
-      end
     end
   end
 

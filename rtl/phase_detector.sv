@@ -43,6 +43,61 @@ module phase_detector (
       (watch_i == Evidence_kSectors && changed_i);
 
   always_ff @(posedge clk) begin
+    if (missed_next || either_66) begin
+      logic [16:0] choice_93;
+      logic [15:0] choice_94;
+      logic [16:0] choice_67;
+      logic [17:0] wide_67;
+      logic [15:0] choice_97;
+      logic [17:0] difference_67;
+      choice_93 = (turned || elapsed_i) ? 17'd0 : 17'd65536;  // line 93
+      choice_94 = (!missed_next || before_) ? expected_i : lead_error_i;  // line 94
+      choice_67 = (watch_i == Evidence_kSectors) ? choice_93 : {1'b0, choice_94};  // line 67
+      wide_67 = {1'b0, choice_67};  // line 67
+      choice_97 =  // line 97
+          (watch_i == Evidence_kSectors) ? ((both_97 || !either_64) ? 16'd32768 : phase_i) :
+          either_64 ? crossing_phase_i :
+          {16{before_}};
+      difference_67 = wide_67 - {2'd0, choice_97};  // line 67
+      if (difference_67[17]) begin
+        if (difference_67[17:15] == 3'd7) begin
+          error <= difference_67[15:0];
+        end else begin
+          error <= 16'd32768;
+        end
+      end else if (difference_67[17:15] == 3'd0) begin
+        error <= difference_67[15:0];
+      end else begin
+        error <= 16'd32767;
+      end
+    end
+    case (watch_i)
+      Evidence_kCrossings: begin
+        logic inverse_64;
+        inverse_64 = !(!commutate_i || answered);  // line 64
+        update <= inverse_64 || !(!crossing_i || answered);
+        missed <= inverse_64;
+        if (commutate_i) begin
+          answered <= !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);
+        end else begin
+          answered <= crossing_i || answered;
+        end
+        turned <= 1'b0;
+      end
+      Evidence_kSectors: begin
+        update <= both_97 || changed_i;
+        missed <= both_97;
+        answered <= 1'b1;
+        turned <= !commutate_i && (turned ^ elapsed_i);
+      end
+      default: begin  // Evidence_kNothing, 2'd3
+        update <= 1'b0;
+        missed <= 1'b0;
+        answered <= 1'b1;
+        turned <= 1'b0;
+      end
+    endcase
+    before_ <= before_seen_i;
     if (rst) begin
       error <= 16'sd0;
       update <= 1'b0;
@@ -50,62 +105,6 @@ module phase_detector (
       answered <= 1'b1;
       before_ <= 1'b0;
       turned <= 1'b0;
-    end else begin
-      if (missed_next || either_66) begin
-        logic [16:0] choice_93;
-        logic [15:0] choice_94;
-        logic [16:0] choice_67;
-        logic [17:0] wide_67;
-        logic [15:0] choice_97;
-        logic [17:0] difference_67;
-        choice_93 = (turned || elapsed_i) ? 17'd0 : 17'd65536;  // line 93
-        choice_94 = (!missed_next || before_) ? expected_i : lead_error_i;  // line 94
-        choice_67 = (watch_i == Evidence_kSectors) ? choice_93 : {1'b0, choice_94};  // line 67
-        wide_67 = {1'b0, choice_67};  // line 67
-        choice_97 =  // line 97
-            (watch_i == Evidence_kSectors) ? ((both_97 || !either_64) ? 16'd32768 : phase_i) :
-            either_64 ? crossing_phase_i :
-            {16{before_}};
-        difference_67 = wide_67 - {2'd0, choice_97};  // line 67
-        if (difference_67[17]) begin
-          if (difference_67[17:15] == 3'd7) begin
-            error <= difference_67[15:0];
-          end else begin
-            error <= 16'd32768;
-          end
-        end else if (difference_67[17:15] == 3'd0) begin
-          error <= difference_67[15:0];
-        end else begin
-          error <= 16'd32767;
-        end
-      end
-      case (watch_i)
-        Evidence_kCrossings: begin
-          logic inverse_64;
-          inverse_64 = !(!commutate_i || answered);  // line 64
-          update <= inverse_64 || !(!crossing_i || answered);
-          missed <= inverse_64;
-          if (commutate_i) begin
-            answered <= !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);
-          end else begin
-            answered <= crossing_i || answered;
-          end
-          turned <= 1'b0;
-        end
-        Evidence_kSectors: begin
-          update <= both_97 || changed_i;
-          missed <= both_97;
-          answered <= 1'b1;
-          turned <= !commutate_i && (turned ^ elapsed_i);
-        end
-        default: begin  // Evidence_kNothing, 2'd3
-          update <= 1'b0;
-          missed <= 1'b0;
-          answered <= 1'b1;
-          turned <= 1'b0;
-        end
-      endcase
-      before_ <= before_seen_i;
     end
   end
 

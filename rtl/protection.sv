@@ -64,21 +64,20 @@ module protection (
   wire fatal = fault_pin_i || below_75;  // line 80
 
   always_ff @(posedge clk) begin
+    score <= score_next;
+    if (running_i) begin
+      slow <= choice_102_2;
+      hall <= choice_3;
+    end else begin
+      slow <= 3'd0;
+      hall <= 2'd0;
+    end
+    wrong <= wrong_next;
     if (rst) begin
       score <= 7'd0;
       slow <= 3'd0;
       wrong <= 12'd4095;
       hall <= 2'd0;
-    end else begin
-      score <= score_next;
-      if (running_i) begin
-        slow <= choice_102_2;
-        hall <= choice_3;
-      end else begin
-        slow <= 3'd0;
-        hall <= 2'd0;
-      end
-      wrong <= wrong_next;
     end
   end
 

@@ -28,6 +28,49 @@ module pwm_generator (
   wire either = both_51 || (on && !first);
 
   always_ff @(posedge clk) begin
+    if (left[13:1] == 13'd0) begin
+      logic [14:0] rest;
+      logic at_most_68;
+      rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 64
+      at_most_68 = minimum_i <= on_clocks_i;  // line 68
+      left <= period_i;
+      if (centred_i) begin
+        lead <= rest[13:1];
+      end else begin
+        lead <= 13'd0;
+      end
+      pulse <= on_clocks_i;
+      waiting <= at_most_68;
+      always_ <= at_most_68 && $signed(rest) < $signed({1'b0, minimum_i});
+    end else begin
+      left <= left - 14'd1;
+      if (waiting) begin
+        lead <= lead - 13'd1;
+      end
+      if (either) begin
+        pulse <= pulse - 14'd1;
+      end
+      waiting <= both_51 ^ waiting;
+    end
+    if (first) begin
+      if (left != 14'd0) begin
+        if (periods[7:1] == 7'd0) begin
+          periods <= tick_periods_i;
+        end else begin
+          periods <= periods - 8'd1;
+        end
+      end
+      tick <= left != 14'd0 && periods[7:1] == 7'd0;
+    end else begin
+      tick <= 1'b0;
+    end
+    first <= left[13:1] == 13'd0;  // line 47
+    if (left == 14'd0 || always_) begin
+      on <= left != 14'd0;
+    end else begin
+      on <= either && pulse != 14'd0;
+    end
+    start <= first && left != 14'd0;  // line 55
     if (rst) begin
       left <= 14'd0;
       lead <= 13'd0;
@@ -39,50 +82,6 @@ module pwm_generator (
       on <= 1'b0;
       start <= 1'b0;
       tick <= 1'b0;
-    end else begin
-      if (left[13:1] == 13'd0) begin
-        logic [14:0] rest;
-        logic at_most_68;
-        rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 64
-        at_most_68 = minimum_i <= on_clocks_i;  // line 68
-        left <= period_i;
-        if (centred_i) begin
-          lead <= rest[13:1];
-        end else begin
-          lead <= 13'd0;
-        end
-        pulse <= on_clocks_i;
-        waiting <= at_most_68;
-        always_ <= at_most_68 && $signed(rest) < $signed({1'b0, minimum_i});
-      end else begin
-        left <= left - 14'd1;
-        if (waiting) begin
-          lead <= lead - 13'd1;
-        end
-        if (either) begin
-          pulse <= pulse - 14'd1;
-        end
-        waiting <= both_51 ^ waiting;
-      end
-      if (first) begin
-        if (left != 14'd0) begin
-          if (periods[7:1] == 7'd0) begin
-            periods <= tick_periods_i;
-          end else begin
-            periods <= periods - 8'd1;
-          end
-        end
-        tick <= left != 14'd0 && periods[7:1] == 7'd0;
-      end else begin
-        tick <= 1'b0;
-      end
-      first <= left[13:1] == 13'd0;  // line 47
-      if (left == 14'd0 || always_) begin
-        on <= left != 14'd0;
-      end else begin
-        on <= either && pulse != 14'd0;
-      end
-      start <= first && left != 14'd0;  // line 55
     end
   end
 

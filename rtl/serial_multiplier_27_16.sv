@@ -20,6 +20,59 @@ module serial_multiplier_27_16 (
   logic done;  // the product is complete
 
   always_ff @(posedge clk) begin
+    if (start_i) begin
+      high <= 27'd0;
+      low <= b_i;
+      if (b_i[0]) begin
+        addend <= a_i;
+      end else begin
+        addend <= 27'd0;
+      end
+      left <= 5'd16;
+      dropping <= 1'b0;
+      done <= 1'b0;
+    end else begin
+      case (left)
+        5'd0: done <= 1'b0;
+        default: begin
+          logic [27:0] sum;
+          logic [15:0] joined_59;
+          sum = {high[26], high} + {addend[26], addend};  // line 46
+          joined_59 = {sum[0], low[15:1]};  // line 59
+          case (left)
+            5'd1: begin
+              high <= sum[27:1];
+              low <= joined_59;
+              addend <= 27'd0;
+              if (dropping) begin
+                left <= left - 5'd1;
+                dropping <= 1'b1;
+                done <= 1'b1;
+              end else begin
+                if (shift_i != 4'd0) begin
+                  left <= {1'b0, shift_i};
+                end else begin
+                  left <= left - 5'd1;
+                end
+                dropping <= shift_i != 4'd0;
+                done <= shift_i == 4'd0;
+              end
+            end
+            default: begin
+              high <= sum[27:1];
+              low <= joined_59;
+              if (!low[1] || dropping) begin
+                addend <= 27'd0;
+              end else begin
+                addend <= a_i;
+              end
+              left <= left - 5'd1;
+              done <= 1'b0;
+            end
+          endcase
+        end
+      endcase
+    end
     if (rst) begin
       high <= 27'sd0;
       low <= 16'd0;
@@ -27,60 +80,6 @@ module serial_multiplier_27_16 (
       left <= 5'd0;
       dropping <= 1'b0;
       done <= 1'b0;
-    end else begin
-      if (start_i) begin
-        high <= 27'd0;
-        low <= b_i;
-        if (b_i[0]) begin
-          addend <= a_i;
-        end else begin
-          addend <= 27'd0;
-        end
-        left <= 5'd16;
-        dropping <= 1'b0;
-        done <= 1'b0;
-      end else begin
-        case (left)
-          5'd0: done <= 1'b0;
-          default: begin
-            logic [27:0] sum;
-            logic [15:0] joined_59;
-            sum = {high[26], high} + {addend[26], addend};  // line 46
-            joined_59 = {sum[0], low[15:1]};  // line 59
-            case (left)
-              5'd1: begin
-                high <= sum[27:1];
-                low <= joined_59;
-                addend <= 27'd0;
-                if (dropping) begin
-                  left <= left - 5'd1;
-                  dropping <= 1'b1;
-                  done <= 1'b1;
-                end else begin
-                  if (shift_i != 4'd0) begin
-                    left <= {1'b0, shift_i};
-                  end else begin
-                    left <= left - 5'd1;
-                  end
-                  dropping <= shift_i != 4'd0;
-                  done <= shift_i == 4'd0;
-                end
-              end
-              default: begin
-                high <= sum[27:1];
-                low <= joined_59;
-                if (!low[1] || dropping) begin
-                  addend <= 27'd0;
-                end else begin
-                  addend <= a_i;
-                end
-                left <= left - 5'd1;
-                done <= 1'b0;
-              end
-            endcase
-          end
-        endcase
-      end
     end
   end
 

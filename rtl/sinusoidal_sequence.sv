@@ -84,6 +84,264 @@ module sinusoidal_sequence (
   wire either_76 = sampled_i || regulated;  // line 76
 
   always_ff @(posedge clk) begin
+    if (state != SinusoidalState_kFault && fault_pin_i) begin
+      state <= SinusoidalState_kFault;
+      reason <= SinusoidalReason_kFaultPin;
+      entered <= 1'b1;
+    end else if (state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone) begin
+      state <= SinusoidalState_kFault;
+      reason <= fatal_i;
+      entered <= 1'b1;
+    end else if (state == SinusoidalState_kIdle) begin
+      if (both_122) begin
+        state <= SinusoidalState_kCalibrate;
+        reason <= SinusoidalReason_kNone;
+      end
+      entered <= both_122;
+    end else if (state == SinusoidalState_kCalibrate) begin
+      if (both_122) begin
+        if (measured_i) begin
+          if (words_arbitrary_i) begin
+            state <= SinusoidalState_kStarting;
+          end else begin
+            state <= SinusoidalState_kPattern;
+          end
+        end
+      end else begin
+        state <= SinusoidalState_kIdle;
+      end
+      entered <= !both_122 || measured_i;
+    end else if (state == SinusoidalState_kPattern) begin
+      if (both_122) begin
+        if (sum_74 == 20'd0 && !first_half) begin
+          state <= SinusoidalState_kStarting;
+        end
+        entered <= !both_149 && sum_74 == 20'd0;
+      end else begin
+        state <= SinusoidalState_kIdle;
+        entered <= 1'b1;
+      end
+    end else begin
+      case (state)
+        SinusoidalState_kPilot: begin
+          state <= SinusoidalState_kIdle;
+          entered <= 1'b1;
+        end
+        SinusoidalState_kStarting, SinusoidalState_kRun: begin
+          logic [3:0] choice_166;
+          choice_166 = below_106 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 166
+          case (state)
+            SinusoidalState_kStarting: begin
+              if (both_122) begin
+                logic [3:0] choice;
+                logic [3:0] choice_2;
+                choice =
+                    (sum_78 == 20'd0) ? SinusoidalState_kRun :
+                    (sum_74 == 20'd0) ? choice_166 :
+                    state;
+                choice_2 =
+                    (sum_78 == 20'd0) ? reason :
+                    (sum_74 == 20'd0) ? SinusoidalReason_kNoLock :
+                    reason;
+                state <=
+                    differ ? SinusoidalState_kBrake :
+                    (failed_i == SinusoidalReason_kNone) ? choice :
+                    choice_166;
+                reason <=
+                    differ ? reason :
+                    (failed_i == SinusoidalReason_kNone) ? choice_2 :
+                    failed_i;
+                entered <=
+                    differ ||
+                    failed_i != SinusoidalReason_kNone || sum_78 == 20'd0 || sum_74 == 20'd0;
+              end else begin
+                state <= SinusoidalState_kBrake;
+                entered <= 1'b1;
+              end
+            end
+            default: begin  // SinusoidalState_kRun
+              if (failed_i == SinusoidalReason_kNone) begin
+                state <=
+                    either_123 ?
+                    ((both_122 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
+                    SinusoidalState_kIdle) : state;
+                entered <= either_123;
+              end else begin
+                state <= choice_166;
+                reason <= failed_i;
+                entered <= 1'b1;
+              end
+            end
+          endcase
+        end
+        SinusoidalState_kSlowDown: begin
+          if (either_123) begin
+            state <= stopping_i ? SinusoidalState_kBrake : state;
+          end else begin
+            state <= SinusoidalState_kRun;
+          end
+          entered <= !either_123 || stopping_i;
+        end
+        SinusoidalState_kBrake: begin
+          if (sum_74 == 20'd0) begin
+            state <= SinusoidalState_kIdle;
+          end
+          entered <= sum_74 == 20'd0;
+        end
+        SinusoidalState_kRest: begin
+          if (both_122) begin
+            state <= (sum_74 == 20'd0) ? SinusoidalState_kCalibrate : state;
+            entered <= sum_74 == 20'd0;
+          end else begin
+            state <= SinusoidalState_kIdle;
+            entered <= 1'b1;
+          end
+        end
+        SinusoidalState_kFault: begin
+          if (fault_pin_i) begin
+            entered <= 1'b0;
+          end else begin
+            logic both_2;
+            both_2 = command_clear_fault_i && !command_run_i;
+            state <= both_2 ? SinusoidalState_kIdle : state;
+            entered <= both_2;
+          end
+        end
+        default: entered <= 1'b0;
+      endcase
+    end
+    case (state)
+      SinusoidalState_kIdle: begin
+        timer <= sum_74;
+        trust <= sum_78;
+        if (!either && both_122) begin
+          tries <= 4'd0;
+          reverse <= command_reverse_i;
+        end
+        modulated <= sum_75;
+      end
+      SinusoidalState_kCalibrate: begin
+        if (either) begin
+          timer <= sum_74;
+          trust <= sum_78;
+          modulated <= sum_75;
+        end else if (both_122 && measured_i && words_arbitrary_i) begin
+          timer <= words_give_up_i;
+          trust <= words_lock_i;
+          modulated <= 2'd0;
+          regulated <= 1'b0;
+        end else begin
+          if (measured_i) begin
+            if (both_122) begin
+              if (words_arbitrary_i) begin
+                timer <= words_give_up_i;
+              end else begin
+                timer <= words_pattern_i;
+              end
+              regulated <= !words_arbitrary_i && regulated;
+            end else begin
+              timer <= sum_74;
+            end
+            first_half <= (both_122 && !words_arbitrary_i) || first_half;
+          end else begin
+            timer <= sum_74;
+          end
+          trust <= sum_78;
+          modulated <= sum_75;
+        end
+      end
+      SinusoidalState_kPattern: begin
+        if (either) begin
+          timer <= sum_74;
+          trust <= sum_78;
+          modulated <= sum_75;
+        end else begin
+          logic both;
+          both = both_122 && sum_74 == 20'd0;
+          if (both && !first_half) begin
+            timer <= words_give_up_i;
+            trust <= words_lock_i;
+            modulated <= 2'd0;
+          end else begin
+            if (both) begin
+              if (first_half) begin
+                timer <= words_pattern_i;
+              end else begin
+                timer <= words_give_up_i;
+              end
+            end else begin
+              timer <= sum_74;
+            end
+            trust <= sum_78;
+            modulated <= sum_75;
+          end
+          if (both_122) begin
+            if (!both_149) begin
+              regulated <= sum_74 != 20'd0 && regulated;
+            end
+            first_half <= !both_149 && first_half;
+          end
+        end
+      end
+      SinusoidalState_kStarting: begin
+        if (either) begin
+          timer <= sum_74;
+          trust <= sum_78;
+        end else if (either_123) begin
+          timer <= words_brake_i;
+          trust <= sum_78;
+        end else if (failed_i == SinusoidalReason_kNone) begin
+          if (sum_78 == 20'd0) begin
+            timer <= sum_74;
+            trust <= 20'd0;
+          end else begin
+            if (sum_74 == 20'd0) begin
+              timer <= words_rest_i;
+              tries <= sum_109;
+            end else begin
+              timer <= sum_74;
+            end
+            trust <= sum_78;
+          end
+        end else begin
+          timer <= words_rest_i;
+          trust <= sum_78;
+          tries <= sum_109;
+        end
+        modulated <= sum_75;
+        regulated <= either_76;
+      end
+      SinusoidalState_kRun: begin
+        if (failed_i == SinusoidalReason_kNone) begin
+          timer <= sum_74;
+        end else if (either) begin
+          timer <= sum_74;
+        end else begin
+          timer <= words_rest_i;
+          tries <= sum_109;
+        end
+        trust <= sum_78;
+        modulated <= sum_75;
+        regulated <= either_76;
+      end
+      SinusoidalState_kSlowDown: begin
+        if (either) begin
+          timer <= sum_74;
+        end else if (either_123 && stopping_i) begin
+          timer <= words_brake_i;
+        end else begin
+          timer <= sum_74;
+        end
+        trust <= sum_78;
+        modulated <= sum_75;
+        regulated <= either_76;
+      end
+      default: begin
+        timer <= sum_74;
+        trust <= sum_78;
+        modulated <= sum_75;
+      end
+    endcase
     if (rst) begin
       state <= SinusoidalState_kIdle;
       reason <= SinusoidalReason_kNone;
@@ -95,265 +353,6 @@ module sinusoidal_sequence (
       first_half <= 1'b0;
       reverse <= 1'b0;
       entered <= 1'b0;
-    end else begin
-      if (state != SinusoidalState_kFault && fault_pin_i) begin
-        state <= SinusoidalState_kFault;
-        reason <= SinusoidalReason_kFaultPin;
-        entered <= 1'b1;
-      end else if (state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone) begin
-        state <= SinusoidalState_kFault;
-        reason <= fatal_i;
-        entered <= 1'b1;
-      end else if (state == SinusoidalState_kIdle) begin
-        if (both_122) begin
-          state <= SinusoidalState_kCalibrate;
-          reason <= SinusoidalReason_kNone;
-        end
-        entered <= both_122;
-      end else if (state == SinusoidalState_kCalibrate) begin
-        if (both_122) begin
-          if (measured_i) begin
-            if (words_arbitrary_i) begin
-              state <= SinusoidalState_kStarting;
-            end else begin
-              state <= SinusoidalState_kPattern;
-            end
-          end
-        end else begin
-          state <= SinusoidalState_kIdle;
-        end
-        entered <= !both_122 || measured_i;
-      end else if (state == SinusoidalState_kPattern) begin
-        if (both_122) begin
-          if (sum_74 == 20'd0 && !first_half) begin
-            state <= SinusoidalState_kStarting;
-          end
-          entered <= !both_149 && sum_74 == 20'd0;
-        end else begin
-          state <= SinusoidalState_kIdle;
-          entered <= 1'b1;
-        end
-      end else begin
-        case (state)
-          SinusoidalState_kPilot: begin
-            state <= SinusoidalState_kIdle;
-            entered <= 1'b1;
-          end
-          SinusoidalState_kStarting, SinusoidalState_kRun: begin
-            logic [3:0] choice_166;
-            choice_166 = below_106 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 166
-            case (state)
-              SinusoidalState_kStarting: begin
-                if (both_122) begin
-                  logic [3:0] choice;
-                  logic [3:0] choice_2;
-                  choice =
-                      (sum_78 == 20'd0) ? SinusoidalState_kRun :
-                      (sum_74 == 20'd0) ? choice_166 :
-                      state;
-                  choice_2 =
-                      (sum_78 == 20'd0) ? reason :
-                      (sum_74 == 20'd0) ? SinusoidalReason_kNoLock :
-                      reason;
-                  state <=
-                      differ ? SinusoidalState_kBrake :
-                      (failed_i == SinusoidalReason_kNone) ? choice :
-                      choice_166;
-                  reason <=
-                      differ ? reason :
-                      (failed_i == SinusoidalReason_kNone) ? choice_2 :
-                      failed_i;
-                  entered <=
-                      differ ||
-                      failed_i != SinusoidalReason_kNone || sum_78 == 20'd0 || sum_74 == 20'd0;
-                end else begin
-                  state <= SinusoidalState_kBrake;
-                  entered <= 1'b1;
-                end
-              end
-              default: begin  // SinusoidalState_kRun
-                if (failed_i == SinusoidalReason_kNone) begin
-                  state <=
-                      either_123 ?
-                      ((both_122 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
-                      SinusoidalState_kIdle) : state;
-                  entered <= either_123;
-                end else begin
-                  state <= choice_166;
-                  reason <= failed_i;
-                  entered <= 1'b1;
-                end
-              end
-            endcase
-          end
-          SinusoidalState_kSlowDown: begin
-            if (either_123) begin
-              state <= stopping_i ? SinusoidalState_kBrake : state;
-            end else begin
-              state <= SinusoidalState_kRun;
-            end
-            entered <= !either_123 || stopping_i;
-          end
-          SinusoidalState_kBrake: begin
-            if (sum_74 == 20'd0) begin
-              state <= SinusoidalState_kIdle;
-            end
-            entered <= sum_74 == 20'd0;
-          end
-          SinusoidalState_kRest: begin
-            if (both_122) begin
-              state <= (sum_74 == 20'd0) ? SinusoidalState_kCalibrate : state;
-              entered <= sum_74 == 20'd0;
-            end else begin
-              state <= SinusoidalState_kIdle;
-              entered <= 1'b1;
-            end
-          end
-          SinusoidalState_kFault: begin
-            if (fault_pin_i) begin
-              entered <= 1'b0;
-            end else begin
-              logic both_2;
-              both_2 = command_clear_fault_i && !command_run_i;
-              state <= both_2 ? SinusoidalState_kIdle : state;
-              entered <= both_2;
-            end
-          end
-          default: entered <= 1'b0;
-        endcase
-      end
-      case (state)
-        SinusoidalState_kIdle: begin
-          timer <= sum_74;
-          trust <= sum_78;
-          if (!either && both_122) begin
-            tries <= 4'd0;
-            reverse <= command_reverse_i;
-          end
-          modulated <= sum_75;
-        end
-        SinusoidalState_kCalibrate: begin
-          if (either) begin
-            timer <= sum_74;
-            trust <= sum_78;
-            modulated <= sum_75;
-          end else if (both_122 && measured_i && words_arbitrary_i) begin
-            timer <= words_give_up_i;
-            trust <= words_lock_i;
-            modulated <= 2'd0;
-            regulated <= 1'b0;
-          end else begin
-            if (measured_i) begin
-              if (both_122) begin
-                if (words_arbitrary_i) begin
-                  timer <= words_give_up_i;
-                end else begin
-                  timer <= words_pattern_i;
-                end
-                regulated <= !words_arbitrary_i && regulated;
-              end else begin
-                timer <= sum_74;
-              end
-              first_half <= (both_122 && !words_arbitrary_i) || first_half;
-            end else begin
-              timer <= sum_74;
-            end
-            trust <= sum_78;
-            modulated <= sum_75;
-          end
-        end
-        SinusoidalState_kPattern: begin
-          if (either) begin
-            timer <= sum_74;
-            trust <= sum_78;
-            modulated <= sum_75;
-          end else begin
-            logic both;
-            both = both_122 && sum_74 == 20'd0;
-            if (both && !first_half) begin
-              timer <= words_give_up_i;
-              trust <= words_lock_i;
-              modulated <= 2'd0;
-            end else begin
-              if (both) begin
-                if (first_half) begin
-                  timer <= words_pattern_i;
-                end else begin
-                  timer <= words_give_up_i;
-                end
-              end else begin
-                timer <= sum_74;
-              end
-              trust <= sum_78;
-              modulated <= sum_75;
-            end
-            if (both_122) begin
-              if (!both_149) begin
-                regulated <= sum_74 != 20'd0 && regulated;
-              end
-              first_half <= !both_149 && first_half;
-            end
-          end
-        end
-        SinusoidalState_kStarting: begin
-          if (either) begin
-            timer <= sum_74;
-            trust <= sum_78;
-          end else if (either_123) begin
-            timer <= words_brake_i;
-            trust <= sum_78;
-          end else if (failed_i == SinusoidalReason_kNone) begin
-            if (sum_78 == 20'd0) begin
-              timer <= sum_74;
-              trust <= 20'd0;
-            end else begin
-              if (sum_74 == 20'd0) begin
-                timer <= words_rest_i;
-                tries <= sum_109;
-              end else begin
-                timer <= sum_74;
-              end
-              trust <= sum_78;
-            end
-          end else begin
-            timer <= words_rest_i;
-            trust <= sum_78;
-            tries <= sum_109;
-          end
-          modulated <= sum_75;
-          regulated <= either_76;
-        end
-        SinusoidalState_kRun: begin
-          if (failed_i == SinusoidalReason_kNone) begin
-            timer <= sum_74;
-          end else if (either) begin
-            timer <= sum_74;
-          end else begin
-            timer <= words_rest_i;
-            tries <= sum_109;
-          end
-          trust <= sum_78;
-          modulated <= sum_75;
-          regulated <= either_76;
-        end
-        SinusoidalState_kSlowDown: begin
-          if (either) begin
-            timer <= sum_74;
-          end else if (either_123 && stopping_i) begin
-            timer <= words_brake_i;
-          end else begin
-            timer <= sum_74;
-          end
-          trust <= sum_78;
-          modulated <= sum_75;
-          regulated <= either_76;
-        end
-        default: begin
-          timer <= sum_74;
-          trust <= sum_78;
-          modulated <= sum_75;
-        end
-      endcase
     end
   end
 

@@ -448,6 +448,25 @@ module sinusoidal_top (
   );
 
   always_ff @(posedge clk) begin
+    if (codes_valid_i) begin
+      orders_reverse <= sequence__reverse;
+      orders_calibrate <= sequence__calibrate;
+      orders_hold <= sequence__hold;
+      orders_hold_v <= sequence__hold_v;
+      orders_regulate <= sequence__regulate;
+      orders_estimate <= sequence__estimate;
+      orders_slow_down <= sequence__slow_down;
+      orders_locked <= sequence__locked;
+    end
+    if (pwm_u_start) begin
+      running_on_u <= modulator_on_u;
+      running_on_v <= modulator_on_v;
+      running_on_w <= modulator_on_w;
+      ended_on_u <= running_on_u;
+      ended_on_v <= running_on_v;
+      ended_on_w <= running_on_w;
+    end
+    restart <= sequence__entered;
     if (rst) begin
       orders_reverse <= 1'b0;
       orders_calibrate <= 1'b0;
@@ -464,26 +483,6 @@ module sinusoidal_top (
       ended_on_v <= 14'd0;
       ended_on_w <= 14'd0;
       restart <= 1'b0;
-    end else begin
-      if (codes_valid_i) begin
-        orders_reverse <= sequence__reverse;
-        orders_calibrate <= sequence__calibrate;
-        orders_hold <= sequence__hold;
-        orders_hold_v <= sequence__hold_v;
-        orders_regulate <= sequence__regulate;
-        orders_estimate <= sequence__estimate;
-        orders_slow_down <= sequence__slow_down;
-        orders_locked <= sequence__locked;
-      end
-      if (pwm_u_start) begin
-        running_on_u <= modulator_on_u;
-        running_on_v <= modulator_on_v;
-        running_on_w <= modulator_on_w;
-        ended_on_u <= running_on_u;
-        ended_on_v <= running_on_v;
-        ended_on_w <= running_on_w;
-      end
-      restart <= sequence__entered;
     end
   end
 

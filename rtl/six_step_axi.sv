@@ -407,6 +407,13 @@ module six_step_axi (
   );
 
   always_ff @(posedge clk) begin
+    command_configured <= registers_command_configured;
+    command_run <= registers_command_run;
+    command_reverse <= registers_command_reverse;
+    command_brake_to_stop <= registers_command_brake_to_stop;
+    command_clear_fault <= registers_command_clear_fault;
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 75
+    boundary <= pwm_start;
     if (rst) begin
       command_configured <= 1'b0;
       command_run <= 1'b0;
@@ -415,14 +422,6 @@ module six_step_axi (
       command_clear_fault <= 1'b0;
       stopped <= 1'b1;
       boundary <= 1'b0;
-    end else begin
-      command_configured <= registers_command_configured;
-      command_run <= registers_command_run;
-      command_reverse <= registers_command_reverse;
-      command_brake_to_stop <= registers_command_brake_to_stop;
-      command_clear_fault <= registers_command_clear_fault;
-      stopped <= registers_stopped && !(command_run || registers_command_run);  // line 75
-      boundary <= pwm_start;
     end
   end
 

@@ -524,6 +524,21 @@ module six_step_top (
   );
 
   always_ff @(posedge clk) begin
+    tick <= pwm_tick;
+    chop <= limit_on;
+    limited <= limit_hit;
+    divided_step <= divide_step;
+    divided_phase <= divide_phase;
+    divided_commutate <= divide_commutate;
+    divided_elapsed <= divide_elapsed;
+    divided_turn <= divide_turn;
+    fast <= filter_fast;
+    update <= detector_update;
+    good <= detector_good;
+    lags <= detector_error[15];  // line 189
+    lost <= protection_lost;
+    fatal <= protection_fatal;
+    cause <= protection_reason;
     if (rst) begin
       tick <= 1'b0;
       chop <= 1'b0;
@@ -540,22 +555,6 @@ module six_step_top (
       lost <= 1'b0;
       fatal <= 1'b0;
       cause <= Reason_kNone;
-    end else begin
-      tick <= pwm_tick;
-      chop <= limit_on;
-      limited <= limit_hit;
-      divided_step <= divide_step;
-      divided_phase <= divide_phase;
-      divided_commutate <= divide_commutate;
-      divided_elapsed <= divide_elapsed;
-      divided_turn <= divide_turn;
-      fast <= filter_fast;
-      update <= detector_update;
-      good <= detector_good;
-      lags <= detector_error[15];  // line 189
-      lost <= protection_lost;
-      fatal <= protection_fatal;
-      cause <= protection_reason;
     end
   end
 

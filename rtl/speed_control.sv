@@ -94,6 +94,197 @@ module speed_control (
   wire [33:0] joined_166 = {work[17:0], 16'd0};  // line 166
 
   always_ff @(posedge clk) begin
+    case (stage)
+      Stage_kIdle: begin
+        if (tick_i) begin
+          stage <= Stage_kSlew;
+        end
+      end
+      Stage_kSlew, Stage_kReach: begin
+        logic [25:0] goal;
+        logic below_149;
+        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 148
+        below_149 = $signed(reference) < $signed({2'd0, goal});  // line 149
+        case (stage)
+          Stage_kSlew: begin
+            logic at_most_151;
+            logic [20:0] slew_4;
+            logic [27:0] slew_5;
+            at_most_151 = $signed({2'd0, goal}) <= $signed(reference);  // line 151
+            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_151}};  // line 151
+            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 151
+            stage <= stage + 5'd1;
+            reference <= reference + slew_5;
+            rises <= below_149;
+          end
+          default: begin  // Stage_kReach
+            stage <= stage + 5'd1;
+            if (mode_i != SpeedMode_kControl || (below_149 ^ rises)) begin
+              reference <= {2'd0, goal};
+            end
+          end
+        endcase
+      end
+      Stage_kBemf, Stage_kProportional: begin
+        logic [15:0] choice_127;
+        logic either_127;
+        logic [17:0] base;
+        logic [20:0] base_2;
+        logic [19:0] choice_117;
+        logic [20:0] sum_117;
+        choice_127 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 127
+        either_127 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 127
+        base = either_127 ? integral[33:16] : {2'd0, choice_127};  // line 127
+        base_2 = {{3{base[17]}}, base};  // line 127
+        choice_117 =  // line 117
+            (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
+            multiplier_product[31:12];
+        sum_117 = base_2 + {choice_117[19], choice_117};  // line 117
+        case (stage)
+          Stage_kBemf: begin
+            if (multiplier_done) begin
+              if (mode_i == SpeedMode_kControl) begin
+                stage <= stage + 5'd1;
+              end else begin
+                stage <= Stage_kHigh;
+              end
+              work <= sum_117;
+            end
+            started <= !multiplier_done;
+          end
+          default: begin  // Stage_kProportional
+            if (multiplier_done) begin
+              stage <= stage + 5'd1;
+              work <= sum_117;
+            end
+            started <= !multiplier_done;
+          end
+        endcase
+      end
+      Stage_kSlip, Stage_kWholeLow, Stage_kLow, Stage_kWholeHigh, Stage_kHigh, Stage_kUp,
+      Stage_kDown: begin
+        logic [17:0] limit;
+        logic [17:0] limit_2;
+        logic [12:0] slew;
+        logic [12:0] slew_2;
+        logic [17:0] slew_3;
+        logic [17:0] limit_3;
+        logic [17:0] limit_4;  // line 135
+        logic [20:0] wide_136;
+        logic below_136;
+        logic at_most_140;
+        logic either_177;
+        logic [20:0] wide_136_2;
+        logic either_178;
+        logic [20:0] wide_136_3;
+        limit = {2'd0, words_minimum_i};  // line 185
+        limit_2 = {2'd0, words_maximum_i};  // line 187
+        slew = ~{1'b0, words_duty_slew_i};  // line 191
+        slew_2 =  // line 135
+            (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
+            (stage == Stage_kDown) ? slew :
+            13'd0;
+        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 135
+        limit_3 = slew_3 + {2'd0, duty};  // line 193
+        case (stage)
+          Stage_kWholeLow, Stage_kLow: limit_4 = limit;
+          Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
+          default: limit_4 = limit_3;
+        endcase
+        wide_136 = {{3{limit_4[17]}}, limit_4};  // line 136
+        below_136 = $signed(work) < $signed(wide_136);  // line 136
+        at_most_140 = $signed(wide_136) <= $signed(work);  // line 140
+        either_177 = at_low || below_136;  // line 177
+        wide_136_2 = {{3{limit_2[17]}}, limit_2};  // line 136
+        either_178 = at_high || at_most_140;  // line 178
+        wide_136_3 = {{3{limit_3[17]}}, limit_3};  // line 136
+        case (stage)
+          Stage_kSlip: begin
+            stage <= stage + 5'd1;
+            slips <= below_136;
+          end
+          Stage_kWholeLow, Stage_kLow: begin
+            stage <= stage + 5'd1;
+            if (below_136) begin
+              work <= {{3{limit[17]}}, limit};
+            end
+            at_low <= either_177;
+          end
+          Stage_kWholeHigh: begin
+            stage <= stage + 5'd1;
+            if (at_most_140) begin
+              work <= wide_136_2;
+            end
+            at_high <= either_178;
+          end
+          Stage_kHigh: begin
+            if (mode_i == SpeedMode_kControl) begin
+              stage <= stage + 5'd1;
+            end else begin
+              stage <= Stage_kDuty;
+            end
+            if (at_most_140) begin
+              work <= wide_136_2;
+            end
+            at_high <= either_178;
+          end
+          Stage_kUp: begin
+            stage <= stage + 5'd1;
+            if (at_most_140) begin
+              work <= wide_136_3;
+            end
+            at_high <= either_178;
+          end
+          default: begin  // Stage_kDown
+            stage <= stage + 5'd1;
+            if (below_136) begin
+              work <= wide_136_3;
+            end
+            at_low <= either_177;
+          end
+        endcase
+      end
+      Stage_kIntegral: begin
+        if (multiplier_done) begin
+          stage <= stage + 5'd1;
+          if (!(multiplier_product[31] ? at_low : at_high || limited)) begin
+            integral <= integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]};
+          end
+        end
+        started <= !multiplier_done;
+      end
+      Stage_kWhole: begin
+        stage <= stage + 5'd1;
+        work <= {{3{integral[33]}}, integral[33:16]};
+        at_high <= 1'b0;
+        at_low <= 1'b0;
+      end
+      Stage_kKeep: begin
+        stage <= stage + 5'd1;
+        if (at_low || at_high) begin
+          integral <= joined_166;
+        end
+      end
+      Stage_kDuty: begin
+        stage <= stage + 5'd1;
+        if (mode_i != SpeedMode_kControl) begin
+          integral <= joined_166;
+        end
+        duty <= work[15:0];
+        slips <= mode_i == SpeedMode_kControl && slips;
+      end
+      Stage_kOnClocks: begin
+        if (multiplier_done) begin
+          stage <= Stage_kIdle;
+          on_clocks <= multiplier_product[28:15];
+        end
+        started <= !multiplier_done;
+      end
+      default: stage <= Stage_kIdle;
+    endcase
+    limited <=
+        limited_i ||
+        (limited && !(stage == Stage_kIntegral && multiplier_done) && mode_i == SpeedMode_kControl);
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
@@ -107,199 +298,6 @@ module speed_control (
       limited <= 1'b0;
       at_high <= 1'b0;
       at_low <= 1'b0;
-    end else begin
-      case (stage)
-        Stage_kIdle: begin
-          if (tick_i) begin
-            stage <= Stage_kSlew;
-          end
-        end
-        Stage_kSlew, Stage_kReach: begin
-          logic [25:0] goal;
-          logic below_149;
-          goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 148
-          below_149 = $signed(reference) < $signed({2'd0, goal});  // line 149
-          case (stage)
-            Stage_kSlew: begin
-              logic at_most_151;
-              logic [20:0] slew_4;
-              logic [27:0] slew_5;
-              at_most_151 = $signed({2'd0, goal}) <= $signed(reference);  // line 151
-              slew_4 = {1'b0, words_slew_i} ^ {21{at_most_151}};  // line 151
-              slew_5 = {{7{slew_4[20]}}, slew_4};  // line 151
-              stage <= stage + 5'd1;
-              reference <= reference + slew_5;
-              rises <= below_149;
-            end
-            default: begin  // Stage_kReach
-              stage <= stage + 5'd1;
-              if (mode_i != SpeedMode_kControl || (below_149 ^ rises)) begin
-                reference <= {2'd0, goal};
-              end
-            end
-          endcase
-        end
-        Stage_kBemf, Stage_kProportional: begin
-          logic [15:0] choice_127;
-          logic either_127;
-          logic [17:0] base;
-          logic [20:0] base_2;
-          logic [19:0] choice_117;
-          logic [20:0] sum_117;
-          choice_127 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 127
-          either_127 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 127
-          base = either_127 ? integral[33:16] : {2'd0, choice_127};  // line 127
-          base_2 = {{3{base[17]}}, base};  // line 127
-          choice_117 =  // line 117
-              (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
-              multiplier_product[31:12];
-          sum_117 = base_2 + {choice_117[19], choice_117};  // line 117
-          case (stage)
-            Stage_kBemf: begin
-              if (multiplier_done) begin
-                if (mode_i == SpeedMode_kControl) begin
-                  stage <= stage + 5'd1;
-                end else begin
-                  stage <= Stage_kHigh;
-                end
-                work <= sum_117;
-              end
-              started <= !multiplier_done;
-            end
-            default: begin  // Stage_kProportional
-              if (multiplier_done) begin
-                stage <= stage + 5'd1;
-                work <= sum_117;
-              end
-              started <= !multiplier_done;
-            end
-          endcase
-        end
-        Stage_kSlip, Stage_kWholeLow, Stage_kLow, Stage_kWholeHigh, Stage_kHigh, Stage_kUp,
-        Stage_kDown: begin
-          logic [17:0] limit;
-          logic [17:0] limit_2;
-          logic [12:0] slew;
-          logic [12:0] slew_2;
-          logic [17:0] slew_3;
-          logic [17:0] limit_3;
-          logic [17:0] limit_4;  // line 135
-          logic [20:0] wide_136;
-          logic below_136;
-          logic at_most_140;
-          logic either_177;
-          logic [20:0] wide_136_2;
-          logic either_178;
-          logic [20:0] wide_136_3;
-          limit = {2'd0, words_minimum_i};  // line 185
-          limit_2 = {2'd0, words_maximum_i};  // line 187
-          slew = ~{1'b0, words_duty_slew_i};  // line 191
-          slew_2 =  // line 135
-              (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
-              (stage == Stage_kDown) ? slew :
-              13'd0;
-          slew_3 = {{5{slew_2[12]}}, slew_2};  // line 135
-          limit_3 = slew_3 + {2'd0, duty};  // line 193
-          case (stage)
-            Stage_kWholeLow, Stage_kLow: limit_4 = limit;
-            Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
-            default: limit_4 = limit_3;
-          endcase
-          wide_136 = {{3{limit_4[17]}}, limit_4};  // line 136
-          below_136 = $signed(work) < $signed(wide_136);  // line 136
-          at_most_140 = $signed(wide_136) <= $signed(work);  // line 140
-          either_177 = at_low || below_136;  // line 177
-          wide_136_2 = {{3{limit_2[17]}}, limit_2};  // line 136
-          either_178 = at_high || at_most_140;  // line 178
-          wide_136_3 = {{3{limit_3[17]}}, limit_3};  // line 136
-          case (stage)
-            Stage_kSlip: begin
-              stage <= stage + 5'd1;
-              slips <= below_136;
-            end
-            Stage_kWholeLow, Stage_kLow: begin
-              stage <= stage + 5'd1;
-              if (below_136) begin
-                work <= {{3{limit[17]}}, limit};
-              end
-              at_low <= either_177;
-            end
-            Stage_kWholeHigh: begin
-              stage <= stage + 5'd1;
-              if (at_most_140) begin
-                work <= wide_136_2;
-              end
-              at_high <= either_178;
-            end
-            Stage_kHigh: begin
-              if (mode_i == SpeedMode_kControl) begin
-                stage <= stage + 5'd1;
-              end else begin
-                stage <= Stage_kDuty;
-              end
-              if (at_most_140) begin
-                work <= wide_136_2;
-              end
-              at_high <= either_178;
-            end
-            Stage_kUp: begin
-              stage <= stage + 5'd1;
-              if (at_most_140) begin
-                work <= wide_136_3;
-              end
-              at_high <= either_178;
-            end
-            default: begin  // Stage_kDown
-              stage <= stage + 5'd1;
-              if (below_136) begin
-                work <= wide_136_3;
-              end
-              at_low <= either_177;
-            end
-          endcase
-        end
-        Stage_kIntegral: begin
-          if (multiplier_done) begin
-            stage <= stage + 5'd1;
-            if (!(multiplier_product[31] ? at_low : at_high || limited)) begin
-              integral <= integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]};
-            end
-          end
-          started <= !multiplier_done;
-        end
-        Stage_kWhole: begin
-          stage <= stage + 5'd1;
-          work <= {{3{integral[33]}}, integral[33:16]};
-          at_high <= 1'b0;
-          at_low <= 1'b0;
-        end
-        Stage_kKeep: begin
-          stage <= stage + 5'd1;
-          if (at_low || at_high) begin
-            integral <= joined_166;
-          end
-        end
-        Stage_kDuty: begin
-          stage <= stage + 5'd1;
-          if (mode_i != SpeedMode_kControl) begin
-            integral <= joined_166;
-          end
-          duty <= work[15:0];
-          slips <= mode_i == SpeedMode_kControl && slips;
-        end
-        Stage_kOnClocks: begin
-          if (multiplier_done) begin
-            stage <= Stage_kIdle;
-            on_clocks <= multiplier_product[28:15];
-          end
-          started <= !multiplier_done;
-        end
-        default: stage <= Stage_kIdle;
-      endcase
-      limited <=
-          limited_i ||
-          (limited && !(stage == Stage_kIntegral && multiplier_done) &&
-          mode_i == SpeedMode_kControl);
     end
   end
 

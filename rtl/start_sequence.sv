@@ -234,6 +234,135 @@ module start_sequence (
   wire both_83 = unequal_80 && state == State_kIdle;  // line 83
 
   always_ff @(posedge clk) begin
+    state <= state_next;  // line 81
+    if (both_83 && wanted == State_kObserve) begin
+      reason <= Reason_kNone;
+    end else if (!equal_81 && (state_next == State_kRest || state_next == State_kFault)) begin
+      if (wanted == State_kBrake) begin
+        reason <= Reason_kCannotStop;
+      end else if (fatal_i || lost_i) begin
+        reason <= cause_i;
+      end else begin
+        reason <= Reason_kNoLock;
+      end
+    end
+    if (equal_81) begin
+      if (tick_i && ticks != 12'd0) begin
+        ticks <= ticks - 12'd1;
+      end
+    end else begin
+      case (state_next)
+        State_kObserve: ticks <= words_observe_i;
+        State_kBrake: ticks <= words_brake_i;
+        State_kSettle, State_kReset: begin
+          logic [11:0] ticks_2;
+          logic [14:0] once;
+          logic [14:0] choice_170;
+          ticks_2 = (state_next == State_kSettle) ? words_settle_i : words_reset_i;  // line 179
+          once = {3'd0, ticks_2} << gentle[0];  // line 169
+          choice_170 = gentle[1] ? {once[12:0], 2'd0} : once;  // line 170
+          if (choice_170[14:12] == 3'd0) begin
+            ticks <= choice_170[11:0];
+          end else begin
+            ticks <= 12'd4095;
+          end
+        end
+        State_kPullIn: ticks <= words_pull_in_i;
+        State_kRun: ticks <= 12'd1024;
+        State_kSlowDown: ticks <= words_slow_down_i;
+        State_kRest: ticks <= words_rest_i;
+        default: ticks <= 12'd4095;
+      endcase
+    end
+    if (unequal_80 || !update_i) begin
+      if (!equal_81) begin
+        good <= 6'd0;
+      end
+      if (unequal_80) begin
+        load_step <=
+            state_next == State_kAccelerate ||
+            (state == State_kObserve && state_next == State_kRun);
+        if (wanted == State_kObserve) begin
+          reverse <= command_reverse_i;
+        end
+      end else begin
+        load_step <= 1'b0;
+      end
+    end else begin
+      if (!good_i || (state == State_kObserve && (turns_reverse_i ^ turns_reverse))) begin
+        good <= 6'd0;
+      end else begin
+        good <= good + 6'd1;
+      end
+      load_step <= 1'b0;
+      turns_reverse <= turns_reverse_i;
+    end
+    fresh <= update_i;
+    if (both_78 && state == State_kRun) begin
+      retries <= 4'd0;
+      brakes <= 8'd0;
+    end else begin
+      case (wanted)
+        State_kObserve: begin
+          if (both_83) begin
+            retries <= 4'd0;
+          end
+        end
+        State_kRest: begin
+          if (unequal_80) begin
+            retries <= retries + 4'd1;
+          end
+        end
+        default: ;
+      endcase
+      case (state)
+        State_kIdle: begin
+          case (wanted)
+            State_kObserve: begin
+              if (unequal_80) begin
+                brakes <= 8'd0;
+              end
+            end
+            State_kBrake: begin
+              if (unequal_80) begin
+                brakes <= brakes + 8'd1;
+              end
+            end
+            default: ;
+          endcase
+        end
+        State_kRun: brakes <= 8'd0;
+        default: begin
+          if (unequal_80 && wanted == State_kBrake) begin
+            brakes <= brakes + 8'd1;
+          end
+        end
+      endcase
+    end
+    case (state)
+      State_kIdle: begin
+        boost <= words_start_duty_i;
+        began <= unequal_80 && wanted == State_kObserve;
+      end
+      State_kPullIn: begin
+        if (commutate_i) begin
+          if (lags_i) begin
+            if (words_start_duty_i > boost) begin
+              boost <= boost + {5'd0, boost[15:5]};
+            end
+          end else begin
+            boost <= boost - {5'd0, boost[15:5]};
+          end
+        end
+        began <= 1'b0;
+      end
+      default: begin
+        boost <= words_start_duty_i;
+        began <= 1'b0;
+      end
+    endcase
+    failed <= unequal_80 && wanted == State_kRest;  // line 84
+    clear_was <= command_clear_fault_i;  // line 79
     if (rst) begin
       state <= State_kIdle;
       reason <= Reason_kNone;
@@ -249,136 +378,6 @@ module start_sequence (
       reverse <= 1'b0;
       turns_reverse <= 1'b0;
       clear_was <= 1'b0;
-    end else begin
-      state <= state_next;  // line 81
-      if (both_83 && wanted == State_kObserve) begin
-        reason <= Reason_kNone;
-      end else if (!equal_81 && (state_next == State_kRest || state_next == State_kFault)) begin
-        if (wanted == State_kBrake) begin
-          reason <= Reason_kCannotStop;
-        end else if (fatal_i || lost_i) begin
-          reason <= cause_i;
-        end else begin
-          reason <= Reason_kNoLock;
-        end
-      end
-      if (equal_81) begin
-        if (tick_i && ticks != 12'd0) begin
-          ticks <= ticks - 12'd1;
-        end
-      end else begin
-        case (state_next)
-          State_kObserve: ticks <= words_observe_i;
-          State_kBrake: ticks <= words_brake_i;
-          State_kSettle, State_kReset: begin
-            logic [11:0] ticks_2;
-            logic [14:0] once;
-            logic [14:0] choice_170;
-            ticks_2 = (state_next == State_kSettle) ? words_settle_i : words_reset_i;  // line 179
-            once = {3'd0, ticks_2} << gentle[0];  // line 169
-            choice_170 = gentle[1] ? {once[12:0], 2'd0} : once;  // line 170
-            if (choice_170[14:12] == 3'd0) begin
-              ticks <= choice_170[11:0];
-            end else begin
-              ticks <= 12'd4095;
-            end
-          end
-          State_kPullIn: ticks <= words_pull_in_i;
-          State_kRun: ticks <= 12'd1024;
-          State_kSlowDown: ticks <= words_slow_down_i;
-          State_kRest: ticks <= words_rest_i;
-          default: ticks <= 12'd4095;
-        endcase
-      end
-      if (unequal_80 || !update_i) begin
-        if (!equal_81) begin
-          good <= 6'd0;
-        end
-        if (unequal_80) begin
-          load_step <=
-              state_next == State_kAccelerate ||
-              (state == State_kObserve && state_next == State_kRun);
-          if (wanted == State_kObserve) begin
-            reverse <= command_reverse_i;
-          end
-        end else begin
-          load_step <= 1'b0;
-        end
-      end else begin
-        if (!good_i || (state == State_kObserve && (turns_reverse_i ^ turns_reverse))) begin
-          good <= 6'd0;
-        end else begin
-          good <= good + 6'd1;
-        end
-        load_step <= 1'b0;
-        turns_reverse <= turns_reverse_i;
-      end
-      fresh <= update_i;
-      if (both_78 && state == State_kRun) begin
-        retries <= 4'd0;
-        brakes <= 8'd0;
-      end else begin
-        case (wanted)
-          State_kObserve: begin
-            if (both_83) begin
-              retries <= 4'd0;
-            end
-          end
-          State_kRest: begin
-            if (unequal_80) begin
-              retries <= retries + 4'd1;
-            end
-          end
-          default: ;
-        endcase
-        case (state)
-          State_kIdle: begin
-            case (wanted)
-              State_kObserve: begin
-                if (unequal_80) begin
-                  brakes <= 8'd0;
-                end
-              end
-              State_kBrake: begin
-                if (unequal_80) begin
-                  brakes <= brakes + 8'd1;
-                end
-              end
-              default: ;
-            endcase
-          end
-          State_kRun: brakes <= 8'd0;
-          default: begin
-            if (unequal_80 && wanted == State_kBrake) begin
-              brakes <= brakes + 8'd1;
-            end
-          end
-        endcase
-      end
-      case (state)
-        State_kIdle: begin
-          boost <= words_start_duty_i;
-          began <= unequal_80 && wanted == State_kObserve;
-        end
-        State_kPullIn: begin
-          if (commutate_i) begin
-            if (lags_i) begin
-              if (words_start_duty_i > boost) begin
-                boost <= boost + {5'd0, boost[15:5]};
-              end
-            end else begin
-              boost <= boost - {5'd0, boost[15:5]};
-            end
-          end
-          began <= 1'b0;
-        end
-        default: begin
-          boost <= words_start_duty_i;
-          began <= 1'b0;
-        end
-      endcase
-      failed <= unequal_80 && wanted == State_kRest;  // line 84
-      clear_was <= command_clear_fault_i;  // line 79
     end
   end
 

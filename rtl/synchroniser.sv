@@ -39,6 +39,22 @@ module synchroniser (
   logic second_hall_w;  // Hall sensor W
 
   always_ff @(posedge clk) begin
+    first_comparator_u <= comparator_u_i;
+    first_comparator_v <= comparator_v_i;
+    first_comparator_w <= comparator_w_i;
+    first_limit <= limit_i;
+    first_fault <= fault_i;
+    first_hall_u <= hall_u_i;
+    first_hall_v <= hall_v_i;
+    first_hall_w <= hall_w_i;
+    second_comparator_u <= first_comparator_u;
+    second_comparator_v <= first_comparator_v;
+    second_comparator_w <= first_comparator_w;
+    second_limit <= first_limit;
+    second_fault <= first_fault;
+    second_hall_u <= first_hall_u;
+    second_hall_v <= first_hall_v;
+    second_hall_w <= first_hall_w;
     if (rst) begin
       first_comparator_u <= 1'b0;
       first_comparator_v <= 1'b0;
@@ -56,23 +72,6 @@ module synchroniser (
       second_hall_u <= 1'b0;
       second_hall_v <= 1'b0;
       second_hall_w <= 1'b0;
-    end else begin
-      first_comparator_u <= comparator_u_i;
-      first_comparator_v <= comparator_v_i;
-      first_comparator_w <= comparator_w_i;
-      first_limit <= limit_i;
-      first_fault <= fault_i;
-      first_hall_u <= hall_u_i;
-      first_hall_v <= hall_v_i;
-      first_hall_w <= hall_w_i;
-      second_comparator_u <= first_comparator_u;
-      second_comparator_v <= first_comparator_v;
-      second_comparator_w <= first_comparator_w;
-      second_limit <= first_limit;
-      second_fault <= first_fault;
-      second_hall_u <= first_hall_u;
-      second_hall_v <= first_hall_v;
-      second_hall_w <= first_hall_w;
     end
   end
 

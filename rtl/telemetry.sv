@@ -23,36 +23,35 @@ module telemetry (
   logic [15:0] counts_retries;  // events, stops at 65535
 
   always_ff @(posedge clk) begin
-    if (rst) begin
+    if (clear_i) begin
       counts_crossings <= 16'd0;
       counts_missed <= 16'd0;
       counts_freewheel_long <= 16'd0;
       counts_limit_hits <= 16'd0;
       counts_retries <= 16'd0;
     end else begin
-      if (clear_i) begin
-        counts_crossings <= 16'd0;
-        counts_missed <= 16'd0;
-        counts_freewheel_long <= 16'd0;
-        counts_limit_hits <= 16'd0;
-        counts_retries <= 16'd0;
-      end else begin
-        if (crossing_i && counts_crossings != 16'd65535) begin
-          counts_crossings <= counts_crossings + 16'd1;
-        end
-        if (missed_i && counts_missed != 16'd65535) begin
-          counts_missed <= counts_missed + 16'd1;
-        end
-        if (freewheel_long_i && counts_freewheel_long != 16'd65535) begin
-          counts_freewheel_long <= counts_freewheel_long + 16'd1;
-        end
-        if (limit_hit_i && counts_limit_hits != 16'd65535) begin
-          counts_limit_hits <= counts_limit_hits + 16'd1;
-        end
-        if (retry_i && counts_retries != 16'd65535) begin
-          counts_retries <= counts_retries + 16'd1;
-        end
+      if (crossing_i && counts_crossings != 16'd65535) begin
+        counts_crossings <= counts_crossings + 16'd1;
       end
+      if (missed_i && counts_missed != 16'd65535) begin
+        counts_missed <= counts_missed + 16'd1;
+      end
+      if (freewheel_long_i && counts_freewheel_long != 16'd65535) begin
+        counts_freewheel_long <= counts_freewheel_long + 16'd1;
+      end
+      if (limit_hit_i && counts_limit_hits != 16'd65535) begin
+        counts_limit_hits <= counts_limit_hits + 16'd1;
+      end
+      if (retry_i && counts_retries != 16'd65535) begin
+        counts_retries <= counts_retries + 16'd1;
+      end
+    end
+    if (rst) begin
+      counts_crossings <= 16'd0;
+      counts_missed <= 16'd0;
+      counts_freewheel_long <= 16'd0;
+      counts_limit_hits <= 16'd0;
+      counts_retries <= 16'd0;
     end
   end
 

@@ -15,21 +15,20 @@ module vco_counter (
   logic pulse;  // the last addition passed a whole turn
 
   always_ff @(posedge clk) begin
+    if (load_i) begin
+      phase <= {phase_i, 16'd0};
+      pulse <= 1'b0;
+    end else if (enable_i) begin
+      logic [32:0] sum;
+      sum = {1'b0, phase} + {7'd0, frequency_i};  // line 37
+      phase <= sum[31:0];
+      pulse <= sum[32];
+    end else begin
+      pulse <= 1'b0;
+    end
     if (rst) begin
       phase <= 32'd0;
       pulse <= 1'b0;
-    end else begin
-      if (load_i) begin
-        phase <= {phase_i, 16'd0};
-        pulse <= 1'b0;
-      end else if (enable_i) begin
-        logic [32:0] sum;
-        sum = {1'b0, phase} + {7'd0, frequency_i};  // line 37
-        phase <= sum[31:0];
-        pulse <= sum[32];
-      end else begin
-        pulse <= 1'b0;
-      end
     end
   end
 

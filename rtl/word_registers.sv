@@ -228,6 +228,178 @@ module word_registers (
   wire [23:0] both_116_2 = request_data_i[23:0] & {{7{choice_50_2[16]}}, choice_50_2};  // line 116
 
   always_ff @(posedge clk) begin
+    if (request_write_i && either) begin
+      logic [7:0] wide_50;
+      logic [8:0] choice_50;
+      logic [8:0] either_50;
+      logic [15:0] wide_50_2;
+      logic [15:0] both_116;
+      logic [8:0] inverse_116;
+      logic [15:0] wide_116;
+      logic [13:0] wide_116_2;
+      logic [16:0] either_50_2;
+      logic [16:0] inverse_116_2;
+      logic [19:0] wide_116_3;
+      logic [24:0] either_50_3;
+      logic [24:0] inverse_116_3;
+      logic [31:0] both_116_3;
+      logic [7:0] both_116_4;
+      logic inverse_116_4;
+      logic [11:0] wide_119;
+      logic [3:0] wide_119_2;
+      logic [15:0] wide_119_3;
+      logic [25:0] wide_116_4;
+      logic [11:0] wide_116_5;
+      logic [19:0] both_116_5;
+      wide_50 = {8{request_strobes_i[0]}};  // line 50
+      choice_50 = request_strobes_i[1] ? 9'd256 : 9'd0;  // line 50
+      either_50 = {1'b0, wide_50} | choice_50;  // line 50
+      wide_50_2 = {{7{either_50[8]}}, either_50};  // line 50
+      both_116 = request_data_i[15:0] & wide_50_2;  // line 116
+      inverse_116 = ~either_50;  // line 116
+      wide_116 = {{7{inverse_116[8]}}, inverse_116};  // line 116
+      wide_116_2 = {{5{inverse_116[8]}}, inverse_116};  // line 116
+      either_50_2 = {1'b0, wide_50_2} | choice_50_2;  // line 50
+      inverse_116_2 = ~either_50_2;  // line 116
+      wide_116_3 = {{3{inverse_116_2[16]}}, inverse_116_2};  // line 116
+      either_50_3 =  // line 50
+          {1'b0, {7{either_50_2[16]}}, either_50_2} | (request_strobes_i[3] ? 25'd16777216 : 25'd0);
+      inverse_116_3 = ~either_50_3;  // line 116
+      both_116_3 = request_data_i & {{7{either_50_3[24]}}, either_50_3};  // line 116
+      both_116_4 = request_data_i[7:0] & wide_50;  // line 116
+      inverse_116_4 = !request_strobes_i[0];  // line 116
+      wide_119 = {{3{inverse_116_3[24]}}, inverse_116_3[24:16]};  // line 119
+      wide_119_2 = {4{inverse_116_3[24]}};  // line 119
+      wide_119_3 = {{7{inverse_116_3[24]}}, inverse_116_3[24:16]};  // line 119
+      wide_116_4 = {inverse_116_3[24], inverse_116_3};  // line 116
+      wide_116_5 = {{3{inverse_116[8]}}, inverse_116};  // line 116
+      both_116_5 = request_data_i[19:0] & {{3{either_50_2[16]}}, either_50_2};  // line 116
+      if (request_index_i == 10'd32) begin
+        words_pwm_period <= both_116[13:0] | (words_pwm_period & wide_116_2);
+        words_pwm_centred <= both_116_2[16] || (choice_110_2[16] && inverse_116_2[16]);
+        words_pwm_complementary <= both_116_2[17] || (choice_110[17] && inverse_116_2[16]);
+        words_pwm_tick_periods <=
+            both_116_3[31:24] | (words_pwm_tick_periods & {8{inverse_116_3[24]}});
+      end
+      if (request_index_i == 10'd33) begin
+        words_pwm_minimum <= both_116[13:0] | (words_pwm_minimum & wide_116_2);
+        words_pwm_dead_time <= both_116_2[23:16] | (words_pwm_dead_time & inverse_116_3[23:16]);
+      end
+      if (request_index_i == 10'd34) begin
+        words_limit_blanking <= both_116_4 | (words_limit_blanking & {8{inverse_116_4}});
+        words_limit_off_time <= both_116_3[27:16] | (words_limit_off_time & wide_119);
+      end
+      if (request_index_i == 10'd35) begin
+        words_bemf_sampling <= both_116_4[1:0] | (words_bemf_sampling & {2{inverse_116_4}});
+        words_bemf_blanking <= both_116[13:4] | (words_bemf_blanking & inverse_116_3[13:4]);
+        words_bemf_sample_every <=
+            both_116_2[23:16] | (words_bemf_sample_every & inverse_116_3[23:16]);
+        words_bemf_samples <= both_116_3[27:24] | (words_bemf_samples & wide_119_2);
+      end
+      if (request_index_i == 10'd36) begin
+        words_loop_detector <= both_116_4[0] || (words_loop_detector && inverse_116_4);
+        words_loop_bandwidth <= both_116_4[1] || (choice_110_4[1] && inverse_116_4);
+        words_loop_divide <= both_116_4[3:2] | (words_loop_divide & inverse_116_3[3:2]);
+        words_loop_delay <=
+            both_116_3[25:16] | (words_loop_delay & {inverse_116_3[24], inverse_116_3[24:16]});
+        words_speed_shift <=
+            (request_data_i[11:8] & {4{choice_50[8]}}) | (words_speed_shift & inverse_116_3[11:8]);
+        words_source <= both_116_4[4] || (choice_110_3[4] && inverse_116_4);
+      end
+      if (request_index_i == 10'd37) begin
+        words_loop_expected <= both_116 | (words_loop_expected & wide_116);
+        words_loop_lead_error <= both_116_3[31:16] | (words_loop_lead_error & wide_119_3);
+      end
+      if (request_index_i == 10'd38) begin
+        words_loop_ki <= both_116 | (words_loop_ki & wide_116);
+        words_loop_kp <= both_116_3[31:16] | (words_loop_kp & wide_119_3);
+      end
+      if (request_index_i == 10'd39) begin
+        words_loop_pole <= both_116 | (words_loop_pole & wide_116);
+      end
+      if (request_index_i == 10'd40) begin
+        words_loop_scale <= both_116_3[25:0] | (words_loop_scale & wide_116_4);
+      end
+      if (request_index_i == 10'd41) begin
+        words_loop_minimum <= both_116_3[25:0] | (words_loop_minimum & wide_116_4);
+      end
+      if (request_index_i == 10'd42) begin
+        words_loop_maximum <= both_116_3[25:0] | (words_loop_maximum & wide_116_4);
+      end
+      if (request_index_i == 10'd43) begin
+        words_start_settle <= both_116[11:0] | (words_start_settle & wide_116_5);
+        words_start_reset <= both_116_3[27:16] | (words_start_reset & wide_119);
+      end
+      if (request_index_i == 10'd44) begin
+        words_start_reset_duty <= both_116 | (words_start_reset_duty & wide_116);
+        words_start_start_duty <= both_116_3[31:16] | (words_start_start_duty & wide_119_3);
+      end
+      if (request_index_i == 10'd45) begin
+        words_start_ramp <= both_116_5 | (words_start_ramp & wide_116_3);
+      end
+      if (request_index_i == 10'd46) begin
+        words_start_hand_over <= both_116_3[25:0] | (words_start_hand_over & wide_116_4);
+      end
+      if (request_index_i == 10'd47) begin
+        words_start_window <= both_116 | (words_start_window & wide_116);
+        words_start_good_crossings <=
+            both_116_2[21:16] | (words_start_good_crossings & inverse_116_3[21:16]);
+        words_start_retries <= both_116_3[27:24] | (words_start_retries & wide_119_2);
+      end
+      if (request_index_i == 10'd48) begin
+        words_start_pull_in <= both_116[11:0] | (words_start_pull_in & wide_116_5);
+        words_start_rest <= both_116_3[27:16] | (words_start_rest & wide_119);
+      end
+      if (request_index_i == 10'd49) begin
+        words_start_observe <= both_116[11:0] | (words_start_observe & wide_116_5);
+        words_start_slow_down <= both_116_3[27:16] | (words_start_slow_down & wide_119);
+      end
+      if (request_index_i == 10'd50) begin
+        words_start_brake <= both_116[11:0] | (words_start_brake & wide_116_5);
+        words_start_brake_duty <= both_116_3[31:16] | (words_start_brake_duty & wide_119_3);
+      end
+      if (request_index_i == 10'd52) begin
+        words_speed_slew <= both_116_5 | (words_speed_slew & wide_116_3);
+      end
+      if (request_index_i == 10'd53) begin
+        words_speed_kp <= both_116 | (words_speed_kp & wide_116);
+        words_speed_ki <= both_116_3[31:16] | (words_speed_ki & wide_119_3);
+      end
+      if (request_index_i == 10'd54) begin
+        words_speed_bemf <= both_116 | (words_speed_bemf & wide_116);
+        words_speed_loaded <= both_116_3[31:16] | (words_speed_loaded & wide_119_3);
+      end
+      if (request_index_i == 10'd55) begin
+        words_speed_minimum <= both_116 | (words_speed_minimum & wide_116);
+        words_speed_maximum <= both_116_3[31:16] | (words_speed_maximum & wide_119_3);
+      end
+      if (request_index_i == 10'd56) begin
+        words_speed_duty_slew <= both_116[11:0] | (words_speed_duty_slew & wide_116_5);
+      end
+      if (request_index_i == 10'd59) begin
+        words_protection_misses <= both_116_4[5:0] | (words_protection_misses & {6{inverse_116_4}});
+        words_protection_wrong_lock <=
+            both_116_5[19:8] | (words_protection_wrong_lock & inverse_116_3[19:8]);
+        words_protection_over_current <=
+            both_116_3[27:24] | (words_protection_over_current & wide_119_2);
+      end
+      if (request_index_i == 10'd57) begin
+        words_protection_stall <= both_116_3[25:0] | (words_protection_stall & wide_116_4);
+      end
+      if (request_index_i == 10'd58) begin
+        words_protection_slip <= both_116 | (words_protection_slip & wide_116);
+        words_protection_freewheel <= both_116_3[31:16] | (words_protection_freewheel & wide_119_3);
+      end
+      if (request_index_i == 10'd51) begin
+        staged_speed_target <= both_116_3[25:0] | (staged_speed_target & wide_116_4);
+      end
+      if (request_index_i == 10'd8) begin
+        unlocked <= both_116 == 16'd49374;
+      end
+    end
+    if (boundary_i || stopped_i) begin
+      words_speed_target <= staged_speed_target;
+    end
     if (rst) begin
       words_pwm_period <= 14'd0;
       words_pwm_minimum <= 14'd0;
@@ -287,183 +459,6 @@ module word_registers (
       words_source <= Source_kBemf;
       staged_speed_target <= 26'd0;
       unlocked <= 1'b0;
-    end else begin
-      if (request_write_i && either) begin
-        logic [7:0] wide_50;
-        logic [8:0] choice_50;
-        logic [8:0] either_50;
-        logic [15:0] wide_50_2;
-        logic [15:0] both_116;
-        logic [8:0] inverse_116;
-        logic [15:0] wide_116;
-        logic [13:0] wide_116_2;
-        logic [16:0] either_50_2;
-        logic [16:0] inverse_116_2;
-        logic [19:0] wide_116_3;
-        logic [24:0] either_50_3;
-        logic [24:0] inverse_116_3;
-        logic [31:0] both_116_3;
-        logic [7:0] both_116_4;
-        logic inverse_116_4;
-        logic [11:0] wide_119;
-        logic [3:0] wide_119_2;
-        logic [15:0] wide_119_3;
-        logic [25:0] wide_116_4;
-        logic [11:0] wide_116_5;
-        logic [19:0] both_116_5;
-        wide_50 = {8{request_strobes_i[0]}};  // line 50
-        choice_50 = request_strobes_i[1] ? 9'd256 : 9'd0;  // line 50
-        either_50 = {1'b0, wide_50} | choice_50;  // line 50
-        wide_50_2 = {{7{either_50[8]}}, either_50};  // line 50
-        both_116 = request_data_i[15:0] & wide_50_2;  // line 116
-        inverse_116 = ~either_50;  // line 116
-        wide_116 = {{7{inverse_116[8]}}, inverse_116};  // line 116
-        wide_116_2 = {{5{inverse_116[8]}}, inverse_116};  // line 116
-        either_50_2 = {1'b0, wide_50_2} | choice_50_2;  // line 50
-        inverse_116_2 = ~either_50_2;  // line 116
-        wide_116_3 = {{3{inverse_116_2[16]}}, inverse_116_2};  // line 116
-        either_50_3 =  // line 50
-            {1'b0, {7{either_50_2[16]}}, either_50_2} |
-            (request_strobes_i[3] ? 25'd16777216 : 25'd0);
-        inverse_116_3 = ~either_50_3;  // line 116
-        both_116_3 = request_data_i & {{7{either_50_3[24]}}, either_50_3};  // line 116
-        both_116_4 = request_data_i[7:0] & wide_50;  // line 116
-        inverse_116_4 = !request_strobes_i[0];  // line 116
-        wide_119 = {{3{inverse_116_3[24]}}, inverse_116_3[24:16]};  // line 119
-        wide_119_2 = {4{inverse_116_3[24]}};  // line 119
-        wide_119_3 = {{7{inverse_116_3[24]}}, inverse_116_3[24:16]};  // line 119
-        wide_116_4 = {inverse_116_3[24], inverse_116_3};  // line 116
-        wide_116_5 = {{3{inverse_116[8]}}, inverse_116};  // line 116
-        both_116_5 = request_data_i[19:0] & {{3{either_50_2[16]}}, either_50_2};  // line 116
-        if (request_index_i == 10'd32) begin
-          words_pwm_period <= both_116[13:0] | (words_pwm_period & wide_116_2);
-          words_pwm_centred <= both_116_2[16] || (choice_110_2[16] && inverse_116_2[16]);
-          words_pwm_complementary <= both_116_2[17] || (choice_110[17] && inverse_116_2[16]);
-          words_pwm_tick_periods <=
-              both_116_3[31:24] | (words_pwm_tick_periods & {8{inverse_116_3[24]}});
-        end
-        if (request_index_i == 10'd33) begin
-          words_pwm_minimum <= both_116[13:0] | (words_pwm_minimum & wide_116_2);
-          words_pwm_dead_time <= both_116_2[23:16] | (words_pwm_dead_time & inverse_116_3[23:16]);
-        end
-        if (request_index_i == 10'd34) begin
-          words_limit_blanking <= both_116_4 | (words_limit_blanking & {8{inverse_116_4}});
-          words_limit_off_time <= both_116_3[27:16] | (words_limit_off_time & wide_119);
-        end
-        if (request_index_i == 10'd35) begin
-          words_bemf_sampling <= both_116_4[1:0] | (words_bemf_sampling & {2{inverse_116_4}});
-          words_bemf_blanking <= both_116[13:4] | (words_bemf_blanking & inverse_116_3[13:4]);
-          words_bemf_sample_every <=
-              both_116_2[23:16] | (words_bemf_sample_every & inverse_116_3[23:16]);
-          words_bemf_samples <= both_116_3[27:24] | (words_bemf_samples & wide_119_2);
-        end
-        if (request_index_i == 10'd36) begin
-          words_loop_detector <= both_116_4[0] || (words_loop_detector && inverse_116_4);
-          words_loop_bandwidth <= both_116_4[1] || (choice_110_4[1] && inverse_116_4);
-          words_loop_divide <= both_116_4[3:2] | (words_loop_divide & inverse_116_3[3:2]);
-          words_loop_delay <=
-              both_116_3[25:16] | (words_loop_delay & {inverse_116_3[24], inverse_116_3[24:16]});
-          words_speed_shift <=
-              (request_data_i[11:8] & {4{choice_50[8]}}) |
-              (words_speed_shift & inverse_116_3[11:8]);
-          words_source <= both_116_4[4] || (choice_110_3[4] && inverse_116_4);
-        end
-        if (request_index_i == 10'd37) begin
-          words_loop_expected <= both_116 | (words_loop_expected & wide_116);
-          words_loop_lead_error <= both_116_3[31:16] | (words_loop_lead_error & wide_119_3);
-        end
-        if (request_index_i == 10'd38) begin
-          words_loop_ki <= both_116 | (words_loop_ki & wide_116);
-          words_loop_kp <= both_116_3[31:16] | (words_loop_kp & wide_119_3);
-        end
-        if (request_index_i == 10'd39) begin
-          words_loop_pole <= both_116 | (words_loop_pole & wide_116);
-        end
-        if (request_index_i == 10'd40) begin
-          words_loop_scale <= both_116_3[25:0] | (words_loop_scale & wide_116_4);
-        end
-        if (request_index_i == 10'd41) begin
-          words_loop_minimum <= both_116_3[25:0] | (words_loop_minimum & wide_116_4);
-        end
-        if (request_index_i == 10'd42) begin
-          words_loop_maximum <= both_116_3[25:0] | (words_loop_maximum & wide_116_4);
-        end
-        if (request_index_i == 10'd43) begin
-          words_start_settle <= both_116[11:0] | (words_start_settle & wide_116_5);
-          words_start_reset <= both_116_3[27:16] | (words_start_reset & wide_119);
-        end
-        if (request_index_i == 10'd44) begin
-          words_start_reset_duty <= both_116 | (words_start_reset_duty & wide_116);
-          words_start_start_duty <= both_116_3[31:16] | (words_start_start_duty & wide_119_3);
-        end
-        if (request_index_i == 10'd45) begin
-          words_start_ramp <= both_116_5 | (words_start_ramp & wide_116_3);
-        end
-        if (request_index_i == 10'd46) begin
-          words_start_hand_over <= both_116_3[25:0] | (words_start_hand_over & wide_116_4);
-        end
-        if (request_index_i == 10'd47) begin
-          words_start_window <= both_116 | (words_start_window & wide_116);
-          words_start_good_crossings <=
-              both_116_2[21:16] | (words_start_good_crossings & inverse_116_3[21:16]);
-          words_start_retries <= both_116_3[27:24] | (words_start_retries & wide_119_2);
-        end
-        if (request_index_i == 10'd48) begin
-          words_start_pull_in <= both_116[11:0] | (words_start_pull_in & wide_116_5);
-          words_start_rest <= both_116_3[27:16] | (words_start_rest & wide_119);
-        end
-        if (request_index_i == 10'd49) begin
-          words_start_observe <= both_116[11:0] | (words_start_observe & wide_116_5);
-          words_start_slow_down <= both_116_3[27:16] | (words_start_slow_down & wide_119);
-        end
-        if (request_index_i == 10'd50) begin
-          words_start_brake <= both_116[11:0] | (words_start_brake & wide_116_5);
-          words_start_brake_duty <= both_116_3[31:16] | (words_start_brake_duty & wide_119_3);
-        end
-        if (request_index_i == 10'd52) begin
-          words_speed_slew <= both_116_5 | (words_speed_slew & wide_116_3);
-        end
-        if (request_index_i == 10'd53) begin
-          words_speed_kp <= both_116 | (words_speed_kp & wide_116);
-          words_speed_ki <= both_116_3[31:16] | (words_speed_ki & wide_119_3);
-        end
-        if (request_index_i == 10'd54) begin
-          words_speed_bemf <= both_116 | (words_speed_bemf & wide_116);
-          words_speed_loaded <= both_116_3[31:16] | (words_speed_loaded & wide_119_3);
-        end
-        if (request_index_i == 10'd55) begin
-          words_speed_minimum <= both_116 | (words_speed_minimum & wide_116);
-          words_speed_maximum <= both_116_3[31:16] | (words_speed_maximum & wide_119_3);
-        end
-        if (request_index_i == 10'd56) begin
-          words_speed_duty_slew <= both_116[11:0] | (words_speed_duty_slew & wide_116_5);
-        end
-        if (request_index_i == 10'd59) begin
-          words_protection_misses <=
-              both_116_4[5:0] | (words_protection_misses & {6{inverse_116_4}});
-          words_protection_wrong_lock <=
-              both_116_5[19:8] | (words_protection_wrong_lock & inverse_116_3[19:8]);
-          words_protection_over_current <=
-              both_116_3[27:24] | (words_protection_over_current & wide_119_2);
-        end
-        if (request_index_i == 10'd57) begin
-          words_protection_stall <= both_116_3[25:0] | (words_protection_stall & wide_116_4);
-        end
-        if (request_index_i == 10'd58) begin
-          words_protection_slip <= both_116 | (words_protection_slip & wide_116);
-          words_protection_freewheel <=
-              both_116_3[31:16] | (words_protection_freewheel & wide_119_3);
-        end
-        if (request_index_i == 10'd51) begin
-          staged_speed_target <= both_116_3[25:0] | (staged_speed_target & wide_116_4);
-        end
-        if (request_index_i == 10'd8) begin
-          unlocked <= both_116 == 16'd49374;
-        end
-      end
-      if (boundary_i || stopped_i) begin
-        words_speed_target <= staged_speed_target;
-      end
     end
   end
 

@@ -35,15 +35,15 @@ class GuardedLeg {
   };
 
   Out tick(const In& in) {
-    const Out out{.high = high_, .low = low_};
-    const bool want_high = !in.off && in.high && !in.low;
-    const bool want_low = !in.off && in.low && !in.high;
-    const bool steady = (want_high && was_high_) || (want_low && was_low_);
-    const bool on = high_ || low_;
+    const Out out{.high = gate_.bit(kHigh), .low = gate_.bit(kLow)};
+    const bool none = in.off || in.high == in.low;
+    const Pair want = none ? Pair(0) : in.high ? Pair(1 << kHigh) : Pair(1 << kLow);
+    const bool steady = want == was_ && !none;
+    const bool on = gate_ != 0;
     const bool due = (timer_ >> 1) == 0;
 
     const bool held = !in.off && !due;
-    const bool stays = on && (held || (high_ ? want_high : want_low));
+    const bool stays = on && (held || want == gate_);
     const bool turns_on = !on && steady && due;
 
     if (on ? !stays : !steady || due) {
@@ -51,10 +51,8 @@ class GuardedLeg {
     } else if (!due) {
       timer_ = wrap<UInt<8>>(timer_ - 1);
     }
-    high_ = (high_ && stays) || (turns_on && want_high);
-    low_ = (low_ && stays) || (turns_on && want_low);
-    was_high_ = want_high;
-    was_low_ = want_low;
+    if (!stays) gate_ = turns_on ? want : Pair(0);
+    was_ = want;
     return out;
   }
 
@@ -68,13 +66,14 @@ class GuardedLeg {
   bool operator==(const GuardedLeg&) const = default;
 
  private:
-  bool counts() const { return timer_ > 1 && (high_ || low_ || was_high_ || was_low_); }
+  using Pair = UInt<2>;  // both sides of the leg; never both bits
+  static constexpr int kHigh = 0, kLow = 1;
 
-  bool high_ = false;      // gate of the high side
-  bool low_ = false;       // gate of the low side
-  bool was_high_ = false;  // the request of the last clock
-  bool was_low_ = false;   // the request of the last clock
-  UInt<8> timer_ = 0;      // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
+  bool counts() const { return timer_ > 1 && (gate_ != 0 || was_ != 0); }
+
+  Pair gate_ = 0;      // the gates
+  Pair was_ = 0;       // the request of the last clock
+  UInt<8> timer_ = 0;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 };
 
 }  // namespace steplock

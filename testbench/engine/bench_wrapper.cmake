@@ -4,9 +4,9 @@
 # eval(), and the hundreds of bits of words and command hardly ever change: here they pass registers,
 # taken at the clock's edge while `load` is high, which cuts the time to a third and changes nothing
 # else.  Pins go straight through (they end in registers inside).  Every change of `toggle` gives
-# `clocks` whole clocks in one eval(), each begun by the end of the last; but the first that changes
-# `watch_o` is the last, with `left` of them not given.  `watch_o` gathers what the bench compares at every clock,
-# in the places of testbench/engine/watch.hpp; all outputs show their values while `look` is high, and
+# whole clocks in one eval(), each begun by the end of the last, until the counter `given` is at
+# `until_given` or `watch_o` has changed.  `watch_o` gathers what the bench compares at every clock, in
+# the places of testbench/engine/watch.hpp; all outputs show their values while `look` is high, and
 # else what they last showed, because copying them takes a twentieth of the time.
 
 cmake_minimum_required(VERSION 3.25)
@@ -45,24 +45,24 @@ module six_step_bench (
     input logic toggle,
     input logic load,
     input logic look,
-    input logic [15:0] clocks,
-    output logic [15:0] left,
+    input logic [15:0] until_given,
+    output logic [15:0] given,
 ${declarations}    output logic [31:0] watch_o
 );
 ${registers}
-  logic toggled, fell, rose;
+  logic fell, rose;
   logic [19:0] seen;
   wire clk = toggle ^ fell ^ rose;
   always_ff @(posedge clk) begin
     rose <= ~rose;
-    toggled <= toggle;
-    left <= (toggle == toggled ? left : clocks) - 16'd1;
+    given <= given + 16'd1;
     seen <= watch_o[19:0];
     if (load) begin
 ${latches}    end
   end
 
-  always_ff @(negedge clk) if (left != 0 && watch_o[19:0] == seen) fell <= ~fell;
+  // Blocking, so that the clock rises in the same round in which it fell: 3 % of the time.
+  always @(negedge clk) if (given != until_given && watch_o[19:0] == seen) fell = ~fell;
 
   six_step_top top (
       ${connections});

@@ -46,10 +46,11 @@ class RtlEngine {
   std::uint64_t run(std::uint64_t most) {
     if (!loaded_) show_command();
     top_.toggle ^= 1;
-    top_.clocks = shown_ ? static_cast<std::uint16_t>(std::min(most, kMost)) : 1;
+    const std::uint16_t before = top_.given;
+    top_.until_given = static_cast<std::uint16_t>(before + (shown_ ? std::min(most, kMost) : 1));
     top_.eval();
     if (!shown_) show_pins();
-    return top_.clocks - top_.left;
+    return static_cast<std::uint16_t>(top_.given - before);
   }
   std::uint64_t quiet() const { return 0; }
   void skip(std::uint64_t) {}

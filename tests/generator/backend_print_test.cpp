@@ -39,14 +39,13 @@ Build counter() {
 TEST(Print, UpdatesOfARegisterReadAsIfs) {
   const std::string text = printed(counter());
   EXPECT_PRINTS(text,
+                "    if (load_i) begin\n"
+                "      count <= start_i;\n"
+                "    end else if (enable_i) begin\n"
+                "      count <= count - 8'd1;\n"
+                "    end\n"
                 "    if (rst) begin\n"
                 "      count <= 8'd3;\n"
-                "    end else begin\n"
-                "      if (load_i) begin\n"
-                "        count <= start_i;\n"
-                "      end else if (enable_i) begin\n"
-                "        count <= count - 8'd1;\n"
-                "      end\n"
                 "    end\n");
 }
 

@@ -6,14 +6,11 @@
 // the induction close.  The negative controls run without, so that what fails there is the contract.
 //
 //! connect u_timer dut.u.timer
-//! connect u_was_high dut.u.was_high
-//! connect u_was_low dut.u.was_low
+//! connect u_was dut.u.was
 //! connect v_timer dut.v.timer
-//! connect v_was_high dut.v.was_high
-//! connect v_was_low dut.v.was_low
+//! connect v_was dut.v.was
 //! connect w_timer dut.w.timer
-//! connect w_was_high dut.w.was_high
-//! connect w_was_low dut.w.was_low
+//! connect w_was dut.w.was
 
 module leg_contract #(
     parameter FLOOR = 12
@@ -150,12 +147,12 @@ module gate_guard_proof (
 
   // Registers of the legs, connected by the proof script where it needs them.
   wire [7:0] u_timer, v_timer, w_timer;
-  wire u_was_high, v_was_high, w_was_high, u_was_low, v_was_low, w_was_low;
+  wire [1:0] u_was, v_was, w_was;
 
   leg_contract u_contract (
       .clk(clk), .rst(rst), .high_request(request_uh), .low_request(request_ul),
       .enable(enable), .fault(fault), .dead_time(dead_time), .minimum(minimum),
-      .high(uh), .low(ul), .timer(u_timer), .was_high(u_was_high), .was_low(u_was_low)
+      .high(uh), .low(ul), .timer(u_timer), .was_high(u_was[0]), .was_low(u_was[1])
   );
 `ifdef SHORT
   // Covers and counterexamples take as many clocks as the times that they wait for.
@@ -168,12 +165,12 @@ module gate_guard_proof (
   leg_contract v_contract (
       .clk(clk), .rst(rst), .high_request(request_vh), .low_request(request_vl),
       .enable(enable), .fault(fault), .dead_time(dead_time), .minimum(minimum),
-      .high(vh), .low(vl), .timer(v_timer), .was_high(v_was_high), .was_low(v_was_low)
+      .high(vh), .low(vl), .timer(v_timer), .was_high(v_was[0]), .was_low(v_was[1])
   );
   leg_contract w_contract (
       .clk(clk), .rst(rst), .high_request(request_wh), .low_request(request_wl),
       .enable(enable), .fault(fault), .dead_time(dead_time), .minimum(minimum),
-      .high(wh), .low(wl), .timer(w_timer), .was_high(w_was_high), .was_low(w_was_low)
+      .high(wh), .low(wl), .timer(w_timer), .was_high(w_was[0]), .was_low(w_was[1])
   );
 `endif
 endmodule
