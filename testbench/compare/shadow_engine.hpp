@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include "testbench/engine/fixed.hpp"
@@ -21,14 +22,15 @@ struct StepChange {
 // The blocks drive, the reference looks over their shoulder.  It could not start with them, because a
 // start needs gates that act; so it joins, soon after clock `from`, at which the blocks must be locked.
 // Its speed control acts on nothing either, so that whatever duty it begins with stays wrong for ever:
-// it joins at a change of the blocks' duty, when that and the frequency belong together, with the set
-// speed slewed as far as theirs, from the frequency at which they locked.
+// it joins at a change of the blocks' duty, when that and the frequency belong together, unless the slew
+// limit cut the change, with the set speed slewed as far as theirs, from the frequency at which they
+// locked.
 class ShadowEngine {
  public:
   ShadowEngine(const Words& words, const design::Parameters& parameters, double clock_hz,
                std::uint64_t from)
       : fixed_(words, clock_hz), float_(parameters, clock_hz), speed_(parameters.speed),
-        clock_hz_(clock_hz), from_(from),
+        clock_hz_(clock_hz), most_(words.speed.duty_slew.raw()), from_(from),
         latest_(from + kPatience * words.pwm.period.raw() * words.pwm.tick_periods.raw()) {}
 
   void set_pins(const plant::Pins& pins) {
@@ -49,8 +51,9 @@ class ShadowEngine {
       lock_clock_ = clock_;
       lock_frequency_ = fixed_.view().steps_per_second;
     }
-    const bool moved = fixed_.output().duty != duty_;
-    duty_ = fixed_.output().duty;
+    const int move = std::abs(static_cast<int>(fixed_.output().duty.raw()) - duty_);
+    const bool moved = move != 0 && move < most_;
+    duty_ = static_cast<int>(fixed_.output().duty.raw());
     if (!joined_ && (clock_ >= latest_ || (clock_ > from_ && moved))) join();
     ++clock_;
   }
@@ -69,8 +72,9 @@ class ShadowEngine {
   const std::vector<StepChange>& fixed_commutations() const { return fixed_steps_; }
   const std::vector<StepChange>& float_commutations() const { return float_steps_; }
 
-  // Speed control's ticks without a new duty; then it does not matter when to join.
-  static constexpr std::uint64_t kPatience = 4;
+  // Speed control's ticks without such a change.  A duty that stays may be joined at any time; one that
+  // noise slews at every tick has been free at one of so many, unless it is no longer controlled.
+  static constexpr std::uint64_t kPatience = 16;
 
  private:
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
@@ -100,9 +104,10 @@ class ShadowEngine {
   FloatEngine float_;
   design::SpeedParameters speed_;
   double clock_hz_;
+  int most_;  // u1.15, that the duty may move by at a tick
   std::uint64_t clock_ = 0, from_, latest_;
   bool joined_ = false;
-  Duty duty_ = 0;
+  int duty_ = 0;  // u1.15
   std::uint64_t lock_clock_ = 0;
   double lock_frequency_ = 0;
   HostCommand command_;

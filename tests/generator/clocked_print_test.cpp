@@ -68,11 +68,11 @@ TEST(ClockedPrint, RegistersThatOneConditionHoldsShareItsIf) {
   b.output("p", p);
   b.output("q", q);
   EXPECT_PRINTS(printed(std::move(b)),
-                "      if (go_i) begin\n"
-                "        p <= x_i;\n"
-                "        q <= q + x_i;\n"
-                "      end\n"
-                "    end\n");
+                "    if (go_i) begin\n"
+                "      p <= x_i;\n"
+                "      q <= q + x_i;\n"
+                "    end\n"
+                "    if (rst) begin\n");
 }
 
 // Four states: idle until `go`, two that share a sum, and one that clears.
@@ -98,8 +98,8 @@ Build machine() {
 
 TEST(ClockedPrint, StateMachineIsACaseThatSaysWhatEachStateChanges) {
   const std::string text = printed(machine());
-  EXPECT_PRINTS(text, "      case (state)\n        State_kIdle: begin\n          if (go_i) begin\n");
-  EXPECT_PRINTS(text, "          state <= State_kIdle;\n          a <= 8'd0;\n");
+  EXPECT_PRINTS(text, "    case (state)\n      State_kIdle: begin\n        if (go_i) begin\n");
+  EXPECT_PRINTS(text, "        state <= State_kIdle;\n        a <= 8'd0;\n");
   EXPECT_EQ(text.find("a <= a"), std::string::npos) << text;
   EXPECT_EQ(text.find("k <= k"), std::string::npos) << text;
 }
@@ -107,20 +107,20 @@ TEST(ClockedPrint, StateMachineIsACaseThatSaysWhatEachStateChanges) {
 TEST(ClockedPrint, ArmsThatReadOneWireHoldItInACaseOfTheirOwn) {
   const std::string text = printed(machine());
   EXPECT_PRINTS(text,
-                "        State_kAdd, State_kKeep: begin\n"
-                "          logic [7:0] sum;\n"
-                "          sum = (x_i ^ a) + y_i;\n"
-                "          case (state)\n"
-                "            State_kAdd: begin\n"
-                "              state <= State_kKeep;\n"
-                "              a <= sum;\n"
-                "            end\n"
-                "            default: begin  // State_kKeep\n"
-                "              state <= State_kEnd;\n"
-                "              k <= sum;\n"
-                "            end\n"
-                "          endcase\n"
-                "        end\n");
+                "      State_kAdd, State_kKeep: begin\n"
+                "        logic [7:0] sum;\n"
+                "        sum = (x_i ^ a) + y_i;\n"
+                "        case (state)\n"
+                "          State_kAdd: begin\n"
+                "            state <= State_kKeep;\n"
+                "            a <= sum;\n"
+                "          end\n"
+                "          default: begin  // State_kKeep\n"
+                "            state <= State_kEnd;\n"
+                "            k <= sum;\n"
+                "          end\n"
+                "        endcase\n"
+                "      end\n");
 }
 
 TEST(ClockedPrint, WireThatAnOutputReadsStaysTheModules) {
