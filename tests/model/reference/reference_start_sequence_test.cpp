@@ -72,11 +72,17 @@ TEST(ReferenceStartSequence, LocksOnlyAfterGoodCrossingsInARow) {
   EXPECT_EQ(c.event({.updated = true, .good = true}), State::kRun);
 }
 
-TEST(ReferenceStartSequence, RetriesAsOftenAsAllowedThenLatches) {
+TEST(ReferenceStartSequence, RetriesWithTwiceTheResetAsOftenAsAllowedThenLatches) {
   Case c;
   c.command.run = true;
+  c.tick();
   for (int attempt = 0; attempt < 3; ++attempt) {
-    c.tick(attempt == 0 ? 61 : 60);
+    const int longer = 1 << attempt;  // a rotor that still swings needs more time
+    c.tick(10);
+    EXPECT_EQ(c.tick(20 * longer - 1), State::kSettle);
+    EXPECT_EQ(c.tick(), State::kReset);
+    EXPECT_EQ(c.tick(30 * longer - 1), State::kReset);
+    EXPECT_EQ(c.tick(), State::kAccelerate);
     EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
     EXPECT_EQ(c.tick(100), State::kRest);
     EXPECT_EQ(c.sequence.reason(), Reason::kNoLock);
