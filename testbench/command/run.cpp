@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "model/design/sinusoidal/words.hpp"
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
 #include "testbench/compare/shadow.hpp"
@@ -10,7 +11,6 @@
 #include "testbench/run/check.hpp"
 #include "testbench/run/summary.hpp"
 #include "testbench/run/trace_writer.hpp"
-#include "model/design/sinusoidal/words.hpp"
 #include "testbench/sinusoidal/run.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 #include "testbench/sweep/row.hpp"

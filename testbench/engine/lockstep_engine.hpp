@@ -38,8 +38,6 @@ class LockstepEngine {
     }
     ++found_.clocks;
   }
-  std::uint64_t quiet() const { return 0; }
-  void skip(std::uint64_t) {}
   Watch watch() const { return fixed_.watch(); }
   DriveView view() const { return fixed_.view(); }
 

@@ -1,9 +1,9 @@
 // The generated SystemVerilog, compiled by Verilator, behind the engines' interface.
 //
 // What the module shows between two edges is the output of that clock.  tick() gives the edge that
-// ends the last clock, with the pins of that clock, and then puts the new ones there; run() goes on with
-// these.  Words and command
-// pass the wrapper's registers (bench_wrapper.cmake), which take them at that same edge.
+// ends the last clock, with the pins of that clock, and then puts the new ones there; run() goes on
+// with these.  Words and command pass the wrapper's registers (bench_wrapper.cmake), which take them
+// at that same edge.
 //
 // Test: tests/testbench/engine_test.cpp
 #pragma once
@@ -52,8 +52,6 @@ class RtlEngine {
     if (!shown_) show_pins();
     return static_cast<std::uint16_t>(top_.given - before);
   }
-  std::uint64_t quiet() const { return 0; }
-  void skip(std::uint64_t) {}
 
   Watch watch() const { return {top_.watch_o}; }
   DriveView view() {

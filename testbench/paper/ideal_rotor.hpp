@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "testbench/engine/watch.hpp"
+#include "testbench/run/advance.hpp"
 
 namespace steplock {
 
@@ -74,14 +75,7 @@ std::vector<StepTaken> commutations_on(Engine& engine, const IdealRotor& rotor, 
       const double at = std::ceil(rotor.crossing(next) * clock_hz);
       visit = std::max(clock + 1, static_cast<std::uint64_t>(at));
     }
-    const std::uint64_t quiet = engine.quiet();
-    if (quiet > 0) {
-      const std::uint64_t skipped = std::min({quiet, end - clock, visit - clock});
-      engine.skip(skipped);
-      clock += skipped;
-      continue;
-    }
-    engine.tick();
+    clock += advance(engine, std::min(end, visit) - clock) - 1;
     const Watch now = engine.watch();
     if (now.step() != step) {
       step = now.step();

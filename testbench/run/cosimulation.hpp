@@ -9,20 +9,19 @@
 //
 //     void set_pins(const plant::Pins&);  void set_command(const HostCommand&);
 //     void tick();                        Watch watch() const;     DriveView view() const;
-//     uint64_t quiet() const;             clocks for which tick() would do nothing under these pins
-//     void skip(uint64_t clocks);         at most that many
-//     uint64_t run(uint64_t most);        instead of the three: ticks up to the first that changes watch()
 //     void set_reading(const plant::State&);    with converters only: at the clock of a sample strobe
 //
-// What it is watched by is its own (engine/watch.hpp, sinusoidal/watch.hpp).
+// and may be able to take many clocks at once (run/advance.hpp).  What it is watched by is its own
+// (engine/watch.hpp, sinusoidal/watch.hpp).
 //
-// Doc: docs/report.md   Test: tests/testbench/cosimulation_test.cpp
+// Doc: docs/report.md   Test: tests/testbench/engine_test.cpp
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "testbench/run/advance.hpp"
 #include "testbench/run/recorder.hpp"
 #include "testbench/run/timeline.hpp"
 
@@ -53,7 +52,7 @@ class Cosimulation {
       if (clock_ >= visit_) visit();
       std::uint64_t stop = std::min(end, visit_);
       while (clock_ < stop) {
-        clock_ += advance(stop - clock_) - 1;
+        clock_ += advance(engine_, stop - clock_) - 1;
         if (const Watch now = engine_.watch(); now != watch_) {
           changed(now);
           stop = std::min(end, visit_);
@@ -64,18 +63,6 @@ class Cosimulation {
   }
 
  private:
-  // Clocks of the engine, up to the first whose watch() differs; from 1 to `most` of them.
-  std::uint64_t advance(std::uint64_t most) {
-    if constexpr (requires { engine_.run(most); }) {
-      return engine_.run(most);
-    } else if (const std::uint64_t quiet = engine_.quiet(); quiet > 0) {
-      const std::uint64_t skipped = std::min(quiet, most);
-      engine_.skip(skipped);
-      return skipped;
-    }
-    engine_.tick();
-    return 1;
-  }
   double time() const { return static_cast<double>(clock_) / clock_hz_; }
   std::uint64_t clock_at(double t) const {
     return t < kFar ? static_cast<std::uint64_t>(std::ceil(t * clock_hz_)) : kNever;

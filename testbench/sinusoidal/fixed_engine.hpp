@@ -92,8 +92,6 @@ class FixedEngine {
     out_ = top_.tick(inputs_.in);
     inputs_.in.codes.valid = false;
   }
-  std::uint64_t quiet() const { return 0; }
-  void skip(std::uint64_t) {}
 
   Watch watch() const { return watch_of(out_); }
   View view() const { return showing_.view(out_, inputs_.in.command.reverse); }

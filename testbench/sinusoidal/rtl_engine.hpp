@@ -42,8 +42,6 @@ class RtlEngine {
     top_.clk = 0;
     top_.eval();
   }
-  std::uint64_t quiet() const { return 0; }
-  void skip(std::uint64_t) {}
 
   Watch watch() const {
     const auto bit = [](auto port, int place) { return std::uint32_t{port} << place; };

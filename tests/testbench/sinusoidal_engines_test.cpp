@@ -113,8 +113,6 @@ class Lockstep {
     }
     ++clocks;
   }
-  std::uint64_t quiet() const { return 0; }
-  void skip(std::uint64_t) {}
   Watch watch() const { return rtl_.watch(); }
   View view() const { return rtl_.view(); }
 
