@@ -2,33 +2,11 @@
 #include "model/design/words.hpp"
 
 #include <cmath>
-#include <sstream>
+
+#include "model/design/quantiser.hpp"
 
 namespace steplock::design {
 namespace {
-
-class Quantiser {
- public:
-  explicit Quantiser(Quantised& q) : q_(q) {}
-
-  // The word whose `unit_per_lsb` multiple is nearest; `bits` wide.
-  Word operator()(const char* name, const char* unit, double wanted, double unit_per_lsb, int bits,
-                  double most_allowed = 0) {
-    const double most = most_allowed > 0 ? most_allowed : std::ldexp(1.0, bits) - 1;
-    const double nearest = std::round(wanted / unit_per_lsb);
-    if (!(nearest >= 0 && nearest <= most)) {
-      std::ostringstream line;
-      line << name << " needs the word " << nearest << "; at most " << most;
-      q_.problems.push_back(line.str());
-    }
-    const Word word = nearest > 0 ? Word(std::min(nearest, most)) : 0;
-    q_.rows.push_back({name, unit, wanted, word, word * unit_per_lsb});
-    return word;
-  }
-
- private:
-  Quantised& q_;
-};
 
 constexpr double kDuty = 1.0 / 32768, kPhase = 1.0 / 65536;
 constexpr double kDutyMost = 65535;
@@ -99,7 +77,7 @@ SpeedWords speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, 
 
 Quantised quantise(const Parameters& p, double clock_hz) {
   Quantised q;
-  Quantiser word(q);
+  Quantiser word(q.rows, q.problems);
   Words& w = q.words;
   const double clock = 1 / clock_hz;
 

@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "model/design/sinusoidal/design.hpp"
+
 namespace steplock {
 
 plant::Parameters plant_parameters(const design::Settings& s) {
@@ -72,10 +74,10 @@ plant::Parameters plant_parameters(const design::Settings& s) {
 plant::AdcParameters adc_parameters(const design::Settings& s) {
   const auto& a = s.adc;
   return {.bits = a.bits,
-          .current_range = a.current_a.value_or(4 * s.motor.rated_current_a),
+          .current_range = design::sinusoidal::current_range(s),
           .current_offset = a.current_offset_a,
           .current_noise = a.current_noise_a,
-          .voltage_range = a.voltage_v.value_or(1.5 * s.inverter.bus_v),
+          .voltage_range = design::sinusoidal::voltage_range(s),
           .voltage_noise = a.voltage_noise_v,
           .seed = static_cast<std::uint64_t>(s.sensors.seed)};
 }

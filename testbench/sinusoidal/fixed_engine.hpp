@@ -29,7 +29,7 @@ struct Showing {
   double current, rpm;  // of full scale: A, r/min
 
   explicit Showing(const design::Settings& s)
-      : current(s.adc.current_a.value_or(4 * s.motor.rated_current_a)),
+      : current(design::sinusoidal::current_range(s)),
         rpm(60 * s.control.pwm_hz / 16 / s.motor.pole_pairs) {}
 
   View view(const SinusoidalTop::Out& o, bool reverse) const {

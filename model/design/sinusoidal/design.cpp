@@ -28,8 +28,7 @@ void set_motor(const Settings& s, Design& d) {
   d.rated_torque = 1.5 * m.pole_pairs * s.motor.flux_vs * s.motor.rated_current_a;
   d.no_load_rpm =
       rpm_of(s, longest(s.sinusoidal.modulation, s.inverter.bus_v) / (kRoot * s.motor.flux_vs));
-  const double range = s.adc.current_a.value_or(4 * s.motor.rated_current_a);
-  d.current_step = std::ldexp(range, 1 - s.adc.bits);
+  d.current_step = std::ldexp(current_range(s), 1 - s.adc.bits);
 }
 
 void set_estimators(const Settings& s, Design& d, double period) {
@@ -114,6 +113,11 @@ void set_protection(const Settings& s, Design& d) {
 }
 
 }  // namespace
+
+double current_range(const Settings& s) {
+  return s.adc.current_a.value_or(4 * s.motor.rated_current_a);
+}
+double voltage_range(const Settings& s) { return s.adc.voltage_v.value_or(1.5 * s.inverter.bus_v); }
 
 double speed_of(const Settings& s, double rpm) { return rpm * s.motor.pole_pairs * kPi / 30; }
 double rpm_of(const Settings& s, double w) { return w * 30 / kPi / s.motor.pole_pairs; }

@@ -30,6 +30,11 @@ struct Design {
 
 Design design_drive(const Settings&);
 
+// Full scale of the converters, A and V: the drive file's, or four times the rated current and half
+// again the bus.
+double current_range(const Settings&);
+double voltage_range(const Settings&);
+
 // Electrical rad/s of a mechanical speed, and back.
 double speed_of(const Settings&, double rpm);
 double rpm_of(const Settings&, double rad_per_s);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "model/design/quantiser.hpp"
+
 namespace steplock::design::sinusoidal {
 namespace {
 
@@ -19,38 +21,30 @@ Scales scales(const Settings& s) {
   const double period = 1 / s.control.pwm_hz;
   return {.clock = 1 / s.control.clock_hz,
           .period = period,
-          .current = s.adc.current_a.value_or(4 * s.motor.rated_current_a),
-          .voltage = s.adc.voltage_v.value_or(1.5 * s.inverter.bus_v),
+          .current = current_range(s),
+          .voltage = voltage_range(s),
           .speed = 2 * kPi / 16 / period};
 }
 
-class Quantiser {
+// Words with so many bits behind the point; `scale` is what 1 stands for.
+class ScaledQuantiser {
  public:
-  explicit Quantiser(Quantised& q) : q_(q) {}
+  explicit ScaledQuantiser(Quantised& q) : word_(q.rows, q.problems) {}
 
-  // The nearest word of `bits` with so many of them behind the point; `scale` is what 1 stands for.
   Word operator()(const char* name, const char* unit, double wanted, double scale, int fraction,
                   int bits) {
-    const double place = std::ldexp(scale, -fraction);
-    const double most = std::ldexp(1.0, bits) - 1, nearest = std::round(wanted / place);
-    if (!(nearest >= 0 && nearest <= most)) {
-      std::ostringstream line;
-      line << name << " needs the word " << nearest << "; at most " << most;
-      q_.problems.push_back(line.str());
-    }
-    const Word word = nearest > 0 ? Word(std::min(nearest, most)) : 0;
-    q_.rows.push_back({name, unit, wanted, word, word * place});
-    return word;
+    return word_(name, unit, wanted, std::ldexp(scale, -fraction), bits);
   }
   Word periods(const char* name, double seconds, const Scales& f) {
     return (*this)(name, "s", seconds, f.period, 0, 20);
   }
 
  private:
-  Quantised& q_;
+  Quantiser word_;
 };
 
-BridgeWords bridge_words(Quantiser& word, const Parameters& p, const Settings& s, const Scales& f) {
+BridgeWords bridge_words(ScaledQuantiser& word, const Parameters& p, const Settings& s,
+                         const Scales& f) {
   BridgeWords w{.compensate = p.applied.compensate,
                 .sine = p.pwm.modulation == Modulation::kSine};
   w.period = word("bridge.period", "s", p.pwm.period, f.clock, 0, 14);
@@ -65,7 +59,7 @@ BridgeWords bridge_words(Quantiser& word, const Parameters& p, const Settings& s
   return w;
 }
 
-EstimatorWords estimator_words(Quantiser& word, const Parameters& p, const Scales& f) {
+EstimatorWords estimator_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double per_voltage = p.pwm.period / p.motor.inductance_q;  // A/V
   return {.decay = word("estimator.decay", "", p.motor.resistance * per_voltage, 1, 15, 15),
           .gain = word("estimator.gain", "A/V", per_voltage, f.current / f.voltage, 13, 15),
@@ -76,7 +70,7 @@ EstimatorWords estimator_words(Quantiser& word, const Parameters& p, const Scale
                           2 * kPi / (kRoot * f.voltage), 17, 15)};
 }
 
-RegulatorWords speed_words(Quantiser& word, const Parameters& p, const Scales& f) {
+RegulatorWords speed_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double current = kRoot * f.current, period = p.pwm.period;
   const auto speed = [&](const char* name, double w) {
     return word(name, "rad/s", w, f.speed, 15, 15);
@@ -95,7 +89,7 @@ RegulatorWords speed_words(Quantiser& word, const Parameters& p, const Scales& f
           .emf_high = word("speed.emf_high", "", p.protection.emf_high, 1, 13, 15)};
 }
 
-ControlWords control_words(Quantiser& word, const Parameters& p, const Scales& f) {
+ControlWords control_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double ohm = f.voltage / f.current;
   const bool sine = p.pwm.modulation == Modulation::kSine;
   const double longest = sine ? 0.5 : 1 / std::numbers::sqrt3;
@@ -136,11 +130,11 @@ Quantised quantise(const Settings& s) {
   const Parameters& p = d.parameters;
   refuse(q.problems, s, d);
   const Scales f = scales(s);
-  Quantiser word(q);
-  q.words = {.bridge = bridge_words(word, p, s, f),
-             .estimator = estimator_words(word, p, f),
-             .speed = speed_words(word, p, f),
-             .control = control_words(word, p, f)};
+  ScaledQuantiser word(q);
+  q.words.bridge = bridge_words(word, p, s, f);
+  q.words.estimator = estimator_words(word, p, f);
+  q.words.speed = speed_words(word, p, f);
+  q.words.control = control_words(word, p, f);
   const auto& t = p.start;
   q.words.sequence = {
       .arbitrary = t.by == StartBy::kArbitrary,

@@ -1,0 +1,42 @@
+// From a value in its unit to the nearest register word; what was wanted, and what the word means
+// instead, is kept as a row, and what does not fit as a problem.
+//
+// Test: tests/model/design/register_words_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "model/design/words.hpp"
+
+namespace steplock::design {
+
+class Quantiser {
+ public:
+  Quantiser(std::vector<WordRow>& rows, std::vector<std::string>& problems)
+      : rows_(rows), problems_(problems) {}
+
+  // The word whose `unit_per_lsb` multiple is nearest; `bits` wide.
+  Word operator()(const char* name, const char* unit, double wanted, double unit_per_lsb, int bits,
+                  double most_allowed = 0) {
+    const double most = most_allowed > 0 ? most_allowed : std::ldexp(1.0, bits) - 1;
+    const double nearest = std::round(wanted / unit_per_lsb);
+    if (!(nearest >= 0 && nearest <= most)) {
+      std::ostringstream line;
+      line << name << " needs the word " << nearest << "; at most " << most;
+      problems_.push_back(line.str());
+    }
+    const Word word = nearest > 0 ? Word(std::min(nearest, most)) : 0;
+    rows_.push_back({name, unit, wanted, word, word * unit_per_lsb});
+    return word;
+  }
+
+ private:
+  std::vector<WordRow>& rows_;
+  std::vector<std::string>& problems_;
+};
+
+}  // namespace steplock::design
