@@ -26,6 +26,10 @@ foreach(seed RANGE 9)
     PROPERTIES FIXTURES_REQUIRED random_netlists TIMEOUT 600)
 endforeach()
 
+# Products are compared as rows of adders: those are products.
+add_test(NAME rows_of_adders_are_products
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/rows_of_adders.sh ${PROJECT_SOURCE_DIR}/tools/rows_of_adders.v)
+
 add_test(NAME proof_and_lint_can_fail
   COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -D RTL=${PROJECT_BINARY_DIR}/rtl
           -D PLAIN=${PROJECT_BINARY_DIR}/plain

@@ -11,18 +11,23 @@ function(expect_failure what said)
   message(STATUS "found: ${what}")
 endfunction()
 
-# A plain print that differs from the readable one in a single character.
-function(expect_difference what module from to)
-  file(READ ${PLAIN}/${module}.sv text)
+# Writes a file with the first `from` of another replaced.
+function(write_changed changed original from to)
+  file(READ ${original} text)
   string(FIND "${text}" "${from}" at)
   if(at EQUAL -1)
-    message(FATAL_ERROR "${module}.sv has no '${from}' to change")
+    message(FATAL_ERROR "${original} has no '${from}' to change")
   endif()
   string(LENGTH "${from}" length)
   math(EXPR end "${at} + ${length}")
   string(SUBSTRING "${text}" 0 ${at} head)
   string(SUBSTRING "${text}" ${end} -1 tail)
-  file(WRITE ${WORK}/plain/${module}.sv "${head}${to}${tail}")
+  file(WRITE ${changed} "${head}${to}${tail}")
+endfunction()
+
+# A plain print that differs from the readable one in a single place.
+function(expect_difference what module from to)
+  write_changed(${WORK}/plain/${module}.sv ${PLAIN}/${module}.sv "${from}" "${to}")
   expect_failure("${what}" "NOT EQUIVALENT" ${ROOT}/tools/prove_print ${RTL} ${WORK}/plain ${module})
 endfunction()
 
@@ -32,6 +37,17 @@ file(REMOVE_RECURSE ${WORK})
 expect_difference("a changed operator" vco_counter " + " " - ")
 expect_difference("a changed constant" gate_guard "'b1100;" "'b1101;")
 expect_difference("a changed comparison" pwm_generator " < " " <= ")
+expect_difference("a changed factor" speed_regulator ") * $signed(" ") * -$signed(")
+
+# A map that makes the same wrong product of both sides would hide such a factor.
+function(expect_no_product what from to)
+  set(map ${WORK}/map.v)
+  write_changed(${map} ${ROOT}/tools/rows_of_adders.v "${from}" "${to}")
+  expect_failure("${what}" "no product" ${ROOT}/tests/generator/rows_of_adders.sh ${map})
+endfunction()
+expect_no_product("a lost carry" "(sum[i] ^ part[i])" "sum[i]")
+expect_no_product("a row shifted the wrong way" "a << row" "a >> row")
+expect_no_product("a sign that is none" "A_SIGNED && " "")
 
 file(WRITE ${WORK}/unused.sv "module unused_input (input logic a, output logic y);\n"
      "  assign y = 1'b0;\nendmodule\n")
