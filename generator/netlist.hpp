@@ -6,7 +6,7 @@
 // signed meaning sits in the operator (slt, ashr, sext), as in LLVM.  Ports and registers remember
 // their C++ spelling, sign and enumeration for the printer.
 //
-// Doc: docs/generator.md   Test: tests/generator/netlist_test.cpp
+// Doc: docs/generator.md   Test: tests/generator/backend_pass_test.cpp
 
 #pragma once
 

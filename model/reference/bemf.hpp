@@ -7,7 +7,7 @@
 //     place   = middle between the last sample "before" at counter 0 and the first one "after":
 //               the filter's delay and any gap of blanking leave no bias
 //
-// Doc: docs/theory.md   Test: tests/model/reference/bemf_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_bemf_test.cpp
 #pragma once
 
 #include "model/reference/commutation.hpp"

@@ -5,7 +5,7 @@
 //     low       V    W    W    U    U    V      W       W        U V W (while chop is on)
 //     floats    W    V    U    W    V    U
 //
-// Doc: docs/theory.md   Test: tests/model/reference/commutation_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_commutation_test.cpp
 #pragma once
 
 #include <algorithm>

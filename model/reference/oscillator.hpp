@@ -1,7 +1,7 @@
 // VCO and divide-by-N in one: the phase runs at `frequency` steps/s, exact between updates, and
 // each whole turn is a commutation, up (forward) or down (reverse) through the six steps.
 //
-// Doc: docs/theory.md   Test: tests/model/reference/oscillator_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_oscillator_test.cpp
 #pragma once
 
 #include "model/reference/pwm.hpp"

@@ -11,7 +11,7 @@
 //     mean m = (C1 V1 + C2 V2) / (C1 + C2):  m' = integral * e      (charge)
 //     f = V1:   f' = (m - f) omega_p + proportional * omega_p * e   (R equalises the two)
 //
-// Doc: docs/theory.md   Test: tests/model/reference/phase_locked_loop_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_pll_test.cpp
 #pragma once
 
 #include <algorithm>

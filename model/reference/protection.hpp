@@ -7,7 +7,7 @@
 //                  `wrong_lock` in a row
 //     over-current the limit did not release in `over_current` hits in a row; fault pin: at once
 //
-// Doc: docs/theory.md   Test: tests/model/reference/protection_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_protection_test.cpp
 #pragma once
 
 #include <cmath>

@@ -3,7 +3,7 @@
 //     on while lead <= t - start < lead + duty * period,   lead = 0, or centred (1 - duty) / 2
 //     the limit cuts for off_time when the comparator answers, from `blanking` after switch-on on
 //
-// Doc: docs/theory.md   Test: tests/model/reference/pwm_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_pwm_test.cpp
 #pragma once
 
 #include <algorithm>

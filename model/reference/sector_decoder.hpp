@@ -6,7 +6,7 @@
 // Chatter may outlast it, so a change has a direction only where the rotor went on: not when it steps
 // back once, and not when it returns from there.
 //
-// Doc: docs/theory.md   Test: tests/model/reference/sector_decoder_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_sector_test.cpp
 #pragma once
 
 #include "model/reference/pwm.hpp"

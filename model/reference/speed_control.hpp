@@ -3,7 +3,7 @@
 //     duty = integral + kp (ref - f)        integral' = ki (ref - f), frozen against a limit
 //     ref moves towards the target by at most slew
 //
-// Doc: docs/theory.md   Test: tests/model/reference/speed_control_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_speed_control_test.cpp
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 //              kBrake <--------------------------------------------- kSlowDown
 //     a failed try: kRest -> kObserve, `retries` times, then kFault
 //
-// Doc: docs/theory.md   Test: tests/model/reference/start_sequence_test.cpp
+// Doc: docs/theory.md   Test: tests/model/reference/reference_start_sequence_test.cpp
 #pragma once
 
 #include "model/design/parameters.hpp"

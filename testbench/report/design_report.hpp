@@ -1,7 +1,7 @@
 // What `steplock design` shows: filter components, gains, margins, start, register words with their
 // quantisation errors, error budget, and a Bode plot of the open loop.
 //
-// Doc: docs/steplock.md   Test: tests/testbench/design_report_test.cpp
+// Doc: docs/steplock.md   Test: tests/testbench/command_test.cpp
 #pragma once
 
 #include <nlohmann/json.hpp>

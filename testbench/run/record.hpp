@@ -3,7 +3,7 @@
 // Totals run from the start, so that the mean or rms value over any span is a difference of two
 // samples divided by its length.  Angles in rad, times in s, everything else as the name says.
 //
-// Doc: docs/report.md   Test: tests/testbench/recorder_test.cpp
+// Doc: docs/report.md   Test: tests/testbench/run_drive_test.cpp
 #pragma once
 
 #include <array>

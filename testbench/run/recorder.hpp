@@ -4,7 +4,7 @@
 // Phase currents are taken as straight lines between calls; calls come at every gate edge, where the
 // current of a chopped motor has its corners and its peaks.
 //
-// Doc: docs/report.md   Test: tests/testbench/recorder_test.cpp
+// Doc: docs/report.md   Test: tests/testbench/run_drive_test.cpp
 #pragma once
 
 #include "testbench/run/judge.hpp"

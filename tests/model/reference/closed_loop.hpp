@@ -2,7 +2,7 @@
 // differs from what the drive was designed for.  Judged from outside, by the rotor's true angle.
 // (The bench's own run is testbench/run/run_drive.hpp.)
 //
-// Test: tests/model/reference/closed_loop_test.cpp
+// Test: tests/model/reference/reference_closed_loop_test.cpp
 #pragma once
 
 #include <algorithm>
