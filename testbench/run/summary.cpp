@@ -187,7 +187,7 @@ std::vector<std::string> Summary::failures() const {
   need(shoot_throughs == 0, fmt::format("{} shoot-throughs", shoot_throughs));
   speed("steady", steady, kSpeedTolerancePercent);
   if (loaded) speed("under load", *loaded, kRecoveredPercent);
-  if (reversed) speed("in reverse", *reversed, kRecoveredPercent);
+  if (reversed) speed("in reverse", *reversed, kSpeedTolerancePercent);
   if (reversed) need(reverse_time_s.has_value(), "no lock in reverse");
   need(!lockstep || lockstep->equal(), "the RTL is not its C++");
   need(!float_errors || float_errors->within(), "fixed point is beyond its error budget");

@@ -2,9 +2,9 @@
 //
 // Speeds are the plant's: the angle turned in a span, divided by the span.  The steady span is the
 // last half between reaching set speed (or lock, if it never is reached) and the first disturbance.
-// A run passes if the drive locked, stayed in step and without fault, held its set speed within 0.5 %,
-// and, where the scenario asks for it, was back within 2 % in the last fifth of the load step and of the
-// time in reverse (heavy rotors take their time; the error is printed).
+// A run passes if the drive locked, stayed in step and without fault, held its set speed within 0.5 %
+// there and, where the scenario asks for it, in the last fifth of the time in reverse, and was back within
+// 2 % in the last fifth of the load step (heavy rotors take their time; the error is printed).
 //
 // Doc: docs/report.md   Test: tests/testbench/summary_test.cpp
 #pragma once

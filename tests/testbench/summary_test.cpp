@@ -64,6 +64,24 @@ TEST(Summary, ASpeedErrorBeyondHalfAPercentFails) {
   EXPECT_NE(failures[0].find("steady"), std::string::npos);
 }
 
+TEST(Summary, ASpeedErrorBeyondHalfAPercentInReverseFails) {
+  design::Settings s = steady_only();
+  s.scenario.reverse_s = 0.5;
+  const auto failures_at = [&](double rpm) {
+    Record r = record_at(3000);
+    for (Sample& x : r.overview) {
+      if (x.time > 0.5) x.plant.angle += (rpm - 3000) * std::numbers::pi / 30 * (x.time - 0.5);
+    }
+    r.changes.push_back({0.5, State::kAccelerate, Reason::kNone});
+    r.changes.push_back({0.6, State::kRun, Reason::kNone});
+    return summarise(s, {}, r).failures();
+  };
+  EXPECT_EQ(failures_at(-2986).size(), 0u);
+  const auto failures = failures_at(-2984);
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_NE(failures[0].find("in reverse"), std::string::npos);
+}
+
 TEST(Summary, ALostLockAndALatchedFaultFail) {
   Record r = record_at(3000);
   r.changes.push_back({0.5, State::kRest, Reason::kStepOut});
