@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
@@ -19,28 +20,35 @@ namespace {
 
 struct Arguments {
   std::string file, out;
-  bool json = false, c_header = false;
+  bool json = false, c_header = false, verilog = false;
+  std::optional<double> clock_hz;
 };
 
-// The words alone, for steplock_init() of rtl/host/steplock.h.
-int print_c_header(const DriveFile& file, const std::string& path) {
+// The words alone: for steplock_init() of rtl/host/steplock.h, or around rtl/six_step_bare.sv.
+int print_words(const DriveFile& file, const Arguments& arguments) {
   if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
-    throw BadInput(path + ": --c-header is for six-step drives; leave it out");
+    throw BadInput(fmt::format("{}: {} is for six-step drives; leave it out", arguments.file,
+                               arguments.c_header ? "--c-header" : "--verilog"));
   }
   const double clock_hz = file.settings.control.clock_hz;
   const auto designed = design::design_drive(file.settings);
   const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
-  std::string name = std::filesystem::path(path).stem().string();
+  std::string name = std::filesystem::path(arguments.file).stem().string();
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
-  fmt::print("{}", registers::words_c_header(words, name, clock_hz));
+  fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
+                                      : registers::words_verilog(words, name, clock_hz));
   return kWell;
 }
 
 int design_drive_file(const Arguments& arguments) {
-  const DriveFile file = open_drive_file(arguments.file);
-  if (arguments.c_header) return print_c_header(file, arguments.file);
+  DriveFile file = open_drive_file(arguments.file);
+  if (arguments.clock_hz) {
+    file.settings.control.clock_hz = *arguments.clock_hz;
+    check_drive_file(file);  // words that fitted the file's clock need not fit this one
+  }
+  if (arguments.c_header || arguments.verilog) return print_words(file, arguments);
   if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
     fmt::print("{}", arguments.json ? sinusoidal::design_json(file.settings).dump(2) + "\n"
                                     : sinusoidal::design_text(file.settings));
@@ -74,6 +82,9 @@ void add_design_command(CLI::App& app, int& exit_code) {
   command->add_flag("--json", arguments->json, "print as JSON");
   command->add_flag("--c-header", arguments->c_header,
                     "print the words as C initialisers for rtl/host/steplock.h, nothing else");
+  command->add_flag("--verilog", arguments->verilog,
+                    "print the words as constants around rtl/six_step_bare.sv, nothing else");
+  command->add_option("--clock-hz", arguments->clock_hz, "clock of the board (default: the file's)");
   command->add_option("--out", arguments->out,
                       "directory for bode.svg (default out/<file>-design; with --json: none)");
   command->footer("Example: steplock design drives/amano2003.toml");

@@ -31,6 +31,8 @@ std::string ip_xact();
 
 // The words of a drive as initialisers of `struct steplock_word`, by address.
 std::string words_c_header(const Words&, const std::string& name, double clock_hz);
+// The same words as constants: a module six_step_fixed, which is six_step_bare with all words tied.
+std::string words_verilog(const Words&, const std::string& name, double clock_hz);
 
 // In the texts.
 const char* access_name(Access);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -75,6 +76,28 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
   std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
   EXPECT_EQ(read, 56);
   EXPECT_EQ(count(text, "    {STEPLOCK_"), 28);
+}
+
+// Every word that the design library names is tied to the port of that name; the tests of boards tell
+// whether the module is a whole one.
+TEST(Registers, TheConstantsAroundTheBareDriveAreItsWords) {
+  const design::Settings s = short_drive();
+  const double clock_hz = s.control.clock_hz;
+  const auto quantised = design::quantise(design::design_drive(s).parameters, clock_hz);
+  const std::string text = words_verilog(hls_words(quantised.words), "short", clock_hz);
+  for (const auto& row : quantised.rows) {
+    std::string port = "words_" + row.name + "_i";
+    std::ranges::replace(port, '.', '_');
+    const std::regex tie("\\." + port + "\\(([0-9]+)'d([0-9]+)\\)");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, tie)) << port;
+    // The library counts these two in units of the bits that the filter reads.
+    const int unused = row.name == "loop.pole" ? 1 : row.name == "loop.scale" ? 4 : 0;
+    EXPECT_EQ(std::stoul(found[2]), std::uint64_t{row.word} << unused) << port;
+  }
+  EXPECT_GT(quantised.rows.size(), 40u);
+  EXPECT_EQ(count(text, "      .words_"), 56);
+  EXPECT_NE(text.find("12000000 Hz"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// The six-step drive without a host: its words stand still, and pins run it.
+//
+//     run      high starts, low stops: by braking if `brake_to_stop`, else all six gates off
+//     reverse  direction of rotation; a change while running slows down, and turns round
+//     speed    (speed + 1) / 4 of the set speed, but never less than the hand-over frequency
+//
+// A switch bounces: what the pins say is taken every 2^17 clocks (11 ms at 12 MHz), but for the end
+// of `run`, which counts at once.  A latched fault is re-armed by taking `run` away: again and again
+// until its cause is gone.
+//
+//     fault pin to all six gates off    3 clocks, as without this block around it
+//     `run` low to the drive            2 clocks, all gates off another 2 when it coasts
+//     registers    28 bits beyond the drive's     multipliers  none
+//
+// Doc: docs/blocks/six_step_bare.md   Test: tests/hls/six_step_bare_test.cpp
+
+#pragma once
+
+#include "hls/six_step/six_step_top.hpp"
+
+namespace steplock {
+
+class SixStepBare {
+ public:
+  struct Controls {
+    bool run = false;
+    bool reverse = false;
+    UInt<2> speed = 0;  // 0 to 3: a quarter to the whole of the set speed
+  };
+
+  struct In {
+    Synchroniser::Pins pins;  // asynchronous
+    Controls controls;        // asynchronous too
+    bool brake_to_stop = false;  // else coast; fixed at synthesis, as are the words
+    Words words;
+  };
+
+  struct Out {
+    Gates gates;
+    bool locked = false;  // running under speed control
+    bool fault = false;   // latched
+    bool turn = false;    // the divided VCO signal: a tachometer, one period per electrical turn
+  };
+
+  Out tick(const In& in) {
+    const bool takes = bounce_ == Bounce(0);
+    const bool run = taken_.run && second_.run;
+    Words words = in.words;
+    words.speed.target = target(in.words);
+    const auto drive = drive_.tick({.pins = in.pins,
+                                    .command = {.configured = true,
+                                                .run = run,
+                                                .reverse = taken_.reverse,
+                                                .brake_to_stop = in.brake_to_stop,
+                                                .clear_fault = takes && !run},
+                                    .words = words});
+    if (takes) taken_ = second_;
+    taken_.run = taken_.run && second_.run;
+    bounce_ = wrap<Bounce>(bounce_ + 1);
+    second_ = first_;
+    first_ = in.controls;
+    return {.gates = drive.gates,
+            .locked = drive.locked,
+            .fault = drive.state == State::kFault,
+            .turn = drive.turn};
+  }
+
+ private:
+  using Bounce = UInt<17>;
+
+  // Quarters are sums of halves; below the hand-over no drive runs well.
+  Frequency target(const Words& words) const {
+    const Frequency whole = words.speed.target;
+    const Frequency half = whole >> 1;
+    const Frequency quarter = whole >> 2;
+    Frequency part = whole;
+    if (taken_.speed == 0) part = quarter;
+    if (taken_.speed == 1) part = half;
+    if (taken_.speed == 2) part = wrap<Frequency>(half + quarter);
+    return part < words.start.hand_over ? words.start.hand_over : part;
+  }
+
+  SixStepTop drive_;
+  Controls first_;   // two flip-flops for each pin; nothing but the second reads the first
+  Controls second_;
+  Controls taken_;   // what the drive is told
+  Bounce bounce_ = 0;
+};
+
+}  // namespace steplock

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# board_flaws.sh FLAW OUT: tools/bitstream must refuse the iCEBreaker with that flaw, and say why.
+set -euo pipefail
+flaw=$1 out=$2
+rm -rf "$out"
+mkdir -p "$out"
+cp -r constraints/icebreaker "$out/icebreaker"
+pcf=$out/icebreaker/icebreaker.pcf top=$out/icebreaker/icebreaker_six_step.sv
+lint=--lint says="disagree about the pins"
+case $flaw in
+  pin_without_port) echo "set_io gate_xh 21" >>"$pcf" ;;
+  port_without_pin) sed -i '/^set_io gate_uh/d' "$pcf" ;;
+  tie_of_another_width) sed -i "s/{button_fast, 1'b1}/button_fast/" "$top"; says="WIDTH" ;;
+  clock_too_fast) sed -i 's/^# clock_hz: .*/# clock_hz: 48000000/' "$pcf"; lint="" says="Max frequency" ;;
+esac
+# shellcheck disable=SC2086  # no word when there is none
+if tools/bitstream $lint "$out/icebreaker" drives/amano2003.toml "$out/made" >"$out/said" 2>&1; then
+  echo "board with $flaw: accepted"
+  exit 1
+fi
+grep -q "$says" "$out/said" || { cat "$out/said"; echo "board with $flaw: refused for another reason"; exit 1; }
+[ ! -e "$out/made/icebreaker_six_step.bin" ] || { echo "board with $flaw: left a bitstream"; exit 1; }

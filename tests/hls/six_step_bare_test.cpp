@@ -1,0 +1,175 @@
+// What the pins of a drive without a host do; that it turns a motor is bare_drive_test's claim.
+#include "hls/six_step/six_step_bare.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplock {
+namespace {
+
+constexpr int kBounce = 1 << 17;  // clocks between two looks at the pins
+
+// A reset pattern that lasts, half of the time on.
+Words lasting_words() {
+  Words w;
+  w.pwm = {.period = 200, .minimum = 4, .dead_time = 14, .tick_periods = 100};
+  w.start = {.settle = 4095, .reset_duty = 0x4000, .hand_over = 1 << 20};
+  w.speed = {.target = 1 << 23, .maximum = 0x8000, .duty_slew = 0xfff};
+  return w;
+}
+
+struct Bench {
+  SixStepBare dut;
+  SixStepBare::In in{.pins = {}, .controls = {}, .words = lasting_words()};
+  SixStepBare::Out out;
+
+  bool any_gate() const {
+    const Gates& g = out.gates;
+    return g.uh || g.ul || g.vh || g.vl || g.wh || g.wl;
+  }
+  // Clocks until the first gate is on, or `most`.
+  int until_gate(int most) {
+    for (int clock = 1; clock <= most; ++clock) {
+      out = dut.tick(in);
+      if (any_gate()) return clock;
+    }
+    return most;
+  }
+  void wait(int clocks) {
+    for (int i = 0; i < clocks; ++i) out = dut.tick(in);
+  }
+};
+
+TEST(SixStepBare, RunStartsAtTheNextLookAtThePins) {
+  Bench bench;
+  bench.wait(10);
+  bench.in.controls.run = true;
+  const int clocks = bench.until_gate(2 * kBounce);
+  EXPECT_GT(clocks, kBounce - 10);
+  EXPECT_LT(clocks, kBounce + 1000);  // and a few PWM periods
+}
+
+TEST(SixStepBare, NothingStartsWithoutRun) {
+  Bench bench;
+  bench.in.controls = {.reverse = true, .speed = 3};
+  EXPECT_EQ(bench.until_gate(3 * kBounce), 3 * kBounce);
+}
+
+TEST(SixStepBare, AClosingSwitchThatBouncesStartsOnce) {
+  Bench bench;
+  // Open between the bounces: whenever it is, the gates are off.
+  for (int i = 0; i < 200; ++i) {
+    bench.in.controls.run = i % 2 == 0;
+    bench.wait(500);
+  }
+  bench.in.controls.run = true;
+  EXPECT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
+}
+
+// Two clocks of the synchroniser, one register, one clock of the gate guard.
+TEST(SixStepBare, TheEndOfRunCountsAtOnce) {
+  Bench bench;
+  bench.in.controls.run = true;
+  ASSERT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
+  for (int start = 0; start < 40; ++start) {
+    Bench copy = bench;
+    copy.wait(start * 17);
+    copy.in.controls.run = false;
+    copy.wait(4);
+    for (int i = 0; i < 3 * kBounce / 2; ++i) {
+      copy.wait(1);
+      ASSERT_FALSE(copy.any_gate()) << start << " + " << i;
+      if (i == 1000) i = kBounce;  // and after the next look
+    }
+  }
+}
+
+TEST(SixStepBare, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
+  Bench bench;
+  bench.in.controls.run = true;
+  ASSERT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
+  bench.in.pins.fault = true;
+  bench.wait(4);
+  EXPECT_FALSE(bench.any_gate());
+  bench.wait(3);
+  EXPECT_TRUE(bench.out.fault);
+  bench.in.pins.fault = false;
+  EXPECT_EQ(bench.until_gate(3 * kBounce), 3 * kBounce);
+  EXPECT_TRUE(bench.out.fault);
+}
+
+TEST(SixStepBare, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
+  Bench bench;
+  bench.in.controls.run = true;
+  ASSERT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
+  bench.in.pins.fault = true;
+  bench.wait(100);
+  bench.in.controls.run = false;
+  bench.wait(3 * kBounce);
+  EXPECT_TRUE(bench.out.fault) << "the pin is still up";
+  bench.in.pins.fault = false;
+  bench.wait(kBounce + 10);
+  EXPECT_FALSE(bench.out.fault);
+  bench.in.controls.run = true;
+  EXPECT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
+}
+
+// A drive with Hall sensors, on a rotor turned by hand: what it is told to reach shows in its pulses.
+struct Turned {
+  Words words = lasting_words();
+  Turned() {
+    words.source = Source::kHall;
+    words.loop = {.divide = 0, .ki = 655, .kp = 6554, .minimum = 1 << 16, .maximum = 1 << 25};
+    words.start = {.settle = 2, .reset = 3, .reset_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xfffff,
+                   .hand_over = 1 << 20, .window = 0x7fff, .good_crossings = 2, .pull_in = 4000,
+                   .observe = 200, .retries = 15};
+    words.speed = {.target = 0, .slew = 0xfffff, .shift = 9, .kp = 4096, .ki = 100, .bemf = 0x2000,
+                   .minimum = 0x100, .maximum = 0x8000, .duty_slew = 0xfff};
+  }
+  static void turn(Synchroniser::Pins& pins, int clock) {
+    static constexpr int kCodes[] = {5, 4, 6, 2, 3, 1};
+    const int code = kCodes[clock / 2048 % 6];  // 2^21 turns of the VCO per clock
+    pins.hall_u = (code & 4) != 0;
+    pins.hall_v = (code & 2) != 0;
+    pins.hall_w = (code & 1) != 0;
+  }
+};
+
+// Clocks in which the bare drive at `speed` and one whose host asks for `target` show the same gates.
+bool same_gates(int speed, Frequency whole, std::int64_t target) {
+  SixStepBare bare;
+  SixStepTop drive;
+  SixStepBare::In in{.pins = {}, .controls = {.run = true, .speed = speed}, .words = Turned().words};
+  in.words.speed.target = whole;
+  SixStepTop::In host{.pins = {}, .command = {.configured = true}, .words = in.words};
+  host.words.speed.target = Frequency::of(target);
+  bool same = true, locked = false;
+  for (int i = 0; i < kBounce + 120000; ++i) {
+    Turned::turn(in.pins, i);
+    host.pins = in.pins;
+    const auto out = bare.tick(in);
+    host.command.run = i > kBounce;  // the look is in this clock
+    host.command.clear_fault = i == 0 || i == kBounce;
+    const auto wanted = drive.tick(host);
+    same = same && wanted.gates == out.gates && wanted.locked == out.locked;
+    locked = locked || out.locked;
+  }
+  EXPECT_TRUE(locked) << "else nothing of the target is seen";
+  return same;
+}
+
+TEST(SixStepBare, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
+  const std::int64_t whole = (1 << 22) + 3;
+  EXPECT_TRUE(same_gates(0, Frequency::of(whole), whole / 4));
+  EXPECT_TRUE(same_gates(1, Frequency::of(whole), whole / 2));
+  EXPECT_TRUE(same_gates(2, Frequency::of(whole), whole / 2 + whole / 4));
+  EXPECT_TRUE(same_gates(3, Frequency::of(whole), whole));
+  EXPECT_FALSE(same_gates(3, Frequency::of(whole), whole / 2)) << "the control";
+}
+
+TEST(SixStepBare, AsksForTheHandOverFrequencyAtLeast) {
+  const std::int64_t hand_over = Turned().words.start.hand_over.raw();
+  EXPECT_TRUE(same_gates(0, Frequency::of(2 * hand_over), hand_over));
+}
+
+}  // namespace
+}  // namespace steplock
