@@ -102,7 +102,7 @@ PaperSection against_hall(const design::Settings& drive, const PaperOptions& opt
   s.text += table;
 
   Figure f{.name = "fig13", .title = "Fig. 13: phase current, sensorless and with Hall sensors",
-           .axis = "ms",
+           .axis = "time, ms",
            .caption = fmt::format("Two electrical turns of each; Hall sensors {} degrees late.",
                                   told(like->placement_deg))};
   f.panels.push_back(

@@ -20,7 +20,7 @@ double electrical_hz(const Trial& t) {
 }
 
 Figure current_figure(std::string name, std::string title, const Trial& t) {
-  return {.name = std::move(name), .title = std::move(title), .axis = "ms",
+  return {.name = std::move(name), .title = std::move(title), .axis = "time, ms",
           .caption = "Two electrical turns.",
           .panels = {{.label = "V_phv, V",
                       .curves = {curve_of(t.record.steady, "terminal v", palette::kV,
@@ -59,7 +59,7 @@ PaperSection varied_load(const design::Settings& drive, const PaperOptions& opti
           {"steps lost, both", "", 0, "",
            double(fan.summary.step_outs + bare.summary.step_outs), ""}}};
   if (!kept(fan) || !kept(bare)) s.failures.push_back("a lock");
-  Figure f{.name = "fig10", .title = "Fig. 10: phase current with and without fan", .axis = "ms",
+  Figure f{.name = "fig10", .title = "Fig. 10: phase current with and without fan", .axis = "time, ms",
            .caption = "Two electrical turns of each."};
   f.panels.push_back({.label = "with fan, A",
                       .curves = {phase_current(fan.record.steady, 1, "phase v", palette::kV)}});

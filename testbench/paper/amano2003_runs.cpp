@@ -65,7 +65,7 @@ PaperSection locked_state(const design::Settings& drive, const PaperOptions& opt
                  {"steps lost", "", 0, "", double(t.summary.step_outs), ""}}};
   check(s, t, "Fig. 7");
   s.figures.push_back(
-      {.name = "fig7", .title = "Fig. 7: locked, 12 V", .axis = "ms",
+      {.name = "fig7", .title = "Fig. 7: locked, 12 V", .axis = "time, ms",
        .caption = "Two electrical turns.",
        .panels = {{.label = "V_phv, V",
                    .curves = {curve_of(fine, "terminal v", palette::kV,
@@ -145,16 +145,17 @@ PaperSection current_control(const design::Settings& drive, const PaperOptions& 
   check(section, t, "Fig. 9");
   const auto& fine = t.record.steady;
   section.figures.push_back(
-      {.name = "fig9", .title = "Fig. 9: current limit", .axis = "ms",
+      {.name = "fig9", .title = "Fig. 9: current limit", .axis = "time, ms",
        .caption = "Two electrical turns: shunt current, the gate that the limit turns off, phase current.",
        .panels = {{.label = "shunt, A",
                    .curves = {curve_of(fine, "shunt", palette::kTrue,
                                        [](const Sample& x) { return x.plant.shunt_current; }, 4000)}},
-                  {.label = "any high side",
+                  {.label = "high side",
                    .curves = {curve_of(fine, "gate", palette::kDrive, [](const Sample& x) {
                                 return (x.watch.bits & 0b010101) != 0 ? 1.0 : 0.0;
                               }, 4000)},
-                   .weight = 0.6},
+                   .weight = 0.6,
+                   .extra = "set yrange [-0.2:1.2]\nset ytics ('off' 0, 'on' 1)\n"},
                   {.label = "I_phv, A",
                    .curves = {phase_current(fine, 1, "phase v", palette::kV)}}}});
   return section;

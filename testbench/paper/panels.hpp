@@ -17,7 +17,7 @@ Curve curve_of(const std::vector<Sample>& samples, std::string title, const char
   for (const Sample& s : samples) {
     points.push_back({1e3 * (s.time - samples.front().time), value(s)});
   }
-  return {std::move(title), color, thinned(std::move(points), most), 1.1};
+  return {std::move(title), color, outlined(points, most), 1.1};
 }
 
 inline Curve phase_current(const std::vector<Sample>& samples, int phase, std::string title,

@@ -123,7 +123,7 @@ Figure range_figure(const Range& range) {
                       "lock does. Legend: the rows of the table, in order.",
            .logarithmic = true};
   f.panels.push_back({.label = "worst, degrees electrical", .weight = 2.4,
-                      .extra = "set yrange [0:8]\n"});
+                      .extra = "set yrange [0:*]\nset format x '%.0f'\n"});
   for (std::size_t i = 0; i < range.curves.size(); ++i) {
     Curve c{fmt::format("row {}", i + 1), kColors[i % kColors.size()], {}, 1.6};
     for (const RangePoint& p : range.curves[i].points) {

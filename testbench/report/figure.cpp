@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <stdexcept>
@@ -20,6 +21,22 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+std::vector<Point> outlined(const std::vector<Point>& points, std::size_t most) {
+  if (points.size() <= most) return points;
+  const std::size_t inner = points.size() - 2, stretches = (most - 2) / 2;
+  std::vector<Point> kept = {points.front()};
+  for (std::size_t k = 0; k < stretches; ++k) {
+    const auto from = points.begin() + 1 + static_cast<std::ptrdiff_t>(k * inner / stretches);
+    const auto to = points.begin() + 1 + static_cast<std::ptrdiff_t>((k + 1) * inner / stretches);
+    const auto lower = [](const Point& a, const Point& b) { return a.y < b.y; };
+    const auto low = std::min_element(from, to, lower), high = std::max_element(from, to, lower);
+    kept.push_back(*std::min(low, high));
+    if (low != high) kept.push_back(*std::max(low, high));
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
 std::vector<Point> thinned(std::vector<Point> points, std::size_t most) {
   if (points.size() <= most) return points;
   std::vector<Point> kept;
@@ -35,7 +52,7 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
   };
   double weights = 0;
   for (const Panel& p : f.panels) weights += p.weight;
-  const double height = 120 + 125 * weights;
+  const double height = 126 + 125 * weights;
 
   // Data first: gnuplot takes no data blocks inside a multiplot.
   double low = 0, high = 0;
@@ -64,7 +81,7 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     add("set arrow from first {0:.7g}, graph 0 to first {0:.7g}, graph 1 nohead lc rgb '#b8c4ce' "
         "dt 2 back\n", m.x);
   }
-  const double top = 1 - 66 / height, bottom = 54 / height, gap = 14 / height;
+  const double top = 1 - 66 / height, bottom = 60 / height, gap = 14 / height;
   double at = top;
   for (std::size_t i = 0; i < f.panels.size(); ++i) {
     const Panel& p = f.panels[i];
@@ -81,7 +98,6 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
         (at + below) / 2);
     add("set xlabel {} textcolor rgb '#52606d'\nset format x {}\n", last ? quoted(f.axis) : "''",
         last ? "'%g'" : "''");
-    add("set ylabel {} textcolor rgb '#52606d'\n", quoted(p.label));
     if (first) {
       double level = 1.05;
       for (std::size_t k = 0; k < f.marks.size(); ++k) {
@@ -93,6 +109,9 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     } else if (i == 1) {
       add("unset label\n");
     }
+    // Placed by hand as well: gnuplot's own label goes out of the figure where numbers are long.
+    add("set label 101 {} at screen 0.012, screen {:.4f} center rotate by 90 textcolor rgb '#52606d'\n",
+        quoted(p.label), (at + below) / 2);
     s += p.extra;
     std::string curves;
     for (std::size_t j = 0; j < p.curves.size(); ++j) {

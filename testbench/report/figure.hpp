@@ -49,7 +49,11 @@ bool draw(const Figure&, const std::filesystem::path& directory);
 // All of them, in a directory that it makes.  Throws std::runtime_error if gnuplot does not run.
 void draw_all(const std::vector<Figure>&, const std::filesystem::path& directory);
 
-// At most `most` points, evenly thinned; a figure shows no more.
+// A curve of at most `most` points that covers what this one covers: both ends, and of every stretch
+// between them its lowest and its highest point.  A figure shows no more; and every tenth sample of a
+// waveform with PWM would show another waveform.
+std::vector<Point> outlined(const std::vector<Point>& points, std::size_t most = 1500);
+// At most `most` of points that are not a curve, evenly thinned.
 std::vector<Point> thinned(std::vector<Point> points, std::size_t most = 1500);
 
 namespace palette {

@@ -22,7 +22,7 @@ std::vector<Point> points(const Samples& samples, double scale, double origin, F
   std::vector<Point> all;
   all.reserve(samples.size());
   for (const Sample& s : samples) all.push_back({(s.time - origin) * scale, y(s)});
-  return thinned(std::move(all));
+  return outlined(all);
 }
 
 // Phase current, rms between neighbouring points of the figure.
@@ -102,7 +102,7 @@ Figure whole_run(const design::Settings& s, const Record& record) {
 
 Figure lock(const design::Settings& s, const Summary& sum, const Record& record) {
   const double origin = record.lock.front().time;
-  Figure f{.name = "lock", .title = "Hand-over and lock", .axis = "ms after hand-over",
+  Figure f{.name = "lock", .title = "Hand-over and lock", .axis = "time after hand-over, ms",
            .caption = "From the open-loop ramp to the closed phase-locked loop. Commutation errors are "
                       "judged from the plant's true angle, once the drive claims a lock."};
   f.panels.push_back(speeds(record.lock, s.motor.pole_pairs, 1e3, origin));
@@ -120,7 +120,7 @@ Figure steady(const Record& record) {
   const auto curve = [&](const char* title, const char* color, double width, auto&& y) {
     return Curve{title, color, points(record.steady, 1e3, origin, y), width};
   };
-  Figure f{.name = "steady", .title = "Two electrical turns at set speed", .axis = "ms",
+  Figure f{.name = "steady", .title = "Two electrical turns at set speed", .axis = "time, ms",
            .caption = "The last two electrical turns before the first disturbance: back-EMF, currents, "
                       "one terminal against the comparators' reference, and the six gates."};
   Panel emf{.label = "back-EMF, V"}, voltage{.label = "terminal u, V"};

@@ -15,7 +15,7 @@ std::vector<Point> points(const std::vector<Sample>& samples, F&& y, double from
   for (const Sample& s : samples) {
     if (s.time >= from && s.time <= to) all.push_back({s.time, y(s)});
   }
-  return thinned(std::move(all));
+  return outlined(all);
 }
 
 }  // namespace

@@ -168,12 +168,12 @@ std::vector<Figure> disturbance_figures(const SweepSetup&, const std::vector<Row
     return f;
   };
   std::vector<Figure> all;
-  all.push_back(shares({.name = "disturbances_recovery", .title = "Time to recover", .axis = "s",
+  all.push_back(shares({.name = "disturbances_recovery", .title = "Time to recover", .axis = "time, s",
                         .caption = "Share of the runs that were back in lock at set speed, for good, by then. A run "
                                    "that never left it stands at the left edge."},
                        false, [](const Row& r) { return r.after.recovery_s; }));
   all.push_back(shares({.name = "disturbances_lost", .title = "Faults for good: time until the lock is given up",
-                        .axis = "s", .caption = "Share of the runs whose gates had been switched off by then, for the "
+                        .axis = "time, s", .caption = "Share of the runs whose gates had been switched off by then, for the "
                                                 "first time; tries to start again follow, until the fault latches."},
                        true, [](const Row& r) { return r.after.lost_s; }));
   std::erase_if(all, [](const Figure& f) { return f.panels[0].curves.empty(); });

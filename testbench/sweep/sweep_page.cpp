@@ -68,11 +68,11 @@ std::vector<Figure> sweep_figures(const SweepSetup& setup, const std::vector<Row
   const auto lock = [](const Row& r) { return started(r) ? r.findings.lock_time_s : std::nullopt; };
   std::vector<Figure> all;
   all.push_back(shares(setup, rows,
-                       {.name = "lock_time", .title = "Time to lock", .axis = "s after run",
+                       {.name = "lock_time", .title = "Time to lock", .axis = "time after run, s",
                         .caption = "Share of the runs inside the envelope that had locked, for good, by then."},
                        lock));
   all.push_back(shares(setup, rows,
-                       {.name = "peak_current", .title = "Peak phase current", .axis = "A",
+                       {.name = "peak_current", .title = "Peak phase current", .axis = "current, A",
                         .caption = "Share of the runs inside the envelope whose current never was higher."},
                        [](const Row& r) { return std::optional(r.findings.peak_current_a); }));
   const auto inertia = [](const Row& r) { return r.conditions.inertia; };

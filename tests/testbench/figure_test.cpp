@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -49,6 +50,32 @@ TEST(Figure, ThinningKeepsBothEnds) {
   EXPECT_EQ(few.front().x, 0);
   EXPECT_EQ(few.back().x, 9999);
   EXPECT_EQ(thinned({{1, 2}, {3, 4}}, 100).size(), 2u);
+}
+
+// 1000 periods of a pulse that is high for a tenth of each, 50 samples a period: every fiftieth sample, as
+// even thinning takes them, is of the same level.
+TEST(Figure, OutliningKeepsEndsAndEveryPulse) {
+  std::vector<Point> points;
+  for (int i = 0; i < 50'000; ++i) points.push_back({i * 1.0, i % 50 < 5 ? 1.0 : 0.0});
+  const auto few = outlined(points, 1000);
+  EXPECT_LE(few.size(), 1000u);
+  EXPECT_EQ(few.front().x, 0);
+  EXPECT_EQ(few.back().x, 49'999);
+  // Any stretch of two holds both levels.
+  for (std::size_t i = 2; i < few.size(); ++i) {
+    ASSERT_LT(few[i - 1].x, few[i].x);
+    ASSERT_TRUE(few[i - 2].y != few[i].y || few[i - 1].y != few[i].y) << few[i].x;
+  }
+  EXPECT_EQ(outlined({{1, 2}, {3, 4}}, 100).size(), 2u);
+}
+
+// A level that changes once does so in its own place.
+TEST(Figure, OutliningLeavesAStepWhereItIs) {
+  std::vector<Point> points;
+  for (int i = 0; i < 10'000; ++i) points.push_back({i * 1.0, i < 4321 ? 3.0 : 1.0});
+  const auto few = outlined(points, 100);
+  const auto down = std::ranges::find(few, 1.0, &Point::y);
+  EXPECT_EQ(down->x, 4321);
 }
 
 }  // namespace
