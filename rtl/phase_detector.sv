@@ -1,4 +1,4 @@
-// phase_detector: steplock::PhaseDetector, printed by hlsgen from hls/six_step/phase_detector.hpp:28.
+// phase_detector: steplock::PhaseDetector, printed by hlsgen from hls/six_step/phase_detector.hpp:29.
 // Do not edit: change the C++ and print again.
 
 module phase_detector (
@@ -31,52 +31,65 @@ module phase_detector (
   logic missed;
   logic answered;  // this step has had its crossing, or needs none
   logic before_;  // before_seen, from the step that a commutation ends
+  logic hid;  // the last update was of a step on the level after
   logic turned;  // following: a whole turn since the last change or miss
 
-  wire [15:0] magnitude = error ^ {16{error[15]}};  // line 55
-  wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 56
-  wire either_64 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 64
-  wire missed_next = !either_64 || (watch_i == Evidence_kSectors && elapsed_i && turned);
-  wire both_97 = elapsed_i && turned;  // line 97
-  wire either_66 =  // line 66
+  wire [15:0] magnitude = error ^ {16{error[15]}};  // line 56
+  wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 57
+  wire either_65 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 65
+  wire missed_next = !either_65 || (watch_i == Evidence_kSectors && elapsed_i && turned);
+  wire both_99 = elapsed_i && turned;  // line 99
+  wire either_67 =  // line 67
       !(watch_i != Evidence_kCrossings || !crossing_i || answered) ||
       (watch_i == Evidence_kSectors && changed_i);
 
   always_ff @(posedge clk) begin
-    if (missed_next || either_66) begin
-      logic [16:0] choice_93;
-      logic [15:0] choice_94;
-      logic [16:0] choice_67;
-      logic [17:0] wide_67;
-      logic [15:0] choice_97;
-      logic [17:0] difference_67;
-      choice_93 = (turned || elapsed_i) ? 17'd0 : 17'd65536;  // line 93
-      choice_94 = (!missed_next || before_) ? expected_i : lead_error_i;  // line 94
-      choice_67 = (watch_i == Evidence_kSectors) ? choice_93 : {1'b0, choice_94};  // line 67
-      wide_67 = {1'b0, choice_67};  // line 67
-      choice_97 =  // line 97
-          (watch_i == Evidence_kSectors) ? ((both_97 || !either_64) ? 16'd32768 : phase_i) :
-          either_64 ? crossing_phase_i :
+    if (missed_next || either_67) begin
+      logic [15:0] choice_96;
+      logic [16:0] wide_96;
+      logic [16:0] choice_68;
+      logic [17:0] wide_68;
+      logic [15:0] choice_99;
+      logic [17:0] difference_68;
+      choice_96 =  // line 96
+          (!missed_next || before_) ? expected_i :
+          hid ? lead_error_i :
+          16'd0;
+      wide_96 = {1'b0, choice_96};  // line 96
+      choice_68 =  // line 68
+          (watch_i == Evidence_kSectors) ? ((turned || elapsed_i) ? 17'd0 : 17'd65536) : wide_96;
+      wide_68 = {1'b0, choice_68};  // line 68
+      choice_99 =  // line 99
+          (watch_i == Evidence_kSectors) ? ((both_99 || !either_65) ? 16'd32768 : phase_i) :
+          either_65 ? crossing_phase_i :
           {16{before_}};
-      difference_67 = wide_67 - {2'd0, choice_97};  // line 67
-      if (difference_67[17]) begin
-        if (difference_67[17:15] == 3'd7) begin
-          error <= difference_67[15:0];
+      difference_68 = wide_68 - {2'd0, choice_99};  // line 68
+      if (difference_68[17]) begin
+        if (difference_68[17:15] == 3'd7) begin
+          error <= difference_68[15:0];
         end else begin
           error <= 16'd32768;
         end
-      end else if (difference_67[17:15] == 3'd0) begin
-        error <= difference_67[15:0];
+      end else if (difference_68[17:15] == 3'd0) begin
+        error <= difference_68[15:0];
       end else begin
         error <= 16'd32767;
       end
     end
     case (watch_i)
       Evidence_kCrossings: begin
-        logic inverse_64;
-        inverse_64 = !(!commutate_i || answered);  // line 64
-        update <= inverse_64 || !(!crossing_i || answered);
-        missed <= inverse_64;
+        if (answered) begin
+          update <= 1'b0;
+          missed <= 1'b0;
+        end else begin
+          logic either_2;
+          either_2 = commutate_i || crossing_i;
+          update <= either_2;
+          missed <= commutate_i;
+          if (either_2) begin
+            hid <= commutate_i && !before_;
+          end
+        end
         if (commutate_i) begin
           answered <= !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);
         end else begin
@@ -85,9 +98,14 @@ module phase_detector (
         turned <= 1'b0;
       end
       Evidence_kSectors: begin
-        update <= both_97 || changed_i;
-        missed <= both_97;
+        logic either;
+        either = both_99 || changed_i;
+        update <= either;
+        missed <= both_99;
         answered <= 1'b1;
+        if (either) begin
+          hid <= both_99 && !before_;
+        end
         turned <= !commutate_i && (turned ^ elapsed_i);
       end
       default: begin  // Evidence_kNothing, 2'd3
@@ -104,6 +122,7 @@ module phase_detector (
       missed <= 1'b0;
       answered <= 1'b1;
       before_ <= 1'b0;
+      hid <= 1'b0;
       turned <= 1'b0;
     end
   end

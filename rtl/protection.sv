@@ -1,4 +1,4 @@
-// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:33.
+// protection: steplock::Protection, printed by hlsgen from hls/six_step/protection.hpp:34.
 // Do not edit: change the C++ and print again.
 
 module protection (
@@ -42,31 +42,31 @@ module protection (
   logic [11:0] wrong;  // ticks more that may look like a wrong lock
   logic [1:0] hall;  // ticks in a row with an illegal code
 
-  wire [2:0] choice_98 = missed_i ? (lags_i ? 3'd4 : 3'd2) : 3'd1;  // line 98
+  wire [2:0] choice_99 = (missed_i && lags_i) ? 3'd4 : 3'd1;  // line 99
   wire [6:0] choice =
-      (missed_i || (update_i && !(good_i || hall_i))) ? {4'd0, choice_98} + score :
+      (missed_i || (update_i && !(good_i || hall_i))) ? {4'd0, choice_99} + score :
       (good_i && score != 7'd0) ? score - 7'd1 :
       score;
   wire [6:0] score_next = running_i ? choice : 7'd0;
-  wire both_76 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 76
-  wire [2:0] choice_102 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 102
-  wire [2:0] choice_102_2 = commutate_i ? choice_102 : slow;  // line 102
-  wire both_77 = running_i && choice_102_2 == 3'd6;  // line 77
-  wire below_61 = words_freewheel_i < freewheel_i;  // line 61
-  wire [11:0] choice_112 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 112
-  wire [11:0] choice_2 = tick_i ? ((slips_i || below_61) ? choice_112 : words_wrong_lock_i) : wrong;
+  wire both_77 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 77
+  wire [2:0] choice_103 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 103
+  wire [2:0] choice_103_2 = commutate_i ? choice_103 : slow;  // line 103
+  wire both_78 = running_i && choice_103_2 == 3'd6;  // line 78
+  wire below_62 = words_freewheel_i < freewheel_i;  // line 62
+  wire [11:0] choice_113 = (wrong == 12'd0) ? 12'd0 : wrong - 12'd1;  // line 113
+  wire [11:0] choice_2 = tick_i ? ((slips_i || below_62) ? choice_113 : words_wrong_lock_i) : wrong;
   wire [11:0] wrong_next = running_i ? choice_2 : words_wrong_lock_i;
-  wire both_78 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 78
-  wire [1:0] choice_119 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 119
-  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_119 : 2'd0) : hall;
-  wire both_79 = running_i && choice_3 == 2'd2;  // line 79
-  wire below_75 = words_over_current_i - 4'd1 < stuck_i;  // line 75
-  wire fatal = fault_pin_i || below_75;  // line 80
+  wire both_79 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 79
+  wire [1:0] choice_120 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 120
+  wire [1:0] choice_3 = tick_i ? ((hall_i && hall_illegal_i) ? choice_120 : 2'd0) : hall;
+  wire both_80 = running_i && choice_3 == 2'd2;  // line 80
+  wire below_76 = words_over_current_i - 4'd1 < stuck_i;  // line 76
+  wire fatal = fault_pin_i || below_76;  // line 81
 
   always_ff @(posedge clk) begin
     score <= score_next;
     if (running_i) begin
-      slow <= choice_102_2;
+      slow <= choice_103_2;
       hall <= choice_3;
     end else begin
       slow <= 3'd0;
@@ -81,18 +81,18 @@ module protection (
     end
   end
 
-  assign lost_o = both_76 || both_77 || both_78 || both_79;
+  assign lost_o = both_77 || both_78 || both_79 || both_80;
   assign fatal_o = fatal;
   assign reason_o =
-      (fatal || both_76) ?
+      (fatal || both_77) ?
       (fault_pin_i ? Reason_kFaultPin :
-      below_75 ? Reason_kOverCurrent :
+      below_76 ? Reason_kOverCurrent :
       Reason_kStepOut) :
-      both_77 ? Reason_kStall :
-      both_78 ? Reason_kWrongLock :
-      both_79 ? Reason_kHallCode :
+      both_78 ? Reason_kStall :
+      both_79 ? Reason_kWrongLock :
+      both_80 ? Reason_kHallCode :
       Reason_kNone;
-  assign freewheel_long_o = commutate_i && below_61;
+  assign freewheel_long_o = commutate_i && below_62;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_stall_i, words_slip_i};

@@ -116,6 +116,7 @@ module six_step_top (
   logic update;
   logic good;
   logic lags;
+  logic hidden;
   logic lost;
   logic fatal;
   logic [3:0] cause;
@@ -352,6 +353,7 @@ module six_step_top (
       .frequency_i(filter_frequency),
       .target_i(start_stop ? 26'd0 : words_speed_target_i),
       .limited_i(limited),
+      .hidden_i(hidden),
       .period_i(words_pwm_period_i),
       .slip_i(words_protection_slip_i),
       .words_target_i(words_speed_target_i),
@@ -535,7 +537,8 @@ module six_step_top (
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 189
+    lags <= detector_error[15];  // line 190
+    hidden <= detector_missed && !detector_error[15];  // line 213
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;
@@ -552,6 +555,7 @@ module six_step_top (
       update <= 1'b0;
       good <= 1'b0;
       lags <= 1'b0;
+      hidden <= 1'b0;
       lost <= 1'b0;
       fatal <= 1'b0;
       cause <= Reason_kNone;

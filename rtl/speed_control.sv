@@ -1,4 +1,4 @@
-// speed_control: steplock::SpeedControl, printed by hlsgen from hls/six_step/speed_control.hpp:33.
+// speed_control: steplock::SpeedControl, printed by hlsgen from hls/six_step/speed_control.hpp:36.
 // Do not edit: change the C++ and print again.
 
 module speed_control (
@@ -10,6 +10,7 @@ module speed_control (
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
+    input  logic        hidden_i,  // strobe: freewheeling hid a whole crossing
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32
@@ -56,25 +57,31 @@ module speed_control (
   logic [13:0] on_clocks;
   logic slips;
   logic limited;  // the current limit cut a pulse since the last integral
+  logic hidden;  // a crossing was hidden since the last duty
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
   wire either = stage == Stage_kProportional || stage == Stage_kIntegral;
-  wire [15:0] choice_62 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 62
-  wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_62};
-  wire [25:0] choice_65 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 65
-  wire [26:0] choice_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_65};
-  wire [26:0] a = choice + choice_2;  // line 63
+  wire [15:0] choice_66 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 66
+  wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_66};
+  wire [25:0] choice_69 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 69
+  wire [26:0] choice_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_69};
+  wire [26:0] a = choice + choice_2;  // line 67
 
-  logic [15:0] choice_69;  // line 69
+  logic [15:0] choice_73;  // line 73
   always_comb begin
     case (stage)
-      Stage_kBemf: choice_69 = (mode_i == SpeedMode_kControl) ? words_loaded_i : words_bemf_i;
-      Stage_kIntegral: choice_69 = words_ki_i;
-      Stage_kProportional: choice_69 = words_kp_i;
-      default: choice_69 = {2'd0, period_i};
+      Stage_kBemf: choice_73 = (mode_i == SpeedMode_kControl) ? words_loaded_i : words_bemf_i;
+      Stage_kIntegral: choice_73 = words_ki_i;
+      Stage_kProportional: choice_73 = words_kp_i;
+      default: choice_73 = {2'd0, period_i};
     endcase
   end
+
+  wire [4:0] sum_101 = stage + 5'd1;  // line 101
+  wire [4:0] choice_101 = stage[4] ? Stage_kIdle : sum_101;  // line 101
+  wire [4:0] choice_3 =
+      (stage != Stage_kBemf || mode_i == SpeedMode_kControl) ? choice_101 : Stage_kHigh;
 
   wire [42:0] multiplier_product;
   wire multiplier_done;
@@ -84,14 +91,25 @@ module speed_control (
       .rst(rst),
       .start_i((either || stage == Stage_kOnClocks || stage == Stage_kBemf) && !started),
       .a_i(a),
-      .b_i(choice_69),
+      .b_i(choice_73),
       .shift_i((stage == Stage_kOnClocks) ? 4'd0 : words_shift_i),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
 
-  wire [33:0] joined_166 = {work[17:0], 16'd0};  // line 166
+  logic [4:0] stage_next;
+  always_comb begin
+    case (stage)
+      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: stage_next =
+          multiplier_done ? choice_3 : stage;
+      Stage_kIdle: stage_next = tick_i ? Stage_kSlew : Stage_kIdle;
+      default: stage_next =
+          (stage != Stage_kHigh || mode_i == SpeedMode_kControl) ? choice_101 : Stage_kDuty;
+    endcase
+  end
+
+  wire [33:0] joined_171 = {work[17:0], 16'd0};  // line 171
 
   always_ff @(posedge clk) begin
     case (stage)
@@ -102,60 +120,60 @@ module speed_control (
       end
       Stage_kSlew, Stage_kReach: begin
         logic [25:0] goal;
-        logic below_149;
-        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 148
-        below_149 = $signed(reference) < $signed({2'd0, goal});  // line 149
+        logic below_154;
+        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 153
+        below_154 = $signed(reference) < $signed({2'd0, goal});  // line 154
         case (stage)
           Stage_kSlew: begin
-            logic at_most_151;
+            logic at_most_156;
             logic [20:0] slew_4;
             logic [27:0] slew_5;
-            at_most_151 = $signed({2'd0, goal}) <= $signed(reference);  // line 151
-            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_151}};  // line 151
-            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 151
-            stage <= stage + 5'd1;
+            at_most_156 = $signed({2'd0, goal}) <= $signed(reference);  // line 156
+            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_156}};  // line 156
+            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 156
+            stage <= sum_101;
             reference <= reference + slew_5;
-            rises <= below_149;
+            rises <= below_154;
           end
           default: begin  // Stage_kReach
-            stage <= stage + 5'd1;
-            if (mode_i != SpeedMode_kControl || (below_149 ^ rises)) begin
+            stage <= sum_101;
+            if (mode_i != SpeedMode_kControl || (below_154 ^ rises)) begin
               reference <= {2'd0, goal};
             end
           end
         endcase
       end
       Stage_kBemf, Stage_kProportional: begin
-        logic [15:0] choice_127;
-        logic either_127;
+        logic [15:0] choice_132;
+        logic either_132;
         logic [17:0] base;
         logic [20:0] base_2;
-        logic [19:0] choice_117;
-        logic [20:0] sum_117;
-        choice_127 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 127
-        either_127 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 127
-        base = either_127 ? integral[33:16] : {2'd0, choice_127};  // line 127
-        base_2 = {{3{base[17]}}, base};  // line 127
-        choice_117 =  // line 117
+        logic [19:0] choice_122;
+        logic [20:0] sum_122;
+        choice_132 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 132
+        either_132 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 132
+        base = either_132 ? integral[33:16] : {2'd0, choice_132};  // line 132
+        base_2 = {{3{base[17]}}, base};  // line 132
+        choice_122 =  // line 122
             (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
             multiplier_product[31:12];
-        sum_117 = base_2 + {choice_117[19], choice_117};  // line 117
+        sum_122 = base_2 + {choice_122[19], choice_122};  // line 122
         case (stage)
           Stage_kBemf: begin
             if (multiplier_done) begin
               if (mode_i == SpeedMode_kControl) begin
-                stage <= stage + 5'd1;
+                stage <= sum_101;
               end else begin
                 stage <= Stage_kHigh;
               end
-              work <= sum_117;
+              work <= sum_122;
             end
             started <= !multiplier_done;
           end
           default: begin  // Stage_kProportional
             if (multiplier_done) begin
-              stage <= stage + 5'd1;
-              work <= sum_117;
+              stage <= sum_101;
+              work <= sum_122;
             end
             started <= !multiplier_done;
           end
@@ -166,87 +184,86 @@ module speed_control (
         logic [17:0] limit;
         logic [17:0] limit_2;
         logic [12:0] slew;
+        logic [12:0] choice_140;
         logic [12:0] slew_2;
         logic [17:0] slew_3;
         logic [17:0] limit_3;
-        logic [17:0] limit_4;  // line 135
-        logic [20:0] wide_136;
-        logic below_136;
-        logic at_most_140;
-        logic either_177;
-        logic [20:0] wide_136_2;
-        logic either_178;
-        logic [20:0] wide_136_3;
-        limit = {2'd0, words_minimum_i};  // line 185
-        limit_2 = {2'd0, words_maximum_i};  // line 187
-        slew = ~{1'b0, words_duty_slew_i};  // line 191
-        slew_2 =  // line 135
-            (stage == Stage_kUp) ? {1'b0, words_duty_slew_i} :
-            (stage == Stage_kDown) ? slew :
-            13'd0;
-        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 135
-        limit_3 = slew_3 + {2'd0, duty};  // line 193
+        logic [17:0] limit_4;  // line 140
+        logic [20:0] wide_141;
+        logic below_141;
+        logic at_most_145;
+        logic either_182;
+        logic [20:0] wide_141_2;
+        logic either_183;
+        logic [20:0] wide_141_3;
+        limit = {2'd0, words_minimum_i};  // line 190
+        limit_2 = {2'd0, words_maximum_i};  // line 192
+        slew = ~{1'b0, words_duty_slew_i};  // line 198
+        choice_140 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 140
+        slew_2 = (stage != Stage_kUp || hidden) ? choice_140 : {1'b0, words_duty_slew_i};
+        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 140
+        limit_3 = slew_3 + {2'd0, duty};  // line 200
         case (stage)
           Stage_kWholeLow, Stage_kLow: limit_4 = limit;
           Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
           default: limit_4 = limit_3;
         endcase
-        wide_136 = {{3{limit_4[17]}}, limit_4};  // line 136
-        below_136 = $signed(work) < $signed(wide_136);  // line 136
-        at_most_140 = $signed(wide_136) <= $signed(work);  // line 140
-        either_177 = at_low || below_136;  // line 177
-        wide_136_2 = {{3{limit_2[17]}}, limit_2};  // line 136
-        either_178 = at_high || at_most_140;  // line 178
-        wide_136_3 = {{3{limit_3[17]}}, limit_3};  // line 136
+        wide_141 = {{3{limit_4[17]}}, limit_4};  // line 141
+        below_141 = $signed(work) < $signed(wide_141);  // line 141
+        at_most_145 = $signed(wide_141) <= $signed(work);  // line 145
+        either_182 = at_low || below_141;  // line 182
+        wide_141_2 = {{3{limit_2[17]}}, limit_2};  // line 141
+        either_183 = at_high || at_most_145;  // line 183
+        wide_141_3 = {{3{limit_3[17]}}, limit_3};  // line 141
         case (stage)
           Stage_kSlip: begin
-            stage <= stage + 5'd1;
-            slips <= below_136;
+            stage <= sum_101;
+            slips <= below_141;
           end
           Stage_kWholeLow, Stage_kLow: begin
-            stage <= stage + 5'd1;
-            if (below_136) begin
+            stage <= sum_101;
+            if (below_141) begin
               work <= {{3{limit[17]}}, limit};
             end
-            at_low <= either_177;
+            at_low <= either_182;
           end
           Stage_kWholeHigh: begin
-            stage <= stage + 5'd1;
-            if (at_most_140) begin
-              work <= wide_136_2;
+            stage <= sum_101;
+            if (at_most_145) begin
+              work <= wide_141_2;
             end
-            at_high <= either_178;
+            at_high <= either_183;
           end
           Stage_kHigh: begin
             if (mode_i == SpeedMode_kControl) begin
-              stage <= stage + 5'd1;
+              stage <= sum_101;
             end else begin
               stage <= Stage_kDuty;
             end
-            if (at_most_140) begin
-              work <= wide_136_2;
+            if (at_most_145) begin
+              work <= wide_141_2;
             end
-            at_high <= either_178;
+            at_high <= either_183;
           end
           Stage_kUp: begin
-            stage <= stage + 5'd1;
-            if (at_most_140) begin
-              work <= wide_136_3;
+            stage <= sum_101;
+            if (at_most_145) begin
+              work <= wide_141_3;
             end
-            at_high <= either_178;
+            at_high <= either_183;
           end
           default: begin  // Stage_kDown
-            stage <= stage + 5'd1;
-            if (below_136) begin
-              work <= wide_136_3;
+            stage <= sum_101;
+            if (below_141) begin
+              work <= wide_141_3;
             end
-            at_low <= either_177;
+            at_low <= either_182;
           end
         endcase
       end
       Stage_kIntegral: begin
         if (multiplier_done) begin
-          stage <= stage + 5'd1;
+          stage <= sum_101;
           if (!(multiplier_product[31] ? at_low : at_high || limited)) begin
             integral <= integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]};
           end
@@ -254,21 +271,21 @@ module speed_control (
         started <= !multiplier_done;
       end
       Stage_kWhole: begin
-        stage <= stage + 5'd1;
+        stage <= sum_101;
         work <= {{3{integral[33]}}, integral[33:16]};
         at_high <= 1'b0;
         at_low <= 1'b0;
       end
       Stage_kKeep: begin
-        stage <= stage + 5'd1;
+        stage <= sum_101;
         if (at_low || at_high) begin
-          integral <= joined_166;
+          integral <= joined_171;
         end
       end
       Stage_kDuty: begin
-        stage <= stage + 5'd1;
+        stage <= sum_101;
         if (mode_i != SpeedMode_kControl) begin
-          integral <= joined_166;
+          integral <= joined_171;
         end
         duty <= work[15:0];
         slips <= mode_i == SpeedMode_kControl && slips;
@@ -285,6 +302,7 @@ module speed_control (
     limited <=
         limited_i ||
         (limited && !(stage == Stage_kIntegral && multiplier_done) && mode_i == SpeedMode_kControl);
+    hidden <= hidden_i || (hidden && stage_next != Stage_kDuty);
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
@@ -296,6 +314,7 @@ module speed_control (
       on_clocks <= 14'd0;
       slips <= 1'b0;
       limited <= 1'b0;
+      hidden <= 1'b0;
       at_high <= 1'b0;
       at_low <= 1'b0;
     end

@@ -87,7 +87,7 @@ module start_sequence (
 
   logic [3:0] state;
   logic [3:0] reason;
-  logic [11:0] ticks;  // left in this state
+  logic [14:0] ticks;  // left in this state
   logic [5:0] good;  // good crossings in a row
   logic fresh;  // good_ was counted in the last clock
   logic [3:0] retries;  // failed tries
@@ -164,9 +164,9 @@ module start_sequence (
     endcase
   end
 
-  wire inverse_277 = !reverse;  // line 277
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 234
-  wire both_78 = tick_i && ticks == 12'd0;  // line 78
+  wire inverse_279 = !reverse;  // line 279
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 236
+  wire both_78 = tick_i && ticks == 15'd0;  // line 78
   wire both_124 = fresh && words_good_crossings_i <= good;  // line 124
   wire either_125 = !command_run_i || (command_reverse_i ^ reverse);  // line 125
   wire [3:0] choice_79 =  // line 79
@@ -247,31 +247,36 @@ module start_sequence (
       end
     end
     if (equal_81) begin
-      if (tick_i && ticks != 12'd0) begin
-        ticks <= ticks - 12'd1;
+      if (!(!tick_i || ticks == 15'd0)) begin
+        ticks <= ticks - 15'd1;
       end
     end else begin
       case (state_next)
-        State_kObserve: ticks <= words_observe_i;
-        State_kBrake: ticks <= words_brake_i;
+        State_kObserve: ticks <= {3'd0, words_observe_i};
+        State_kBrake: ticks <= {3'd0, words_brake_i};
         State_kSettle, State_kReset: begin
           logic [11:0] ticks_2;
           logic [14:0] once;
-          logic [14:0] choice_170;
-          ticks_2 = (state_next == State_kSettle) ? words_settle_i : words_reset_i;  // line 179
-          once = {3'd0, ticks_2} << gentle[0];  // line 169
-          choice_170 = gentle[1] ? {once[12:0], 2'd0} : once;  // line 170
-          if (choice_170[14:12] == 3'd0) begin
-            ticks <= choice_170[11:0];
+          ticks_2 = (state_next == State_kSettle) ? words_settle_i : words_reset_i;  // line 181
+          once = {3'd0, ticks_2} << gentle[0];  // line 171
+          if (gentle[1]) begin
+            ticks <= {once[12:0], 2'd0};
           end else begin
-            ticks <= 12'd4095;
+            ticks <= once;
           end
         end
-        State_kPullIn: ticks <= words_pull_in_i;
-        State_kRun: ticks <= 12'd1024;
-        State_kSlowDown: ticks <= words_slow_down_i;
-        State_kRest: ticks <= words_rest_i;
-        default: ticks <= 12'd4095;
+        State_kPullIn: ticks <= {3'd0, words_pull_in_i};
+        State_kRun: ticks <= 15'd1024;
+        State_kSlowDown: ticks <= {3'd0, words_slow_down_i};
+        State_kRest: ticks <= {3'd0, words_rest_i};
+        default: begin
+          case (retries)
+            4'd0: ticks <= 15'd4095;
+            4'd1: ticks <= 15'd8190;
+            4'd2: ticks <= 15'd16380;
+            default: ticks <= 15'd32760;
+          endcase
+        end
       endcase
     end
     if (unequal_80 || !update_i) begin
@@ -366,7 +371,7 @@ module start_sequence (
     if (rst) begin
       state <= State_kIdle;
       reason <= Reason_kNone;
-      ticks <= 12'd0;
+      ticks <= 15'd0;
       good <= 6'd0;
       fresh <= 1'b0;
       retries <= 4'd0;
@@ -394,7 +399,7 @@ module start_sequence (
   assign loop_o = loop;
   assign load_step_o = load_step;
   assign step_o =
-      (state == State_kAccelerate) ? {1'b0, {2{inverse_277}}} :
+      (state == State_kAccelerate) ? {1'b0, {2{inverse_279}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;

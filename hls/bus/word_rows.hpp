@@ -139,7 +139,7 @@ inline constexpr auto kWordRows = std::make_tuple(
         "The crossing's place in the step: 1/2 + advance / 60 degrees."),
     word<&Words::loop, &LoopWords::lead_error>(
         "LOOP_PLACE", "lead_error", 0x94, 16, Access::kReadWrite, "u0.16 step",
-        "Error when the level before the crossing never showed."),
+        "Error when the level before the crossing did not show in two steps."),
     word<&Words::loop, &LoopWords::ki>(
         "LOOP_GAIN", "ki", 0x98, 0, Access::kReadWrite, "u2.14",
         "Integral gain."),

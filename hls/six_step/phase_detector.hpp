@@ -2,7 +2,8 @@
 //
 //     crossing        error = expected - crossing_phase   positive: rotor leads, VCO must hurry
 //     none, before    error = expected - 1                step ended on the level before: it lags
-//     none, after     error = lead_error                  that level never showed: it leads
+//     none, after     error = 0, then lead_error          that level never showed: freewheeling hid
+//                                                         the crossing, or, if again, it leads
 //     following       error = 1 - turns since the last change of sector, within +-1/2
 //
 // Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per
@@ -65,6 +66,7 @@ class PhaseDetector {
               (sectors && in.elapsed && turned_);
     update_ = missed_ || (crossings && in.crossing && !answered_) || (sectors && in.changed);
     if (update_) error_ = saturate<PhaseError>(place(in) - found(in));
+    if (update_) hid_ = missed_ && !before_;
 
     if (in.commutate || !sectors) {
       turned_ = false;
@@ -91,7 +93,7 @@ class PhaseDetector {
     // A change in the very clock in which the turn ends, as often happens in lock, comes after it.
     const bool turned = turned_ || in.elapsed;
     if (in.watch == Evidence::kSectors) return turned ? UInt<17>(0) : UInt<17>(0x10000);
-    return missed_ && !before_ ? in.lead_error : in.expected;
+    return !missed_ || before_ ? in.expected : hid_ ? in.lead_error : Phase(0);
   }
   Phase found(const In& in) const {
     if (in.watch == Evidence::kSectors) return missed_ ? Phase(0x8000) : in.phase;
@@ -103,6 +105,7 @@ class PhaseDetector {
   bool missed_ = false;
   bool answered_ = true;  // this step has had its crossing, or needs none
   bool before_ = false;   // before_seen, from the step that a commutation ends
+  bool hid_ = false;      // the last update was of a step on the level after
   bool turned_ = false;   // following: a whole turn since the last change or miss
 };
 

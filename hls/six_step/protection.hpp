@@ -1,10 +1,11 @@
 // Protection: says when a lock is no longer one, and what must end the drive at once.
 //
-//     step-out     score + 4 per step that ended on the level before its crossing, + 2 per one that
-//                  never showed that level, + 1 per crossing far from its place, - 1 per good one,
-//                  at `misses`.  The second kind weighs half: long freewheeling and slow PWM hide
-//                  crossings of a rotor that follows, up to a third of them for good.  A comparator
-//                  that is stuck misses one of either kind per turn, which climbs: 4 + 2 > 4 * 1.
+//     step-out     score + 4 per step that ended on the level before its crossing, + 1 per one that
+//                  never showed that level or whose crossing is far from its place, - 1 per good
+//                  one, at `misses`.  Those that never show it weigh less: long freewheeling and
+//                  slow PWM hide crossings of a rotor that follows, up to half of them for good.  A
+//                  comparator that is stuck misses one of either kind per turn, which climbs:
+//                  4 + 1 > 4 * 1.
 //                  Far ones count since a rotor that stands shows some, too: the decay of the
 //                  commutated current, then noise
 //     stall        six steps in a row slower than `stall`
@@ -95,7 +96,7 @@ class Protection {
   void watch_steps(const In& in) {
     const bool far = in.update && !in.good && !in.hall;
     if (in.missed || far) {
-      score_ = wrap<UInt<7>>(score_ + (!in.missed ? UInt<3>(1) : in.lags ? UInt<3>(4) : UInt<3>(2)));
+      score_ = wrap<UInt<7>>(score_ + (in.missed && in.lags ? UInt<3>(4) : UInt<3>(1)));
     } else if (in.good && score_ != 0) {
       score_ = wrap<UInt<7>>(score_ - 1);
     }

@@ -12,6 +12,9 @@
 // up). Integral and reference follow, so that control begins without a jump, after a start as after
 // catching a rotor.
 //
+// Where a crossing was hidden since the last tick, because the freewheeling of so much current took
+// half a step, the duty falls by its slew: more current would hide them all, and the loop would be lost.
+//
 // One product at a time, one addition to it, then one bound after the other by one comparator.
 //
 //     latency      at most 140 clocks after the tick, with shift 15; a tick that comes earlier is
@@ -39,6 +42,7 @@ class SpeedControl {
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
+    bool hidden = false;                 // strobe: freewheeling hid a whole crossing
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;
@@ -77,6 +81,7 @@ class SpeedControl {
     }
     // A cut counts until an integral has seen it.
     limited_ = in.limited || (limited_ && !integrated && in.mode == SpeedMode::kControl);
+    hidden_ = in.hidden || (hidden_ && stage_ != Stage::kDuty);
     return out;
   }
 
@@ -187,9 +192,11 @@ class SpeedControl {
       case Stage::kHigh: return in.words.maximum;
       default: {
         // Downwards one last bit more: the one's complement.
-        const Int<18> slew = stage_ == Stage::kUp     ? Int<18>(in.words.duty_slew)
-                             : stage_ == Stage::kDown ? ~Int<18>(in.words.duty_slew)
-                                                      : Int<18>(0);
+        const bool up = stage_ == Stage::kUp && !hidden_;
+        const bool down = stage_ == Stage::kUp || stage_ == Stage::kDown;
+        const Int<18> slew = up     ? Int<18>(in.words.duty_slew)
+                             : down ? ~Int<18>(in.words.duty_slew)
+                                    : Int<18>(0);
         return wrap<Int<18>>(duty_ + slew);
       }
     }
@@ -206,6 +213,7 @@ class SpeedControl {
   Clocks on_clocks_ = 0;
   bool slips_ = false;
   bool limited_ = false;    // the current limit cut a pulse since the last integral
+  bool hidden_ = false;     // a crossing was hidden since the last duty
   bool at_high_ = false;    // integral or duty wanted to be higher than they may
   bool at_low_ = false;     // or lower
 };

@@ -97,7 +97,7 @@ class StartSequence {
     if (leaves) {
       ticks_ = length(in, next, present.gentle);
     } else if (in.tick && !over) {
-      ticks_ = wrap<Ticks>(ticks_ - 1);
+      ticks_ = wrap<Length>(ticks_ - 1);
     }
     clear_was_ = in.command.clear_fault;
     state_ = next;
@@ -164,13 +164,15 @@ class StartSequence {
     }
   }
 
-  static Ticks doubled(Ticks ticks, UInt<2> times) {
-    const UInt<15> wide = ticks;
-    const UInt<15> once = times.bit(0) ? wide << 1 : wide;
-    return saturate<Ticks>(times.bit(1) ? once << 2 : once);
+  using Length = UInt<15>;  // Ticks, doubled up to three times
+
+  static Length doubled(Ticks ticks, UInt<2> times) {
+    const Length wide = ticks;
+    const Length once = times.bit(0) ? wide << 1 : wide;
+    return times.bit(1) ? once << 2 : once;
   }
 
-  static Ticks length(const In& in, State state, UInt<2> failed) {
+  static Length length(const In& in, State state, UInt<2> failed) {
     switch (state) {
       case State::kObserve: return in.words.observe;
       case State::kBrake: return in.words.brake;
@@ -181,7 +183,7 @@ class StartSequence {
       case State::kSlowDown: return in.words.slow_down;
       case State::kRest: return in.words.rest;
       case State::kRun: return 1024;   // after that long earlier failures are forgotten
-      default: return Ticks::max();    // a ramp of 0 must end, too
+      default: return doubled(Ticks::max(), failed);  // a ramp of 0 must end, too
     }
   }
 
@@ -282,7 +284,7 @@ class StartSequence {
 
   State state_ = State::kIdle;
   Reason reason_ = Reason::kNone;
-  Ticks ticks_ = 0;             // left in this state
+  Length ticks_ = 0;            // left in this state
   UInt<6> good_ = 0;            // good crossings in a row
   bool fresh_ = false;          // good_ was counted in the last clock
   UInt<4> retries_ = 0;         // failed tries

@@ -51,7 +51,7 @@ struct LoopWords {
   Bandwidth bandwidth = Bandwidth::kPerStep;
   UInt<2> divide = 0;            // N = 6 * 2^divide VCO turns per electrical turn
   Phase expected = 0x8000;       // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-  Phase lead_error = 0x4000;     // u0.16: error when the level before the crossing never showed
+  Phase lead_error = 0x4000;     // u0.16: error of a second step without the level before
   UInt<10> delay = 0;            // clocks from the crossing at the motor to the sample, taken back
   UInt<16> ki = 0;               // u2.14
   UInt<16> kp = 0;               // u2.14
@@ -93,7 +93,7 @@ struct SpeedWords {
 };
 
 struct ProtectionWords {
-  UInt<6> misses = 0;            // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
+  UInt<6> misses = 0;            // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
   Frequency stall = 0;           // u0.32: slower than this in speed control is a stall
   Duty slip = 0;                 // duty above the back-EMF's that no right lock shows
   Phase freewheel = 0;           // u0.16: freewheeling for longer than this part of a step is wrong

@@ -104,6 +104,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .frequency = filter_.frequency(),
                     .caught = caught_});
   const bool missed = detector_.missed();
+  hidden_ |= missed && detector_.error() >= 0;
   // A rotor started with more torque than it needs leads the field; less and less lets it fall back
   // to where its crossings show, whatever flux and bus voltage really are.
   // A rotor that lags has too little and gets more, up to the start's.
@@ -235,11 +236,12 @@ void Drive::on_tick(double t) {
       break;
   }
   if (sequence_.locked()) {
-    speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_);
+    speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
+                hidden_);
   } else {
     speed_.follow(duty, duty, f);
   }
-  limited_ = false;
+  limited_ = hidden_ = false;
   pwm_.set_duty(speed_.duty());
 }
 

@@ -1,8 +1,8 @@
 // Phase detector and loop filter of the digital phase-locked loop.
 //
 //     error   = expected - place of the crossing      turns of a step, positive if the rotor leads
-//     no crossing in the whole step: expected - 1 (it lags) or lead_error (it leads: the level
-//     before the crossing never showed)
+//     no crossing in the whole step: expected - 1 (it lags) or, if the level before the crossing never
+//     showed, 0 (freewheeling hid it), from the second such step on lead_error (the rotor leads)
 //
 // The loop filter per second is the circuit of Fig. 4: a current into C1, beside it R and C2 in
 // series; the voltage on C1 is the frequency.  Between ticks the error is constant, so the two
@@ -37,7 +37,8 @@ class PhaseDetector {
     updated_ = good_ = missed_ = false;
     if (in.step_ended) {
       missed_ = in.counts && !found_;
-      if (missed_) take(in.before_seen ? p_.expected - 1 : p_.lead_error);
+      if (missed_) take(in.before_seen ? p_.expected - 1 : hid_ ? p_.lead_error : 0);
+      if (in.counts) hid_ = missed_ && !in.before_seen;
       found_ = false;
     }
     if (in.crossing && in.counts) {
@@ -63,6 +64,7 @@ class PhaseDetector {
   design::LoopParameters p_;
   double error_ = 0;
   bool updated_ = false, good_ = false, missed_ = false, found_ = true;
+  bool hid_ = false;  // the last step that counts was on the level after from its beginning
 };
 
 class LoopFilter {

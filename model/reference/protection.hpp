@@ -1,7 +1,7 @@
 // Protection: when a lock is no longer one (ends the try), and what ends the drive at once.
 //
-//     step-out     score + 4 per step that ended before its crossing, + 2 per one whose crossing
-//                  freewheeling hid, + 1 per far crossing, - 1 per good one, at `misses`
+//     step-out     score + 4 per step that ended before its crossing, + 1 per one whose crossing
+//                  freewheeling hid or came far from its place, - 1 per good one, at `misses`
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   duty - back-EMF's duty > slip, or freewheeling beyond `freewheel` of a step, for
 //                  `wrong_lock` in a row
@@ -33,7 +33,7 @@ class Protection {
     if (!in.running) {
       score_ = slow_ = wrong_ = illegal_ = 0;
     } else {
-      if (in.missed) score_ += in.lags ? 4 : 2;
+      if (in.missed) score_ += in.lags ? 4 : 1;
       if (in.updated && !in.good && !in.missed && !in.hall) ++score_;
       if (in.good && score_ > 0) --score_;
       if (in.commutated) slow_ = in.frequency < p_.stall ? slow_ + 1 : 0;

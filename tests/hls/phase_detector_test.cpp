@@ -65,13 +65,24 @@ TEST(PhaseDetector, AStepThatEndsBeforeTheCrossingShowsALaggingRotor) {
   EXPECT_EQ(out.error, PhaseError(-0x7FFF));
 }
 
-TEST(PhaseDetector, AStepThatNeverShowedTheLevelBeforeShowsALeadingRotor) {
+// Once, freewheeling may have covered the crossing of a rotor that is in its place.
+TEST(PhaseDetector, TwoStepsThatNeverShowedTheLevelBeforeShowALeadingRotor) {
   PhaseDetector dut;
   auto in = begin(dut, {.lead_error = 0x3000});
+  for (const int error : {0, 0x3000, 0x3000}) {
+    in.commutate = true;
+    const auto out = after(dut, in);
+    EXPECT_TRUE(out.missed);
+    EXPECT_EQ(out.error, PhaseError(error));
+  }
+  in.commutate = false;
+  in.crossing = true;
+  in.crossing_phase = 0x8000;
+  dut.tick(in);
+  in.crossing = false;
   in.commutate = true;
-  const auto out = after(dut, in);
-  EXPECT_TRUE(out.missed);
-  EXPECT_EQ(out.error, PhaseError(0x3000));
+  dut.tick(in);
+  EXPECT_EQ(after(dut, in).error, PhaseError(0));
 }
 
 TEST(PhaseDetector, GoodMeansWithinTheWindowOnEitherSide) {

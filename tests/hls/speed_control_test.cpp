@@ -167,6 +167,26 @@ TEST(SpeedControl, DoesNotWindUpWhileTheCurrentLimitCuts) {
   EXPECT_GT(update(dut, in).duty, Duty(10000));
 }
 
+TEST(SpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
+  SpeedControl dut;
+  auto in = typical();
+  in.words.duty_slew = 50;
+  in.fixed_duty = 10000;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 5000 << 4;
+  int duty = 10000;
+  for (int i = 0; i < 100; ++i) {
+    in.hidden = true;  // one strobe before each tick
+    dut.tick(in);
+    in.hidden = false;
+    const int now = static_cast<int>(update(dut, in).duty.raw());
+    ASSERT_EQ(now, duty - 51);  // one more: the one's complement
+    duty = now;
+  }
+  EXPECT_EQ(update(dut, in).duty, Duty(duty + 50));
+}
+
 // The control law in doubles; what may differ is the truncation of each product: the speed error by
 // one unit (times kp and ki), the proportional product by one, the integral's upper half by one.
 RC_GTEST_PROP(SpeedControl, EqualsTheLawToTheLastBits, ()) {

@@ -124,9 +124,11 @@ TEST(ReferencePhaseDetector, TellsALeadingRotorFromALaggingOne) {
   PhaseDetector detector({.expected = 0.5, .lead_error = 0.25});
   detector.update({.step_ended = true});  // the step in which it was started
   EXPECT_FALSE(detector.missed());
-  detector.update({.before_seen = false, .step_ended = true});
-  EXPECT_TRUE(detector.missed());
-  EXPECT_DOUBLE_EQ(detector.error(), 0.25);
+  for (const double error : {0.0, 0.25}) {  // once, freewheeling may have hidden it
+    detector.update({.before_seen = false, .step_ended = true});
+    EXPECT_TRUE(detector.missed());
+    EXPECT_DOUBLE_EQ(detector.error(), error);
+  }
   detector.update({.before_seen = true, .step_ended = true});
   EXPECT_DOUBLE_EQ(detector.error(), -0.5);
 }

@@ -23,23 +23,23 @@ struct Case : Protection {
   }
 };
 
-TEST(ReferenceProtection, FiveMissesOrNineHiddenCrossingsInARowAreAStepOut) {
+TEST(ReferenceProtection, FiveMissesOrEighteenHiddenCrossingsInARowAreAStepOut) {
   Case missed, hidden;
   EXPECT_EQ(missed.after(4, {.missed = true, .lags = true}), Reason::kNone);
   EXPECT_EQ(missed.after(1, {.missed = true, .lags = true}), Reason::kStepOut);
-  EXPECT_EQ(hidden.after(8, {.missed = true}), Reason::kNone);
+  EXPECT_EQ(hidden.after(17, {.missed = true}), Reason::kNone);
   EXPECT_EQ(hidden.after(1, {.missed = true}), Reason::kStepOut);
 }
 
-TEST(ReferenceProtection, AThirdMayBeHiddenForGoodButNotHalfOfThatMissed) {
+TEST(ReferenceProtection, HalfMayBeHiddenForGoodButNotASixthMissed) {
   Case hidden;
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(hidden.after(1, {.missed = true}), Reason::kNone);
-    EXPECT_EQ(hidden.after(2, {.good = true}), Reason::kNone);
+    EXPECT_EQ(hidden.after(1, {.good = true}), Reason::kNone);
   }
   Case stuck;
   Reason reason = Reason::kNone;
-  for (int turn = 0; turn < 9 && reason == Reason::kNone; ++turn) {
+  for (int turn = 0; turn < 15 && reason == Reason::kNone; ++turn) {
     for (const bool lags : {true, false}) {
       reason = stuck.after(1, {.missed = true, .lags = lags});
       if (reason == Reason::kNone) reason = stuck.after(2, {.good = true});

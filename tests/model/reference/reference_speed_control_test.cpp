@@ -78,6 +78,19 @@ TEST(ReferenceSpeedControl, DoesNotWindUpAgainstTheCurrentLimit) {
   EXPECT_GT(free.duty(), limited.duty() + 0.01);
 }
 
+TEST(ReferenceSpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.3, 0.3, 300);
+  double duty = control.duty();
+  for (int k = 0; k < 10; ++k) {
+    control.tick(800, 300, false, true);
+    EXPECT_DOUBLE_EQ(control.duty(), duty - gains(20).duty_slew * kTick);
+    duty = control.duty();
+  }
+  control.tick(800, 300, false);
+  EXPECT_DOUBLE_EQ(control.duty(), duty + gains(20).duty_slew * kTick);
+}
+
 TEST(ReferenceSpeedControl, StaysWithinItsDuties) {
   SpeedControl control(gains(20), kTick);
   control.follow(0.1, 0.1, 100);
