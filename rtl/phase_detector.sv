@@ -1,4 +1,4 @@
-// phase_detector: steplock::PhaseDetector, printed by hlsgen from hls/six_step/phase_detector.hpp:29.
+// phase_detector: steplock::PhaseDetector, printed by hlsgen from hls/six_step/phase_detector.hpp:33.
 // Do not edit: change the C++ and print again.
 
 module phase_detector (
@@ -21,7 +21,8 @@ module phase_detector (
     output logic [15:0] error_o,  // s0.16, turns of one step
     output logic        update_o,  // strobe: the error is new
     output logic        good_o,  // strobe: it is within the window (following: within 1/8)
-    output logic        missed_o  // strobe: it stands for a crossing that was not found
+    output logic        missed_o,  // strobe: it stands for a crossing that was not found
+    output logic        hurries_o  // strobe: freewheeling hid it, and the rotor led in the step before
 );
   localparam logic [1:0] Evidence_kCrossings = 2'd1;
   localparam logic [1:0] Evidence_kSectors = 2'd2;
@@ -32,46 +33,46 @@ module phase_detector (
   logic answered;  // this step has had its crossing, or needs none
   logic before_;  // before_seen, from the step that a commutation ends
   logic hid;  // the last update was of a step on the level after
+  logic hurries;  // and the rotor led before it
   logic turned;  // following: a whole turn since the last change or miss
 
-  wire [15:0] magnitude = error ^ {16{error[15]}};  // line 56
-  wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 57
-  wire either_65 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 65
-  wire missed_next = !either_65 || (watch_i == Evidence_kSectors && elapsed_i && turned);
-  wire both_99 = elapsed_i && turned;  // line 99
-  wire either_67 =  // line 67
+  wire [15:0] magnitude = error ^ {16{error[15]}};  // line 61
+  wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 62
+  wire either_71 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 71
+  wire missed_next = !either_71 || (watch_i == Evidence_kSectors && elapsed_i && turned);
+  wire both_109 = elapsed_i && turned;  // line 109
+  wire either_73 =  // line 73
       !(watch_i != Evidence_kCrossings || !crossing_i || answered) ||
       (watch_i == Evidence_kSectors && changed_i);
 
   always_ff @(posedge clk) begin
-    if (missed_next || either_67) begin
-      logic [15:0] choice_96;
-      logic [16:0] wide_96;
-      logic [16:0] choice_68;
-      logic [17:0] wide_68;
-      logic [15:0] choice_99;
-      logic [17:0] difference_68;
-      choice_96 =  // line 96
+    if (missed_next || either_73) begin
+      logic [15:0] choice_106;
+      logic [16:0] choice_77;
+      logic [17:0] wide_77;
+      logic [15:0] choice_109;
+      logic [17:0] difference_77;
+      choice_106 =  // line 106
           (!missed_next || before_) ? expected_i :
-          hid ? lead_error_i :
+          (hid || (!error[15] && error[14:13] != 2'd0)) ? lead_error_i :
           16'd0;
-      wide_96 = {1'b0, choice_96};  // line 96
-      choice_68 =  // line 68
-          (watch_i == Evidence_kSectors) ? ((turned || elapsed_i) ? 17'd0 : 17'd65536) : wide_96;
-      wide_68 = {1'b0, choice_68};  // line 68
-      choice_99 =  // line 99
-          (watch_i == Evidence_kSectors) ? ((both_99 || !either_65) ? 16'd32768 : phase_i) :
-          either_65 ? crossing_phase_i :
+      choice_77 =  // line 77
+          (watch_i == Evidence_kSectors) ? ((turned || elapsed_i) ? 17'd0 : 17'd65536) :
+          {1'b0, choice_106};
+      wide_77 = {1'b0, choice_77};  // line 77
+      choice_109 =  // line 109
+          (watch_i == Evidence_kSectors) ? ((both_109 || !either_71) ? 16'd32768 : phase_i) :
+          either_71 ? crossing_phase_i :
           {16{before_}};
-      difference_68 = wide_68 - {2'd0, choice_99};  // line 68
-      if (difference_68[17]) begin
-        if (difference_68[17:15] == 3'd7) begin
-          error <= difference_68[15:0];
+      difference_77 = wide_77 - {2'd0, choice_109};  // line 77
+      if (difference_77[17]) begin
+        if (difference_77[17:15] == 3'd7) begin
+          error <= difference_77[15:0];
         end else begin
           error <= 16'd32768;
         end
-      end else if (difference_68[17:15] == 3'd0) begin
-        error <= difference_68[15:0];
+      end else if (difference_77[17:15] == 3'd0) begin
+        error <= difference_77[15:0];
       end else begin
         error <= 16'd32767;
       end
@@ -87,7 +88,10 @@ module phase_detector (
           update <= either_2;
           missed <= commutate_i;
           if (either_2) begin
-            hid <= commutate_i && !before_;
+            logic inverse;
+            inverse = !(!commutate_i || before_);
+            hid <= inverse;
+            hurries <= inverse && (hid || (!error[15] && error[14:12] != 3'd0));
           end
         end
         if (commutate_i) begin
@@ -99,13 +103,12 @@ module phase_detector (
       end
       Evidence_kSectors: begin
         logic either;
-        either = both_99 || changed_i;
+        either = both_109 || changed_i;
         update <= either;
-        missed <= both_99;
+        missed <= both_109;
         answered <= 1'b1;
-        if (either) begin
-          hid <= both_99 && !before_;
-        end
+        hid <= !either && hid;
+        hurries <= !either && hurries;
         turned <= !commutate_i && (turned ^ elapsed_i);
       end
       default: begin  // Evidence_kNothing, 2'd3
@@ -123,6 +126,7 @@ module phase_detector (
       answered <= 1'b1;
       before_ <= 1'b0;
       hid <= 1'b0;
+      hurries <= 1'b0;
       turned <= 1'b0;
     end
   end
@@ -131,4 +135,5 @@ module phase_detector (
   assign update_o = update;
   assign good_o = update && !missed && magnitude < window;
   assign missed_o = missed;
+  assign hurries_o = missed && hurries;
 endmodule

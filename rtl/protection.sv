@@ -18,7 +18,7 @@ module protection (
     input  logic        fault_pin_i,  // synchronised
     input  logic        hall_i,  // steps come from the Hall sensors
     input  logic        hall_illegal_i,  // their code is 000 or 111
-    input  logic [5:0]  words_misses_i,  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
+    input  logic [5:0]  words_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
     input  logic [25:0] words_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong

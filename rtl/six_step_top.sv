@@ -33,7 +33,7 @@ module six_step_top (
     input  logic        words_loop_bandwidth_i,
     input  logic [1:0]  words_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
     input  logic [15:0] words_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error when the level before the crossing never showed
+    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error of a second step without the level before
     input  logic [9:0]  words_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
     input  logic [15:0] words_loop_ki_i,  // u2.14
     input  logic [15:0] words_loop_kp_i,  // u2.14
@@ -66,7 +66,7 @@ module six_step_top (
     input  logic [15:0] words_speed_minimum_i,
     input  logic [15:0] words_speed_maximum_i,
     input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
+    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
@@ -116,7 +116,7 @@ module six_step_top (
   logic update;
   logic good;
   logic lags;
-  logic hidden;
+  logic hurries;
   logic lost;
   logic fatal;
   logic [3:0] cause;
@@ -274,6 +274,7 @@ module six_step_top (
   wire detector_update;
   wire detector_good;
   wire detector_missed;
+  wire detector_hurries;
   phase_detector detector (
       .clk(clk),
       .rst(rst),
@@ -294,7 +295,8 @@ module six_step_top (
       .error_o(detector_error),
       .update_o(detector_update),
       .good_o(detector_good),
-      .missed_o(detector_missed)
+      .missed_o(detector_missed),
+      .hurries_o(detector_hurries)
   );
 
   wire either_142 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
@@ -353,7 +355,7 @@ module six_step_top (
       .frequency_i(filter_frequency),
       .target_i(start_stop ? 26'd0 : words_speed_target_i),
       .limited_i(limited),
-      .hidden_i(hidden),
+      .hurries_i(hurries),
       .period_i(words_pwm_period_i),
       .slip_i(words_protection_slip_i),
       .words_target_i(words_speed_target_i),
@@ -538,7 +540,7 @@ module six_step_top (
     update <= detector_update;
     good <= detector_good;
     lags <= detector_error[15];  // line 190
-    hidden <= detector_missed && !detector_error[15];  // line 213
+    hurries <= detector_hurries;
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;
@@ -555,7 +557,7 @@ module six_step_top (
       update <= 1'b0;
       good <= 1'b0;
       lags <= 1'b0;
-      hidden <= 1'b0;
+      hurries <= 1'b0;
       lost <= 1'b0;
       fatal <= 1'b0;
       cause <= Reason_kNone;

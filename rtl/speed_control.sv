@@ -10,7 +10,7 @@ module speed_control (
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
-    input  logic        hidden_i,  // strobe: freewheeling hid a whole crossing
+    input  logic        hurries_i,  // strobe: freewheeling hides crossings of a rotor that leads
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32
@@ -57,7 +57,7 @@ module speed_control (
   logic [13:0] on_clocks;
   logic slips;
   logic limited;  // the current limit cut a pulse since the last integral
-  logic hidden;  // a crossing was hidden since the last duty
+  logic hurries;  // a hidden crossing since the last duty
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
@@ -200,7 +200,7 @@ module speed_control (
         limit_2 = {2'd0, words_maximum_i};  // line 192
         slew = ~{1'b0, words_duty_slew_i};  // line 198
         choice_140 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 140
-        slew_2 = (stage != Stage_kUp || hidden) ? choice_140 : {1'b0, words_duty_slew_i};
+        slew_2 = (stage != Stage_kUp || hurries) ? choice_140 : {1'b0, words_duty_slew_i};
         slew_3 = {{5{slew_2[12]}}, slew_2};  // line 140
         limit_3 = slew_3 + {2'd0, duty};  // line 200
         case (stage)
@@ -302,7 +302,7 @@ module speed_control (
     limited <=
         limited_i ||
         (limited && !(stage == Stage_kIntegral && multiplier_done) && mode_i == SpeedMode_kControl);
-    hidden <= hidden_i || (hidden && stage_next != Stage_kDuty);
+    hurries <= hurries_i || (hurries && stage_next != Stage_kDuty);
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
@@ -314,7 +314,7 @@ module speed_control (
       on_clocks <= 14'd0;
       slips <= 1'b0;
       limited <= 1'b0;
-      hidden <= 1'b0;
+      hurries <= 1'b0;
       at_high <= 1'b0;
       at_low <= 1'b0;
     end

@@ -127,11 +127,16 @@ module start_sequence (
     endcase
   end
 
+  wire [15:0] choice_77 =  // line 77
+      (retries[3:1] == 3'd0) ? words_reset_duty_i :
+      words_reset_duty_i[15] ? 16'd65535 :
+      {words_reset_duty_i[14:0], 1'b0};
+
   logic [15:0] out_duty;  // line 77
   always_comb begin
     case (state)
       State_kBrake: out_duty = words_brake_duty_i;
-      State_kSettle, State_kReset: out_duty = words_reset_duty_i;
+      State_kSettle, State_kReset: out_duty = choice_77;
       State_kAccelerate, State_kPullIn: out_duty = boost;
       default: out_duty = 16'd0;
     endcase
@@ -164,8 +169,8 @@ module start_sequence (
     endcase
   end
 
-  wire inverse_279 = !reverse;  // line 279
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 236
+  wire inverse_284 = !reverse;  // line 284
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 241
   wire both_78 = tick_i && ticks == 15'd0;  // line 78
   wire both_124 = fresh && words_good_crossings_i <= good;  // line 124
   wire either_125 = !command_run_i || (command_reverse_i ^ reverse);  // line 125
@@ -231,11 +236,20 @@ module start_sequence (
   wire unequal_80 = wanted != state;  // line 80
   wire equal_81 = wanted == state;  // line 81
   wire [3:0] state_next = equal_81 ? state : choice_81;  // line 81
-  wire both_83 = unequal_80 && state == State_kIdle;  // line 83
+  wire began_next = unequal_80 && state == State_kIdle && wanted == State_kObserve;  // line 83
+  wire failed_next = unequal_80 && wanted == State_kRest;  // line 84
+  wire [3:0] retries_next =  // line 191
+      (began_next || (both_78 && state == State_kRun)) ? 4'd0 :
+      failed_next ? retries + 4'd1 :
+      retries;
+  wire [15:0] choice_226 =  // line 226
+      (retries_next[3:1] == 3'd0) ? words_start_duty_i :
+      words_start_duty_i[15] ? 16'd65535 :
+      {words_start_duty_i[14:0], 1'b0};
 
   always_ff @(posedge clk) begin
     state <= state_next;  // line 81
-    if (both_83 && wanted == State_kObserve) begin
+    if (began_next) begin
       reason <= Reason_kNone;
     end else if (!equal_81 && (state_next == State_kRest || state_next == State_kFault)) begin
       if (wanted == State_kBrake) begin
@@ -303,70 +317,45 @@ module start_sequence (
       turns_reverse <= turns_reverse_i;
     end
     fresh <= update_i;
-    if (both_78 && state == State_kRun) begin
-      retries <= 4'd0;
+    retries <= retries_next;  // line 191
+    if (state == State_kRun) begin
       brakes <= 8'd0;
+      began <= 1'b0;
     end else begin
       case (wanted)
         State_kObserve: begin
-          if (both_83) begin
-            retries <= 4'd0;
+          if (state == State_kIdle) begin
+            if (unequal_80) begin
+              brakes <= 8'd0;
+            end
+            began <= unequal_80;
+          end else begin
+            began <= 1'b0;
           end
         end
-        State_kRest: begin
+        State_kBrake: begin
           if (unequal_80) begin
-            retries <= retries + 4'd1;
-          end
-        end
-        default: ;
-      endcase
-      case (state)
-        State_kIdle: begin
-          case (wanted)
-            State_kObserve: begin
-              if (unequal_80) begin
-                brakes <= 8'd0;
-              end
-            end
-            State_kBrake: begin
-              if (unequal_80) begin
-                brakes <= brakes + 8'd1;
-              end
-            end
-            default: ;
-          endcase
-        end
-        State_kRun: brakes <= 8'd0;
-        default: begin
-          if (unequal_80 && wanted == State_kBrake) begin
             brakes <= brakes + 8'd1;
           end
+          began <= 1'b0;
         end
+        default: began <= 1'b0;
       endcase
     end
-    case (state)
-      State_kIdle: begin
-        boost <= words_start_duty_i;
-        began <= unequal_80 && wanted == State_kObserve;
-      end
-      State_kPullIn: begin
-        if (commutate_i) begin
-          if (lags_i) begin
-            if (words_start_duty_i > boost) begin
-              boost <= boost + {5'd0, boost[15:5]};
-            end
-          end else begin
-            boost <= boost - {5'd0, boost[15:5]};
-          end
+    if (state == State_kPullIn) begin
+      if (commutate_i) begin
+        if (lags_i) begin
+          logic [10:0] choice_219;
+          choice_219 = (boost < choice_226) ? boost[15:5] : 11'd0;  // line 219
+          boost <= boost + {5'd0, choice_219};
+        end else begin
+          boost <= boost - {5'd0, boost[15:5]};
         end
-        began <= 1'b0;
       end
-      default: begin
-        boost <= words_start_duty_i;
-        began <= 1'b0;
-      end
-    endcase
-    failed <= unequal_80 && wanted == State_kRest;  // line 84
+    end else begin
+      boost <= choice_226;
+    end
+    failed <= failed_next;  // line 84
     clear_was <= command_clear_fault_i;  // line 79
     if (rst) begin
       state <= State_kIdle;
@@ -399,7 +388,7 @@ module start_sequence (
   assign loop_o = loop;
   assign load_step_o = load_step;
   assign step_o =
-      (state == State_kAccelerate) ? {1'b0, {2{inverse_279}}} :
+      (state == State_kAccelerate) ? {1'b0, {2{inverse_284}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;

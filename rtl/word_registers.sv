@@ -27,7 +27,7 @@ module word_registers (
     output logic        words_loop_bandwidth_o,
     output logic [1:0]  words_loop_divide_o,  // N = 6 * 2^divide VCO turns per electrical turn
     output logic [15:0] words_loop_expected_o,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-    output logic [15:0] words_loop_lead_error_o,  // u0.16: error when the level before the crossing never showed
+    output logic [15:0] words_loop_lead_error_o,  // u0.16: error of a second step without the level before
     output logic [9:0]  words_loop_delay_o,  // clocks from the crossing at the motor to the sample, taken back
     output logic [15:0] words_loop_ki_o,  // u2.14
     output logic [15:0] words_loop_kp_o,  // u2.14
@@ -60,7 +60,7 @@ module word_registers (
     output logic [15:0] words_speed_minimum_o,
     output logic [15:0] words_speed_maximum_o,
     output logic [11:0] words_speed_duty_slew_o,  // u1.15 per tick
-    output logic [5:0]  words_protection_misses_o,  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
+    output logic [5:0]  words_protection_misses_o,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
     output logic [25:0] words_protection_stall_o,  // u0.32: slower than this in speed control is a stall
     output logic [15:0] words_protection_slip_o,  // duty above the back-EMF's that no right lock shows
     output logic [15:0] words_protection_freewheel_o,  // u0.16: freewheeling for longer than this part of a step is wrong
@@ -93,7 +93,7 @@ module word_registers (
   logic words_loop_bandwidth;
   logic [1:0] words_loop_divide;  // N = 6 * 2^divide VCO turns per electrical turn
   logic [15:0] words_loop_expected;  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-  logic [15:0] words_loop_lead_error;  // u0.16: error when the level before the crossing never showed
+  logic [15:0] words_loop_lead_error;  // u0.16: error of a second step without the level before
   logic [9:0] words_loop_delay;  // clocks from the crossing at the motor to the sample, taken back
   logic [15:0] words_loop_ki;  // u2.14
   logic [15:0] words_loop_kp;  // u2.14
@@ -126,7 +126,7 @@ module word_registers (
   logic [15:0] words_speed_minimum;
   logic [15:0] words_speed_maximum;
   logic [11:0] words_speed_duty_slew;  // u1.15 per tick
-  logic [5:0] words_protection_misses;  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
+  logic [5:0] words_protection_misses;  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
   logic [25:0] words_protection_stall;  // u0.32: slower than this in speed control is a stall
   logic [15:0] words_protection_slip;  // duty above the back-EMF's that no right lock shows
   logic [15:0] words_protection_freewheel;  // u0.16: freewheeling for longer than this part of a step is wrong

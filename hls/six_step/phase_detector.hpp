@@ -2,9 +2,13 @@
 //
 //     crossing        error = expected - crossing_phase   positive: rotor leads, VCO must hurry
 //     none, before    error = expected - 1                step ended on the level before: it lags
-//     none, after     error = 0, then lead_error          that level never showed: freewheeling hid
-//                                                         the crossing, or, if again, it leads
+//     none, after     error = 0 or lead_error             that level never showed: freewheeling hid
+//                                                         the crossing; it leads if the step before
+//                                                         was hidden, too, or led by 1/8
 //     following       error = 1 - turns since the last change of sector, within +-1/2
+//
+// `hurries` marks a hidden crossing after one that was hidden or led by 1/16: current that grows the
+// freewheeling makes the rotor faster than the loop can follow.  Hidden ones of a steady rotor do not.
 //
 // Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per
 // turn, as in Amano 2003.  `Following` serves a rotor that is not driven by the VCO's steps: one
@@ -50,6 +54,7 @@ class PhaseDetector {
     bool update = false;   // strobe: the error is new
     bool good = false;     // strobe: it is within the window (following: within 1/8)
     bool missed = false;   // strobe: it stands for a crossing that was not found
+    bool hurries = false;  // strobe: freewheeling hid it, and the rotor led in the step before
   };
 
   Out tick(const In& in) {
@@ -58,15 +63,20 @@ class PhaseDetector {
     const Out out{.error = error_,
                   .update = update_,
                   .good = update_ && !missed_ && magnitude < window,
-                  .missed = missed_};
+                  .missed = missed_,
+                  .hurries = missed_ && hurries_};
 
     const bool crossings = in.watch == Evidence::kCrossings;
     const bool sectors = in.watch == Evidence::kSectors;
     missed_ = (crossings && in.commutate && !answered_) ||
               (sectors && in.elapsed && turned_);
     update_ = missed_ || (crossings && in.crossing && !answered_) || (sectors && in.changed);
-    if (update_) error_ = saturate<PhaseError>(place(in) - found(in));
-    if (update_) hid_ = missed_ && !before_;
+    if (update_) {
+      const bool hid = crossings && missed_ && !before_;
+      hurries_ = hid && (hid_ || error_ >= kLead);
+      error_ = saturate<PhaseError>(place(in) - found(in));
+      hid_ = hid;
+    }
 
     if (in.commutate || !sectors) {
       turned_ = false;
@@ -93,12 +103,15 @@ class PhaseDetector {
     // A change in the very clock in which the turn ends, as often happens in lock, comes after it.
     const bool turned = turned_ || in.elapsed;
     if (in.watch == Evidence::kSectors) return turned ? UInt<17>(0) : UInt<17>(0x10000);
-    return !missed_ || before_ ? in.expected : hid_ ? in.lead_error : Phase(0);
+    return !missed_ || before_ ? in.expected : hid_ || error_ >= kFarLead ? in.lead_error : Phase(0);
   }
   Phase found(const In& in) const {
     if (in.watch == Evidence::kSectors) return missed_ ? Phase(0x8000) : in.phase;
     return !missed_ ? in.crossing_phase : before_ ? Phase::max() : Phase(0);
   }
+
+  static constexpr PhaseError kLead = 0x1000;     // s0.16: as under hard acceleration
+  static constexpr PhaseError kFarLead = 0x2000;  // so far that the next crossing can be gone
 
   PhaseError error_ = 0;  // s0.16
   bool update_ = false;
@@ -106,6 +119,7 @@ class PhaseDetector {
   bool answered_ = true;  // this step has had its crossing, or needs none
   bool before_ = false;   // before_seen, from the step that a commutation ends
   bool hid_ = false;      // the last update was of a step on the level after
+  bool hurries_ = false;  // and the rotor led before it
   bool turned_ = false;   // following: a whole turn since the last change or miss
 };
 

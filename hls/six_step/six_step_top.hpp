@@ -160,7 +160,7 @@ class SixStepTop {
                                     .frequency = filter.frequency,
                                     .target = start.stop ? Frequency(0) : words.speed.target,
                                     .limited = limited_,
-                                    .hidden = hidden_,
+                                    .hurries = hurries_,
                                     .period = words.pwm.period,
                                     .slip = words.protection.slip,
                                     .words = words.speed});
@@ -210,7 +210,7 @@ class SixStepTop {
     update_ = detector.update;
     good_ = detector.good;
     lags_ = detector.error.negative();
-    hidden_ = detector.missed && !detector.error.negative();
+    hurries_ = detector.hurries;
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;
@@ -320,7 +320,7 @@ class SixStepTop {
   bool update_ = false;
   bool good_ = false;
   bool lags_ = false;
-  bool hidden_ = false;
+  bool hurries_ = false;
   bool lost_ = false;
   bool fatal_ = false;
   Reason cause_ = Reason::kNone;

@@ -215,10 +215,15 @@ class StartSequence {
   void fade(const In& in) {
     const Duty part = boost_ >> 5;
     if (state_ != State::kPullIn) {
-      boost_ = in.words.start_duty;
-    } else if (in.commutate && (!in.lags || boost_ < in.words.start_duty)) {
+      boost_ = stronger(in.words.start_duty);
+    } else if (in.commutate && (!in.lags || boost_ < stronger(in.words.start_duty))) {
       boost_ = in.lags ? wrap<Duty>(boost_ + part) : wrap<Duty>(boost_ - part);
     }
+  }
+
+  // Two failed tries: bus, flux or resistance may be weaker than the words' motor; the limit stands.
+  Duty stronger(Duty duty) const {
+    return retries_ > 1 ? saturate<Duty>(UInt<17>(duty) << 1) : duty;
   }
 
   Out out(const In& in) const {
@@ -250,7 +255,7 @@ class StartSequence {
       case State::kReset:
         out.enable = true;
         out.pattern = state_ == State::kSettle ? Pattern::kSettle : Pattern::kReset;
-        out.duty = in.words.reset_duty;
+        out.duty = stronger(in.words.reset_duty);
         break;
       case State::kAccelerate:
       case State::kPullIn:

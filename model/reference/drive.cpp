@@ -104,13 +104,13 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .frequency = filter_.frequency(),
                     .caught = caught_});
   const bool missed = detector_.missed();
-  hidden_ |= missed && detector_.error() >= 0;
+  hurries_ |= detector_.hurries();
   // A rotor started with more torque than it needs leads the field; less and less lets it fall back
   // to where its crossings show, whatever flux and bus voltage really are.
   // A rotor that lags has too little and gets more, up to the start's.
   if (sequence_.state() == State::kPullIn && vco_.commutated()) {
     const bool lags = detector_.error() < 0;
-    if (!lags || boost_ < p_.start.start_duty) boost_ += lags ? boost_ / 32 : -boost_ / 32;
+    if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
@@ -217,7 +217,7 @@ void Drive::on_tick(double t) {
   switch (sequence_.state()) {
     case State::kSettle:
     case State::kReset:
-      duty = s.reset_duty;
+      duty = stronger(s.reset_duty);
       break;
     case State::kBrake:
       duty = s.brake_duty;
@@ -226,7 +226,7 @@ void Drive::on_tick(double t) {
       filter_.load(std::min(f + ramp * p_.pwm.tick(), s.hand_over));
       vco_.set_frequency(t, filter_.frequency());
       ramp_done_ = filter_.frequency() >= s.hand_over;
-      boost_ = s.start_duty;
+      boost_ = stronger(s.start_duty);
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     case State::kPullIn:
@@ -237,11 +237,11 @@ void Drive::on_tick(double t) {
   }
   if (sequence_.locked()) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
-                hidden_);
+                hurries_);
   } else {
     speed_.follow(duty, duty, f);
   }
-  limited_ = hidden_ = false;
+  limited_ = hurries_ = false;
   pwm_.set_duty(speed_.duty());
 }
 

@@ -57,6 +57,7 @@ class Drive {
   void observe(double t);
   void follow_halls(double t);
   void on_tick(double t);
+  double stronger(double duty) const { return sequence_.retries() > 1 ? 2 * duty : duty; }
   Mode mode() const;
   bool commutating() const;  // steps are applied
   bool loop_closed() const;
@@ -79,7 +80,7 @@ class Drive {
   double changed_ = 0;        // when the decoder's sector last changed
   int steady_ = 0, way_ = 0;  // changes in a row with a steady period, and their direction
   int caught_ = 0;
-  bool limited_ = false, hidden_ = false, ramp_done_ = false;
+  bool limited_ = false, hurries_ = false, ramp_done_ = false;
 };
 
 }  // namespace steplock::reference

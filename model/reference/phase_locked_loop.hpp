@@ -2,7 +2,7 @@
 //
 //     error   = expected - place of the crossing      turns of a step, positive if the rotor leads
 //     no crossing in the whole step: expected - 1 (it lags) or, if the level before the crossing never
-//     showed, 0 (freewheeling hid it), from the second such step on lead_error (the rotor leads)
+//     showed, 0 (freewheeling hid it) or, after such a step or one that led by 1/8, lead_error
 //
 // The loop filter per second is the circuit of Fig. 4: a current into C1, beside it R and C2 in
 // series; the voltage on C1 is the frequency.  Between ticks the error is constant, so the two
@@ -34,11 +34,16 @@ class PhaseDetector {
     double window = 0;
   };
   void update(const In& in) {
-    updated_ = good_ = missed_ = false;
+    updated_ = good_ = missed_ = hurries_ = false;
     if (in.step_ended) {
       missed_ = in.counts && !found_;
-      if (missed_) take(in.before_seen ? p_.expected - 1 : hid_ ? p_.lead_error : 0);
-      if (in.counts) hid_ = missed_ && !in.before_seen;
+      if (in.counts) {
+        const bool hid = missed_ && !in.before_seen, again = hid && hid_;
+        hurries_ = again || (hid && error_ >= 1. / 16);
+        const bool leads = again || (hid && error_ >= 1. / 8);
+        hid_ = hid;
+        if (missed_) take(!hid ? p_.expected - 1 : leads ? p_.lead_error : 0);
+      }
       found_ = false;
     }
     if (in.crossing && in.counts) {
@@ -54,6 +59,7 @@ class PhaseDetector {
   bool updated() const { return updated_; }
   bool good() const { return good_; }
   bool missed() const { return missed_; }
+  bool hurries() const { return hurries_; }  // hidden, and the rotor led in the step before
 
  private:
   void take(double error) {
@@ -63,7 +69,7 @@ class PhaseDetector {
 
   design::LoopParameters p_;
   double error_ = 0;
-  bool updated_ = false, good_ = false, missed_ = false, found_ = true;
+  bool updated_ = false, good_ = false, missed_ = false, hurries_ = false, found_ = true;
   bool hid_ = false;  // the last step that counts was on the level after from its beginning
 };
 

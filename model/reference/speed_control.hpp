@@ -29,13 +29,13 @@ class SpeedControl {
   void join(double duty, double reference, double f) {
     follow(duty, std::clamp(duty - p_.kp * (reference - f), p_.minimum, p_.maximum), reference);
   }
-  // `limited`: the current limit cut; `hidden`: freewheeling hid a crossing, the duty falls.
-  void tick(double target, double f, bool limited, bool hidden = false) {
+  // `limited`: the current limit cut; `hurries`: freewheeling hides crossings, the duty falls.
+  void tick(double target, double f, bool limited, bool hurries = false) {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, move);
     const double error = reference_ - f;
     const double low = std::max(p_.minimum, duty_ - slew),
-                 high = std::min(p_.maximum, duty_ + (hidden ? -slew : slew));
+                 high = std::min(p_.maximum, duty_ + (hurries ? -slew : slew));
     const double wanted = integral_ + p_.kp * error;
     const bool winds_up =
         (error > 0 && (wanted >= high || limited)) || (error < 0 && wanted <= low);

@@ -73,6 +73,7 @@ TEST(PhaseDetector, TwoStepsThatNeverShowedTheLevelBeforeShowALeadingRotor) {
     in.commutate = true;
     const auto out = after(dut, in);
     EXPECT_TRUE(out.missed);
+    EXPECT_EQ(out.hurries, error != 0);
     EXPECT_EQ(out.error, PhaseError(error));
   }
   in.commutate = false;
@@ -83,6 +84,31 @@ TEST(PhaseDetector, TwoStepsThatNeverShowedTheLevelBeforeShowALeadingRotor) {
   in.commutate = true;
   dut.tick(in);
   EXPECT_EQ(after(dut, in).error, PhaseError(0));
+}
+
+TEST(PhaseDetector, AHiddenCrossingTellsWhatTheOneBeforeItTold) {
+  struct Case {
+    int lead;       // of the crossing in the step before, s0.16
+    bool hurries;   // from 1/16
+    int error;      // lead_error from 1/8
+  };
+  for (const auto& [lead, hurries, error] : {Case{-0x4000, false, 0}, Case{0xFFF, false, 0},
+                                             Case{0x1000, true, 0}, Case{0x1FFF, true, 0},
+                                             Case{0x2000, true, 0x3000}}) {
+    PhaseDetector dut;
+    auto in = begin(dut, {.lead_error = 0x3000});
+    in.crossing = true;
+    in.crossing_phase = 0x8000 - lead;
+    EXPECT_FALSE(after(dut, in).hurries);
+    in.crossing = false;
+    in.commutate = true;
+    dut.tick(in);
+    const auto out = after(dut, in);
+    EXPECT_TRUE(out.missed) << lead;
+    EXPECT_EQ(out.hurries, hurries) << lead;
+    EXPECT_EQ(out.error, PhaseError(error)) << lead;
+    EXPECT_TRUE(after(dut, in).hurries) << lead;  // a second one in a row always
+  }
 }
 
 TEST(PhaseDetector, GoodMeansWithinTheWindowOnEitherSide) {

@@ -177,9 +177,9 @@ TEST(SpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
   in.target = 5000 << 4;
   int duty = 10000;
   for (int i = 0; i < 100; ++i) {
-    in.hidden = true;  // one strobe before each tick
+    in.hurries = true;  // one strobe before each tick
     dut.tick(in);
-    in.hidden = false;
+    in.hurries = false;
     const int now = static_cast<int>(update(dut, in).duty.raw());
     ASSERT_EQ(now, duty - 51);  // one more: the one's complement
     duty = now;

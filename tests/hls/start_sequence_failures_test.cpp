@@ -40,15 +40,38 @@ TEST(StartSequence, EachFailedTryDoublesSettleAndResetThreeTimes) {
   }
 }
 
-TEST(StartSequence, ADoubledResetEndsAtTheTimersEnd) {
+TEST(StartSequence, FromTheThirdTryOnTheStartHasTwiceTheDutyAsFarAsThereIs) {
   Bench bench;
-  bench.in.words.reset = 3000;
-  bench.in.command.run = bench.in.fast = true;
-  bench.until(State::kPullIn);
-  bench.clocks(20);
-  bench.until(State::kReset);
-  bench.clocks(Ticks::max().raw());
-  EXPECT_EQ(bench.clock().state, State::kAccelerate);
+  bench.in.words.retries = 6;
+  bench.in.words.reset_duty = 0x1800;
+  bench.in.words.start_duty = 0x9000;  // twice as much is more than a word holds
+  bench.in.command.run = true;
+  for (const bool twice : {false, false, true, true, true}) {
+    bench.in.fast = false;
+    EXPECT_EQ(bench.until(State::kSettle).duty, Duty(twice ? 0x3000 : 0x1800));
+    EXPECT_EQ(bench.until(State::kReset).duty, Duty(twice ? 0x3000 : 0x1800));
+    bench.until(State::kAccelerate);
+    EXPECT_EQ(bench.clock().duty, twice ? Duty::max() : Duty(0x9000));
+    bench.in.fast = true;
+    bench.until(State::kPullIn);
+    bench.clocks(20);
+  }
+}
+
+TEST(StartSequence, TheLongestResetCanBeDoubledThreeTimes) {
+  Bench bench;
+  bench.in.words.retries = 6;
+  bench.in.words.reset = Ticks::max();
+  bench.in.command.run = true;
+  for (const int factor : {1, 2, 4, 8}) {
+    bench.in.fast = false;
+    bench.until(State::kReset);
+    EXPECT_EQ(bench.clocks(factor * int(Ticks::max().raw())).state, State::kReset);
+    EXPECT_EQ(bench.clock().state, State::kAccelerate);
+    bench.in.fast = true;
+    bench.until(State::kPullIn);
+    bench.clocks(20);
+  }
 }
 
 TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {

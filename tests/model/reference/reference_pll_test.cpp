@@ -1,6 +1,8 @@
 // Phase detector and loop filter of the reference.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "model/design/loop_filter.hpp"
 #include "model/reference/phase_locked_loop.hpp"
 
@@ -131,6 +133,22 @@ TEST(ReferencePhaseDetector, TellsALeadingRotorFromALaggingOne) {
   }
   detector.update({.before_seen = true, .step_ended = true});
   EXPECT_DOUBLE_EQ(detector.error(), -0.5);
+}
+
+TEST(ReferencePhaseDetector, AHiddenCrossingTellsWhatTheOneBeforeItTold) {
+  for (const auto& [lead, hurries, error] :
+       {std::tuple(-0.25, false, 0.), std::tuple(0.0625 - 1e-9, false, 0.),
+        std::tuple(0.0625 + 1e-9, true, 0.), std::tuple(0.125 - 1e-9, true, 0.),
+        std::tuple(0.125 + 1e-9, true, 0.25)}) {
+    PhaseDetector detector({.expected = 0.5, .lead_error = 0.25});
+    detector.update({.crossing = true, .crossing_phase = 0.5 - lead});
+    detector.update({.step_ended = true});
+    EXPECT_FALSE(detector.missed() || detector.hurries());
+    detector.update({.step_ended = true});
+    EXPECT_TRUE(detector.missed());
+    EXPECT_EQ(detector.hurries(), hurries) << lead;
+    EXPECT_DOUBLE_EQ(detector.error(), error) << lead;
+  }
 }
 
 TEST(ReferencePhaseDetector, LooksOnlyAtStepsThatCount) {
