@@ -13,7 +13,7 @@ module start_sequence (
     input  logic        source_i,
     input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_reset_duty_i,
+    input  logic [15:0] words_reset_duty_i,  // twice that from the third try on, and so start_duty
     input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
     input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
     input  logic [25:0] words_hand_over_i,  // f_a: the end of the ramp

@@ -27,7 +27,7 @@ module word_registers (
     output logic        words_loop_bandwidth_o,
     output logic [1:0]  words_loop_divide_o,  // N = 6 * 2^divide VCO turns per electrical turn
     output logic [15:0] words_loop_expected_o,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-    output logic [15:0] words_loop_lead_error_o,  // u0.16: error of a second step without the level before
+    output logic [15:0] words_loop_lead_error_o,  // u0.16: error of a rotor that led and hides the level before
     output logic [9:0]  words_loop_delay_o,  // clocks from the crossing at the motor to the sample, taken back
     output logic [15:0] words_loop_ki_o,  // u2.14
     output logic [15:0] words_loop_kp_o,  // u2.14
@@ -37,7 +37,7 @@ module word_registers (
     output logic [25:0] words_loop_maximum_o,
     output logic [11:0] words_start_settle_o,  // first pattern, so that a rotor opposite to the reset place moves
     output logic [11:0] words_start_reset_o,  // reset pattern: t_r of Eq. (22)
-    output logic [15:0] words_start_reset_duty_o,
+    output logic [15:0] words_start_reset_duty_o,  // twice that from the third try on, and so start_duty
     output logic [15:0] words_start_start_duty_o,  // during acceleration and pull-in
     output logic [19:0] words_start_ramp_o,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
     output logic [25:0] words_start_hand_over_o,  // f_a: the end of the ramp
@@ -93,7 +93,7 @@ module word_registers (
   logic words_loop_bandwidth;
   logic [1:0] words_loop_divide;  // N = 6 * 2^divide VCO turns per electrical turn
   logic [15:0] words_loop_expected;  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-  logic [15:0] words_loop_lead_error;  // u0.16: error of a second step without the level before
+  logic [15:0] words_loop_lead_error;  // u0.16: error of a rotor that led and hides the level before
   logic [9:0] words_loop_delay;  // clocks from the crossing at the motor to the sample, taken back
   logic [15:0] words_loop_ki;  // u2.14
   logic [15:0] words_loop_kp;  // u2.14
@@ -103,7 +103,7 @@ module word_registers (
   logic [25:0] words_loop_maximum;
   logic [11:0] words_start_settle;  // first pattern, so that a rotor opposite to the reset place moves
   logic [11:0] words_start_reset;  // reset pattern: t_r of Eq. (22)
-  logic [15:0] words_start_reset_duty;
+  logic [15:0] words_start_reset_duty;  // twice that from the third try on, and so start_duty
   logic [15:0] words_start_start_duty;  // during acceleration and pull-in
   logic [19:0] words_start_ramp;  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
   logic [25:0] words_start_hand_over;  // f_a: the end of the ramp

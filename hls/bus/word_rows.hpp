@@ -139,7 +139,7 @@ inline constexpr auto kWordRows = std::make_tuple(
         "The crossing's place in the step: 1/2 + advance / 60 degrees."),
     word<&Words::loop, &LoopWords::lead_error>(
         "LOOP_PLACE", "lead_error", 0x94, 16, Access::kReadWrite, "u0.16 step",
-        "Error when the level before the crossing did not show in two steps."),
+        "Error when the level before the crossing never showed and the rotor led before."),
     word<&Words::loop, &LoopWords::ki>(
         "LOOP_GAIN", "ki", 0x98, 0, Access::kReadWrite, "u2.14",
         "Integral gain."),
@@ -166,10 +166,10 @@ inline constexpr auto kWordRows = std::make_tuple(
         "Of the reset pattern."),
     word<&Words::start, &StartWords::reset_duty>(
         "START_DUTY", "reset_duty", 0xb0, 0, Access::kStopped, "u1.15",
-        "Of both."),
+        "Of settle and reset; twice that from the third try on."),
     word<&Words::start, &StartWords::start_duty>(
         "START_DUTY", "start_duty", 0xb0, 16, Access::kStopped, "u1.15",
-        "During acceleration and pull-in, above the back-EMF."),
+        "During acceleration and pull-in, above the back-EMF; twice that from the third try on."),
     word<&Words::start, &StartWords::ramp>(
         "START_RAMP", "ramp", 0xb4, 0, Access::kStopped, "u0.32 per tick",
         "Acceleration of the VCO."),

@@ -51,7 +51,7 @@ struct LoopWords {
   Bandwidth bandwidth = Bandwidth::kPerStep;
   UInt<2> divide = 0;            // N = 6 * 2^divide VCO turns per electrical turn
   Phase expected = 0x8000;       // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-  Phase lead_error = 0x4000;     // u0.16: error of a second step without the level before
+  Phase lead_error = 0x4000;     // u0.16: error of a rotor that led and hides the level before
   UInt<10> delay = 0;            // clocks from the crossing at the motor to the sample, taken back
   UInt<16> ki = 0;               // u2.14
   UInt<16> kp = 0;               // u2.14
@@ -64,7 +64,7 @@ struct LoopWords {
 struct StartWords {
   Ticks settle = 0;              // first pattern, so that a rotor opposite to the reset place moves
   Ticks reset = 0;               // reset pattern: t_r of Eq. (22)
-  Duty reset_duty = 0;
+  Duty reset_duty = 0;           // twice that from the third try on, and so start_duty
   Duty start_duty = 0;           // during acceleration and pull-in
   UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
   Frequency hand_over = 0;       // f_a: the end of the ramp
