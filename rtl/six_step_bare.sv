@@ -32,7 +32,7 @@ module six_step_bare (
     input  logic        words_loop_bandwidth_i,
     input  logic [1:0]  words_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
     input  logic [15:0] words_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error when the level before the crossing never showed
+    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error of a rotor that led and hides the level before
     input  logic [9:0]  words_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
     input  logic [15:0] words_loop_ki_i,  // u2.14
     input  logic [15:0] words_loop_kp_i,  // u2.14
@@ -42,7 +42,7 @@ module six_step_bare (
     input  logic [25:0] words_loop_maximum_i,
     input  logic [11:0] words_start_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_start_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_start_reset_duty_i,
+    input  logic [15:0] words_start_reset_duty_i,  // twice that from the third try on, and so start_duty
     input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
     input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
     input  logic [25:0] words_start_hand_over_i,  // f_a: the end of the ramp
@@ -65,7 +65,7 @@ module six_step_bare (
     input  logic [15:0] words_speed_minimum_i,
     input  logic [15:0] words_speed_maximum_i,
     input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4, 2), far (1), good (-1) crossings; 0: off
+    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
