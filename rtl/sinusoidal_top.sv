@@ -204,6 +204,8 @@ module sinusoidal_top (
   wire [15:0] control_v_beta;
   wire [15:0] control_i_gamma;
   wire [15:0] control_i_delta;
+  wire [15:0] control_wanted_u;
+  wire [15:0] control_wanted_v;
   wire control_limited;
   wire control_done;
   wire unused_control_busy;
@@ -230,6 +232,8 @@ module sinusoidal_top (
       .v_beta_o(control_v_beta),
       .i_gamma_o(control_i_gamma),
       .i_delta_o(control_i_delta),
+      .wanted_u_o(control_wanted_u),
+      .wanted_v_o(control_wanted_v),
       .limited_o(control_limited),
       .done_o(control_done),
       .busy_o(unused_control_busy),
@@ -247,8 +251,8 @@ module sinusoidal_top (
       .rst(rst),
       .v_alpha_i(control_v_alpha),
       .v_beta_i(control_v_beta),
-      .i_u_i(sense_i_u),
-      .i_v_i(sense_i_v),
+      .i_u_i(orders_hold ? sense_i_u : control_wanted_u),
+      .i_v_i(orders_hold ? sense_i_v : control_wanted_v),
       .v_dc_i(sense_v_dc),
       .period_i(words_bridge_period_i),
       .minimum_i(words_bridge_minimum_i),

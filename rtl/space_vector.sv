@@ -8,7 +8,7 @@ module space_vector (
     input  logic        rst,  // synchronous, active high
     input  logic [15:0] v_alpha_i,  // s0.15
     input  logic [15:0] v_beta_i,  // s0.15
-    input  logic [15:0] i_u_i,  // s0.15
+    input  logic [15:0] i_u_i,  // s0.15, for their signs: wanted currents, or measured ones
     input  logic [15:0] i_v_i,  // s0.15
     input  logic [11:0] v_dc_i,  // u0.12
     input  logic [13:0] period_i,  // clocks

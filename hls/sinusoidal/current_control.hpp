@@ -9,7 +9,8 @@
 //     back        v_alpha = u_gamma cos' - u_delta sin',  v_beta = u_gamma sin' + u_delta cos'
 //
 // The voltage acts one to two samples later: it goes back at the angle `ahead`, where the frame
-// will then stand.
+// will then stand.  wanted_u, wanted_v are the set currents seen from there as phase currents: their
+// signs say which way dead time will act, where those of measured currents near zero are noise.
 //
 // An integrator stands still while its output is limited and the error would drive it further.
 // Without `enable` voltages and integrators are 0, so that control begins from rest.
@@ -18,7 +19,7 @@
 //     x                      s0.27, so that small gains still integrate
 //     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u3.12
 //     latency                one sample; as CurrentLoop the clocks of its budget
-//     multipliers            29 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers            34 products of 16 x 16 bits: one multiplier, in turn
 //
 // Doc: docs/blocks/current_control.md   Test: tests/hls/current_control_test.cpp
 
@@ -54,6 +55,8 @@ class CurrentControl {
     Int<16> v_beta = 0;    // s0.15
     Int<16> i_gamma = 0;   // s0.15
     Int<16> i_delta = 0;   // s0.15
+    Int<16> wanted_u = 0;  // s0.15, phase currents asked for, when the voltage acts
+    Int<16> wanted_v = 0;  // s0.15
     bool limited = false;  // the voltage would have been longer
   };
 
@@ -80,16 +83,22 @@ class CurrentControl {
                                rounded(coupling * i_gamma) + emf, saturate<UInt<15>>(left));
 
     const auto [sine_then, cosine_then] = sine_cosine(in.ahead);
+    const auto ask_alpha = rounded(in.set_gamma * cosine_then - in.set_delta * sine_then);
+    const auto ask_beta = rounded(in.set_gamma * sine_then + in.set_delta * cosine_then);
+    const auto side = (ask_beta * kHalfRoot3 + (1 << 14)) >> 15;
     return {.v_alpha = rounded(gamma.voltage * cosine_then - delta.voltage * sine_then),
             .v_beta = rounded(gamma.voltage * sine_then + delta.voltage * cosine_then),
             .i_gamma = i_gamma,
             .i_delta = i_delta,
+            .wanted_u = ask_alpha,
+            .wanted_v = saturate<Int<16>>(side - (ask_alpha >> 1)),
             .limited = gamma.limited || delta.limited};
   }
 
  private:
   using Integral = Int<28>;  // s0.27
   static constexpr Int<16> kInverseRoot3 = 18919;  // s0.15
+  static constexpr Int<16> kHalfRoot3 = 28378;    // s0.15
 
   struct Axis {
     Int<16> voltage = 0;
@@ -127,6 +136,6 @@ class CurrentControl {
 // One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
 using CurrentLoop = Scheduled<
     CurrentControl,
-    Budget{.multipliers = 1, .clocks = 32, .levels = 10, .inputs = Inputs::kHeld}>;
+    Budget{.multipliers = 1, .clocks = 37, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

@@ -11,7 +11,7 @@
 // `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
 // and give their codes with `valid` any time before the next.
 //
-//     `sample` to new on-clocks          2 clocks and the four schedules, 105 in all, if the codes come at once
+//     sample's codes to new on-clocks    1 clock and the four schedules, 111 in all
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -107,8 +107,8 @@ class SinusoidalTop {
     const auto legs =
         modulator_.tick({{.v_alpha = control.v_alpha,
                           .v_beta = control.v_beta,
-                          .i_u = sense.i_u,
-                          .i_v = sense.i_v,
+                          .i_u = orders_.hold ? sense.i_u : control.wanted_u,
+                          .i_v = orders_.hold ? sense.i_v : control.wanted_v,
                           .v_dc = sense.v_dc,
                           .period = words.bridge.period,
                           .minimum = words.bridge.minimum,

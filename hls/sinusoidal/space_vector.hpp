@@ -33,7 +33,7 @@ class SpaceVector {
   struct In {
     Int<16> v_alpha = 0;        // s0.15
     Int<16> v_beta = 0;         // s0.15
-    Int<16> i_u = 0;            // s0.15
+    Int<16> i_u = 0;            // s0.15, for their signs: wanted currents, or measured ones
     Int<16> i_v = 0;            // s0.15
     UInt<12> v_dc = 0;          // u0.12
     LegClocks period = 0;       // clocks

@@ -64,13 +64,13 @@ TEST(SinusoidalTop, ThePatternIsLegVAndThenLegUAgainstTheOthers) {
   EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);
 }
 
-TEST(SinusoidalTop, OnTimesAreNew105ClocksAfterTheSample) {
+TEST(SinusoidalTop, OnTimesAreNew112ClocksAfterTheCodes) {
   Bench b;
   for (int period = 0; period < 5; ++period) {
     b.clocks_until([](const auto& o) { return o.sample; });
     // The codes' clock, one in the sense, and the schedules.
-    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 105);
-    EXPECT_EQ(105,
+    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 112);
+    EXPECT_EQ(112,
               2 + CurrentModelLoop::kClocks + SpeedRegulatorLoop::kClocks + CurrentLoop::kClocks +
                   SpaceVectorLoop::kClocks);
   }
