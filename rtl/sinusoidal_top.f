@@ -1,6 +1,6 @@
 rtl/synchroniser.sv
 rtl/current_sense.sv
-rtl/current_model.sv
+rtl/estimator.sv
 rtl/speed_regulator.sv
 rtl/current_control.sv
 rtl/space_vector.sv

@@ -21,11 +21,15 @@ module sinusoidal_top (
     input  logic        words_bridge_compensate_i,  // the on-times make up for it
     input  logic        words_bridge_sine_i,  // no zero component
     input  logic [14:0] words_bridge_inverse_i,  // u0.26: 1 / (3 period)
+    input  logic        words_estimator_voltage_i,  // the voltage model's estimate, else the current model's
+    input  logic        words_estimator_average_i,  // voltage model: the mean of 8 samples
     input  logic [14:0] words_estimator_decay_i,  // u0.15, per sample
     input  logic [14:0] words_estimator_gain_i,  // u2.13, current per voltage
+    input  logic [14:0] words_estimator_k_theta_i,  // u1.14, turns per current; K_SP L of the voltage model is the same
     input  logic [14:0] words_estimator_k_e_i,  // u2.13, voltage per current
-    input  logic [14:0] words_estimator_k_theta_i,  // u1.14, turns per current
     input  logic [14:0] words_estimator_k_speed_i,  // u-2.17, turns per voltage
+    input  logic [14:0] words_estimator_k_emf_i,  // u0.15, turns per current
+    input  logic [14:0] words_estimator_k_si_i,  // u-8.23, turns per current
     input  logic [24:0] words_speed_target_i,  // u0.25
     input  logic [14:0] words_speed_slew_i,  // u0.25, per sample
     input  logic [14:0] words_speed_filter_i,  // u0.15, per sample
@@ -124,7 +128,7 @@ module sinusoidal_top (
   wire model_done;
   wire unused_model_busy;
   wire unused_model_missed;
-  current_model model (
+  estimator model (
       .clk(clk),
       .rst(rst),
       .enable_i(orders_estimate),
@@ -138,11 +142,15 @@ module sinusoidal_top (
       .pattern_period_i(words_bridge_period_i),
       .pattern_dead_i(words_bridge_lost_i),
       .pattern_inverse_i(words_bridge_inverse_i),
+      .words_voltage_i(words_estimator_voltage_i),
+      .words_average_i(words_estimator_average_i),
       .words_decay_i(words_estimator_decay_i),
       .words_gain_i(words_estimator_gain_i),
-      .words_k_e_i(words_estimator_k_e_i),
       .words_k_theta_i(words_estimator_k_theta_i),
+      .words_k_e_i(words_estimator_k_e_i),
       .words_k_speed_i(words_estimator_k_speed_i),
+      .words_k_emf_i(words_estimator_k_emf_i),
+      .words_k_si_i(words_estimator_k_si_i),
       .start_i(sense_taken),
       .angle_o(model_angle),
       .step_o(model_step),

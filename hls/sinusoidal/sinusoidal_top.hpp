@@ -1,8 +1,8 @@
 // The sinusoidal drive: wires between the blocks, and nothing else.
 //
-//     codes -> CurrentSense -> CurrentModel -> SpeedRegulator -> CurrentControl -> SpaceVector
-//                               ^ on-clocks of the period that ended                   |
-//                         gates <- GateGuard <- 3 x PwmGenerator <- next period <------'
+//     codes -> CurrentSense -> Estimator -> SpeedRegulator -> CurrentControl -> SpaceVector
+//                               ^ on-clocks of the period that ended                |
+//                         gates <- GateGuard <- 3 x PwmGenerator <- next period <---'
 //
 // Each of the scheduled blocks begins when the one before is done.  SinusoidalSequence says who is
 // closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
@@ -11,7 +11,7 @@
 // `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
 // and give their codes with `valid` any time before the next.
 //
-//     sample's codes to new on-clocks    1 clock and the four schedules, 111 in all
+//     sample's codes to new on-clocks    1 clock and the four schedules, 113 in all
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -22,9 +22,9 @@
 #include "hls/bridge/pwm_generator.hpp"
 #include "hls/bridge/synchroniser.hpp"
 #include "hls/sinusoidal/current_control.hpp"
-#include "hls/sinusoidal/current_model.hpp"
 #include "hls/sinusoidal/current_sense.hpp"
 #include "hls/sinusoidal/drive_protection.hpp"
+#include "hls/sinusoidal/estimator.hpp"
 #include "hls/sinusoidal/sinusoidal_sequence.hpp"
 #include "hls/sinusoidal/space_vector.hpp"
 #include "hls/sinusoidal/speed_regulator.hpp"
@@ -188,7 +188,7 @@ class SinusoidalTop {
 
   Synchroniser synchroniser_;
   CurrentSense sense_;
-  CurrentModelLoop model_;
+  EstimatorLoop model_;
   SpeedRegulatorLoop regulator_;
   CurrentLoop control_;
   SpaceVectorLoop modulator_;

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/sinusoidal/current_model.hpp"
+#include "hls/sinusoidal/estimator.hpp"
 #include "hls/sinusoidal/speed_regulator.hpp"
 
 namespace steplock {

@@ -19,7 +19,7 @@ class Bench {
     auto& w = in.words;
     w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
                 .inverse = 18641};
-    w.estimator = {.decay = 3113, .gain = 3686, .k_e = 541, .k_theta = 3277, .k_speed = 5894};
+    w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
                .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
                .emf_high = 20480};
@@ -64,14 +64,14 @@ TEST(SinusoidalTop, ThePatternIsLegVAndThenLegUAgainstTheOthers) {
   EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);
 }
 
-TEST(SinusoidalTop, OnTimesAreNew112ClocksAfterTheCodes) {
+TEST(SinusoidalTop, OnTimesAreNew114ClocksAfterTheCodes) {
   Bench b;
   for (int period = 0; period < 5; ++period) {
     b.clocks_until([](const auto& o) { return o.sample; });
     // The codes' clock, one in the sense, and the schedules.
-    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 112);
-    EXPECT_EQ(112,
-              2 + CurrentModelLoop::kClocks + SpeedRegulatorLoop::kClocks + CurrentLoop::kClocks +
+    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 114);
+    EXPECT_EQ(114,
+              2 + EstimatorLoop::kClocks + SpeedRegulatorLoop::kClocks + CurrentLoop::kClocks +
                   SpaceVectorLoop::kClocks);
   }
 }

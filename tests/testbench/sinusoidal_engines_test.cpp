@@ -58,6 +58,21 @@ TEST(SinusoidalEngines, FixedAndFloatAgreeWithinTheConvertersNoise) {
   EXPECT_NEAR(*fixed.load_dip_percent, *exact.load_dip_percent, 2);
 }
 
+// `estimator` chooses at run time; the same start, load and stop.
+TEST(SinusoidalEngines, TheFixedDriveRunsWithTheVoltageModelToo) {
+  const auto runs = [](const char* name, int samples) {
+    design::Settings s = drive(name);
+    s.sinusoidal.estimator = design::Estimator::kVoltage;
+    s.sinusoidal.moving_average = samples;
+    const Result r = result_of(s, EngineKind::kFixed, 130);
+    EXPECT_TRUE(r.failures().empty() && r.reasons.empty()) << samples << ' ' << all(r);
+    EXPECT_LT(r.delta_theta_rms_deg, 3) << name << ' ' << samples;
+  };
+  runs("m2310p_sinusoidal", 8);
+  runs("m2310p_sinusoidal", 1);
+  runs("matsui1996", 8);
+}
+
 // Phase currents are within two steps of the converter, so that dead time's way hangs on the currents that
 // are wanted.  By the signs of the measured ones the rotor hunts, or, with no noise, stands while the drive
 // claims to run.  What remains of hunting turns the rotor to and fro by some 5 electrical degrees; at both
@@ -153,6 +168,16 @@ TEST(SinusoidalEngines, TheRtlIsItsSourceInEveryClockOfAStart) {
   EXPECT_GT(rpm(bench.plant().state().speed), 1000);
 }
 
+TEST(SinusoidalEngines, TheRtlIsItsSourceWithTheVoltageModelToo) {
+  design::Settings s = drive("m2310p_sinusoidal");
+  s.sinusoidal.estimator = design::Estimator::kVoltage;
+  BenchOf<Lockstep> bench(s, s, timeline(s), 200);
+  bench.run_until(0.2);
+  EXPECT_EQ(bench.engine().first, nullptr)
+      << bench.engine().first << " in clock " << bench.engine().at;
+  EXPECT_EQ(bench.engine().watch().state(), State::kRun);
+}
+
 TEST(SinusoidalEngines, OneWrongBitInOneClockIsNoticed) {
   const design::Settings s = drive("m2310p_sinusoidal");
   BenchOf<Lockstep> bench(s, s, timeline(s), 0);
@@ -173,8 +198,11 @@ TEST(SinusoidalEngines, WhatTheBlocksCannotDoIsRefusedWithOneLine) {
   EXPECT_EQ(refusal([](D&) {}), "accepted");
   EXPECT_EQ(refusal([](D& s) { s.sinusoidal_start.by = design::StartBy::kPilot; }),
             "sinusoidal_start.by is \"pilot\"; must be \"pattern\" or \"arbitrary\" for this engine");
-  EXPECT_EQ(refusal([](D& s) { s.sinusoidal.estimator = design::Estimator::kVoltage; }),
-            "sinusoidal.estimator is \"voltage\"; must be \"current\" for this engine");
+  EXPECT_EQ(refusal([](D& s) {
+              s.sinusoidal.estimator = design::Estimator::kVoltage;
+              s.sinusoidal.moving_average = 5;
+            }),
+            "sinusoidal.moving_average is 5; must be 1 or 8 for this engine");
   EXPECT_EQ(refusal([](D& s) { s.adc.bits = 14; }), "adc.bits is 14; must be 12 for this engine");
   EXPECT_EQ(refusal([](D& s) { s.control.pwm_hz = 1e3; }),
             "bridge.period needs the word 24000; at most 16383");

@@ -61,13 +61,19 @@ BridgeWords bridge_words(ScaledQuantiser& word, const Parameters& p, const Setti
 
 EstimatorWords estimator_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double per_voltage = p.pwm.period / p.motor.inductance_q;  // A/V
-  return {.decay = word("estimator.decay", "", p.motor.resistance * per_voltage, 1, 15, 15),
+  const double turns = 2 * kPi / (kRoot * f.current);  // rad/A of a turn per full scale
+  return {.voltage = p.estimator == Estimator::kVoltage,
+          .average = p.voltage_model.samples != 1,
+          .decay = word("estimator.decay", "", p.motor.resistance * per_voltage, 1, 15, 15),
           .gain = word("estimator.gain", "A/V", per_voltage, f.current / f.voltage, 13, 15),
+          .k_theta = word("estimator.k_theta", "rad/A", p.current_model.k_theta, turns, 14, 15),
           .k_e = word("estimator.k_e", "V/A", p.current_model.k_e, f.voltage / f.current, 13, 15),
-          .k_theta = word("estimator.k_theta", "rad/A", p.current_model.k_theta,
-                          2 * kPi / (kRoot * f.current), 14, 15),
           .k_speed = word("estimator.k_speed", "rad/V", p.pwm.period / p.motor.k_e,
-                          2 * kPi / (kRoot * f.voltage), 17, 15)};
+                          2 * kPi / (kRoot * f.voltage), 17, 15),
+          .k_emf = word("estimator.k_emf", "rad/A", p.motor.inductance_q / p.motor.k_e, turns, 15,
+                        15),
+          .k_si = word("estimator.k_si", "rad/A",
+                       p.voltage_model.k_si * p.motor.inductance_q * p.pwm.period, turns, 23, 15)};
 }
 
 RegulatorWords speed_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
@@ -108,8 +114,12 @@ void refuse(std::vector<std::string>& lines, const Settings& s, const Design& d)
     lines.push_back(
         "sinusoidal_start.by is \"pilot\"; must be \"pattern\" or \"arbitrary\" for this engine");
   }
-  if (p.estimator != Estimator::kCurrent) {
-    lines.push_back("sinusoidal.estimator is \"voltage\"; must be \"current\" for this engine");
+  if (p.estimator == Estimator::kVoltage && p.voltage_model.samples != 1 &&
+      p.voltage_model.samples != 8) {
+    std::ostringstream line;
+    line << "sinusoidal.moving_average is " << p.voltage_model.samples
+         << "; must be 1 or 8 for this engine";
+    lines.push_back(line.str());
   }
   if (s.adc.bits != 12) {
     std::ostringstream line;

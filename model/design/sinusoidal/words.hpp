@@ -24,7 +24,8 @@ struct BridgeWords {
   Word inverse = 0;
 };
 struct EstimatorWords {
-  Word decay = 0, gain = 0, k_e = 0, k_theta = 0, k_speed = 0;
+  bool voltage = false, average = false;
+  Word decay = 0, gain = 0, k_theta = 0, k_e = 0, k_speed = 0, k_emf = 0, k_si = 0;
 };
 struct RegulatorWords {
   Word target = 0, slew = 0, filter = 0, k_p = 0, k_i = 0, limit = 0;

@@ -1,0 +1,5 @@
+#include "hls/sinusoidal/estimator.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::EstimatorLoop>;

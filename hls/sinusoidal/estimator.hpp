@@ -1,0 +1,80 @@
+// Both estimators of Matsui 1996 behind one observer, for side-by-side work: `voltage` chooses whose
+// angle and speed go on.
+//
+//     Observer -> FollowedEmf     current model, (12)-(20)  --+-> step, angle += step
+//              -> CorrectedSpeed  voltage model, (6)-(11)   --'
+//
+// Applied voltage, what moved the current, sine and cosine and the turning are the same for both: one
+// after the other they take 3 products more than one of them.  With `voltage` a constant where the
+// drive is built in, synthesis drops what the other one needs.  The words stand still while the drive
+// runs.
+//
+//     formats                those of CurrentModel and VoltageModel
+//     multipliers            37 products of 16 x 16 bits: one multiplier, in turn
+//
+// Doc: docs/blocks/estimator.md   Test: tests/hls/estimator_test.cpp
+
+#pragma once
+
+#include "hls/sinusoidal/current_model.hpp"
+#include "hls/sinusoidal/voltage_model.hpp"
+
+namespace steplock {
+
+struct EstimatorWords {
+  bool voltage = false;  // the voltage model's estimate, else the current model's
+  bool average = false;  // voltage model: the mean of 8 samples
+  UInt<15> decay = 0;    // u0.15, per sample
+  UInt<15> gain = 0;     // u2.13, current per voltage
+  UInt<15> k_theta = 0;  // u1.14, turns per current; K_SP L of the voltage model is the same
+  UInt<15> k_e = 0;      // u2.13, voltage per current
+  UInt<15> k_speed = 0;  // u-2.17, turns per voltage
+  UInt<15> k_emf = 0;    // u0.15, turns per current
+  UInt<15> k_si = 0;     // u-8.23, turns per current
+};
+
+class Estimator {
+ public:
+  struct In {
+    bool enable = false;     // false: the angle is `initial`, the speed 0
+    Angle initial = 0;       // u0.24
+    Int<16> i_u = 0;         // s0.15
+    Int<16> i_v = 0;         // s0.15
+    UInt<12> v_dc = 0;       // u0.12
+    AppliedPattern pattern;  // of the interval that this sample ends
+    EstimatorWords words;
+  };
+
+  using Out = CurrentModel::Out;
+
+  Out tick(const In& in) {
+    const auto seen = observer_.observe(in);
+    const Turned by_current = emf_.follow(seen, in.words);
+    const Turned by_voltage = speed_.correct(seen, in.words);
+    const Turned turned = in.words.voltage ? by_voltage : by_current;
+    const Turn step = observer_.step(turned);
+    observer_.remember(in);
+    if (!in.enable) {
+      observer_.rest(in.initial);
+      emf_.rest();
+      speed_.rest();
+      return {.angle = in.initial};
+    }
+    return {.angle = observer_.go_on(step),
+            .step = step,
+            .emf_step = turned.emf_step,
+            .error = seen.gamma};
+  }
+
+ private:
+  Observer observer_;
+  FollowedEmf emf_;
+  CorrectedSpeed speed_;
+};
+
+// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
+using EstimatorLoop = Scheduled<
+    Estimator,
+    Budget{.multipliers = 1, .clocks = 43, .levels = 10, .inputs = Inputs::kHeld}>;
+
+}  // namespace steplock

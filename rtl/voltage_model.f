@@ -1,0 +1,1 @@
+rtl/voltage_model.sv
