@@ -9,8 +9,9 @@
 //     back        v_alpha = u_gamma cos' - u_delta sin',  v_beta = u_gamma sin' + u_delta cos'
 //
 // The voltage acts one to two samples later: it goes back at the angle `ahead`, where the frame
-// will then stand.  wanted_u, wanted_v are the set currents seen from there as phase currents: their
-// signs say which way dead time will act, where those of measured currents near zero are noise.
+// will then stand.  wanted_u, wanted_v are the set currents seen from there as phase currents:
+// their signs say which way dead time will act, where those of measured currents near zero are
+// noise.
 //
 // An integrator stands still while its output is limited and the error would drive it further.
 // Without `enable` voltages and integrators are 0, so that control begins from rest.

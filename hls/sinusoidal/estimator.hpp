@@ -1,13 +1,13 @@
-// Both estimators of Matsui 1996 behind one observer, for side-by-side work: `voltage` chooses whose
-// angle and speed go on.
+// Both estimators of Matsui 1996 behind one observer, for side-by-side work: `voltage` chooses
+// whose angle and speed go on.
 //
 //     Observer -> FollowedEmf     current model, (12)-(20)  --+-> step, angle += step
 //              -> CorrectedSpeed  voltage model, (6)-(11)   --'
 //
-// Applied voltage, what moved the current, sine and cosine and the turning are the same for both: one
-// after the other they take 3 products more than one of them.  With `voltage` a constant where the
-// drive is built in, synthesis drops what the other one needs.  The words stand still while the drive
-// runs.
+// Applied voltage, what moved the current, sine and cosine and the turning are the same for both:
+// side by side they take 3 products more than the current model alone.  With `voltage` a constant
+// where the drive is built in, synthesis drops what the other one needs.  The words stand still
+// while the drive runs.
 //
 //     formats                those of CurrentModel and VoltageModel
 //     multipliers            37 products of 16 x 16 bits: one multiplier, in turn

@@ -1,7 +1,7 @@
 // What both estimators see of the back-EMF, and how both go on: once per sample.
 //
-//     Delta i  = i - i' + (R T/L) (i + i')/2 - (T/L) v  =  -(T/L) e     in the stationary frame, both
-//                                             ends of the interval, v the applied voltage, e the EMF
+//     Delta i  = i - i' + (R T/L) (i + i')/2 - (T/L) v  =  -(T/L) e     in the stationary frame
+//                                both ends of the interval, v the applied voltage, e the EMF
 //     turned into gamma-delta at the interval's middle; angle += step
 //
 // Matsui 1996, (7), (8) and (16).  It is part of an estimator's block, not one of its own.

@@ -14,8 +14,8 @@
 //     speed, thresholds    s0.15, u0.15 of 1/16 turn per sample;  reference, target   s0.25, u0.25
 //     slew                 u0.25 per sample;  filter   u0.15
 //     k_p, k_i             u7.8, u-2.17 per sample: current per speed
-//     speed, integral      s0.27 inside; the error and its part of the integral are rounded, not cut:
-//                          half a place of the error would be 0.06 % of 10 r/min in matsui1996
+//     speed, integral      s0.27 inside; the error and its part of the integral are rounded, not
+//                          cut: half a place of the error is 0.06 % of 10 r/min in matsui1996
 //     multipliers          8 products of 16 x 16 bits: one multiplier, in turn
 //
 // Doc: docs/blocks/speed_regulator.md   Test: tests/hls/speed_regulator_test.cpp

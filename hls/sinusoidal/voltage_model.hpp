@@ -5,10 +5,10 @@
 //     n_W      = -sign(step) (K_SP e_gamma + K_SI integral of e_gamma)
 //     step     = T (theta_e' + n_W);  angle += step                                 (11)
 //
-// The angle given is theta_c at the sample's instant, the step what it turns until the next.  There is
-// no model that follows: an EMF's noise is in the speed at once, which is what the mean is for.  The
-// sign is that of the step's mean over 32 samples.  Without `enable` the angle is `initial` and all
-// else 0; the ends of the interval are remembered all the same.
+// The angle given is theta_c at the sample's instant, the step what it turns until the next.  There
+// is no model that follows: an EMF's noise is in the speed at once, which is what the mean is for.
+// The sign is that of the step's mean over 32 samples.  Without `enable` the angle is `initial` and
+// all else 0; the ends of the interval are remembered all the same.
 //
 //     currents, voltages     s0.15 of a full scale each; Delta i: s-1.16
 //     angle, step            u0.24, s-4.23 electrical turns (per sample): up to 1/16 turn

@@ -6,6 +6,7 @@
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
 #include "testbench/paper/amano2003.hpp"
+#include "testbench/paper/matsui1996.hpp"
 #include "testbench/run/check.hpp"
 
 namespace steplock {
@@ -27,7 +28,12 @@ int print_paper(const Arguments& arguments) {
                                  bar.show(done, what);
                                  return !interrupt.asked();
                                }};
-    page = amano2003_page(file.settings, options);
+    if (arguments.name == "amano2003") {
+      page = amano2003_page(file.settings, options);
+    } else {
+      const DriveFile salient = open_drive_file(arguments.drives + "/ipm_2k2.toml");
+      page = matsui1996_page(file.settings, salient.settings, options);
+    }
   }
   for (const auto& path : write_paper(page, arguments.out)) fmt::print("  wrote {}\n", path.string());
   int exit_code = kWell;
@@ -46,9 +52,9 @@ void add_paper_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "paper", "Run a paper's figures on this drive and print them side by side with the paper's.");
-  command->add_option("PAPER", arguments->name, "amano2003")
+  command->add_option("PAPER", arguments->name, "amano2003 or matsui1996")
       ->required()
-      ->check(CLI::IsMember({"amano2003"}));
+      ->check(CLI::IsMember({"amano2003", "matsui1996"}));
   command->add_option("--engine", arguments->engine,
                       "rtl (generated SystemVerilog, the default) or fixed (its C++ source, faster)")
       ->transform(engine_among({EngineKind::kRtl, EngineKind::kFixed}));

@@ -4,20 +4,14 @@
 // Doc: docs/papers/amano2003.md (printed)   Test: tests/testbench/paper_page_test.cpp
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "model/design/settings.hpp"
+#include "testbench/paper/paper_options.hpp"
 #include "testbench/paper/paper_page.hpp"
 #include "testbench/run/summary.hpp"
 
 namespace steplock {
-
-struct PaperOptions {
-  EngineKind engine = EngineKind::kRtl;
-  // What is under way, and how much of it is done; false stops.
-  std::function<bool(const std::string& what, double done)> progress = {};
-};
 
 // `drive` as drives/amano2003.toml has it.  Throws std::runtime_error when stopped.
 PaperPage amano2003_page(const design::Settings& drive, const PaperOptions&);

@@ -1,6 +1,6 @@
-// A motor that turns at a constant speed, with its current held near a set one, as both an estimator's
-// block and its reference in doubles see it.  Full scales are 1 and a sample takes 1, so that words are
-// physics.
+// A motor that turns at a constant speed, with its current held near a set one, as both an
+// estimator's block and its reference in doubles see it.  Full scales are 1 and a sample takes 1, so
+// that words are physics.
 #pragma once
 
 #include <algorithm>

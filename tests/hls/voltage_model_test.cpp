@@ -86,8 +86,8 @@ TEST(VoltageModel, TheMeanOf8SamplesSteadiesTheStep) {
       varies[average] += off * off / 2000;
     }
   }
-  // Independent errors would vary by an eighth; those of rounded on-times repeat as the rotor turns,
-  // and do not all go: a quarter.
+  // Independent errors would vary by an eighth; those of rounded on-times repeat as the rotor
+  // turns, and do not all go: a quarter.
   EXPECT_LT(varies[1], varies[0] / 4);
 }
 

@@ -1,0 +1,76 @@
+#include "testbench/paper/matsui1996.hpp"
+
+#include <fmt/format.h>
+
+#include "hls/sinusoidal/sinusoidal_top.hpp"
+
+namespace steplock {
+namespace matsui1996 {
+
+PaperSection comparison(const design::Settings& drive, const Found& found) {
+  constexpr int kVoltage = int(design::Estimator::kVoltage),
+                kCurrent = int(design::Estimator::kCurrent);
+  constexpr int kLatency = 2 + EstimatorLoop::kClocks + SpeedRegulatorLoop::kClocks +
+                           CurrentLoop::kClocks + SpaceVectorLoop::kClocks;
+  constexpr int kShortest = 683;  // clocks of a PWM period, hls/sinusoidal/words.hpp
+  const double mhz = drive.control.clock_hz / 1e6;
+  const auto gamma = [](double slowest, double aim) {
+    return fmt::format(
+        "{}with 0.8 A of gamma current; without, dead time at no load is the limit, below",
+        slowest > 0 && slowest <= aim ? "" : fmt::format("**missed** ({:g} r/min); ", aim));
+  };
+  return {.title = "Table III: the two estimators",
+          .text =
+              "The paper's columns (their caption is exchanged with Table II's in print) and ours, "
+              "from the figures below. "
+              "What falls short of the aim is marked **missed**.",
+          .claims = {
+              {"voltage model: minimum speed", "r/min", 100, "", found.slowest[kVoltage],
+               gamma(found.slowest[kVoltage], 50)},
+              {"voltage model: accuracy", "%", 1, "", found.error_percent[kVoltage],
+               "from there to 1200 r/min, torque 0 to 100 %; a lock cannot drift"},
+              {"current model: minimum speed", "r/min", 35, "", found.slowest[kCurrent],
+               gamma(found.slowest[kCurrent], 10)},
+              {"current model: accuracy", "%", 0.4, "", found.error_percent[kCurrent],
+               "from there to 1500 r/min, torque -100 to 100 %; a lock cannot drift"},
+              {"loop rate of these runs", "kHz", 5, "", drive.control.pwm_hz / 1e3, "the paper's"},
+              {fmt::format("loop rate, most at {:g} MHz", mhz), "kHz", 5, "", 1e3 * mhz / kShortest,
+               fmt::format("aim 20 and 50 kHz: **missed** at 50, a PWM period has {} clocks at "
+                           "least (1 / (3 period) is "
+                           "u0.26); the loop itself takes {}",
+                           kShortest, kLatency)},
+              {"sample to new on-times", "us", {}, "not printed", kLatency / mhz, "aim 10 us"}}};
+}
+
+}  // namespace matsui1996
+
+PaperPage matsui1996_page(const design::Settings& drive, const design::Settings& salient,
+                          const PaperOptions& options) {
+  using namespace matsui1996;
+  PaperPage page{
+      .name = "matsui1996",
+      .title = "Matsui 1996, side by side",
+      .introduction = fmt::format("Printed by `steplock paper matsui1996` with engine `{}` for a "
+                                  "point of each estimator, `fixed` for the others, and "
+                                  "`float` where it says so; the test `pages_are_current` fails "
+                                  "when this page is stale. Motor: "
+                                  "[matsui1996.toml](../../drives/matsui1996.toml), which says how "
+                                  "the paper's units are read. Sampled every 200 us with the "
+                                  "paper's converters, and half a step of noise. Speeds and angles "
+                                  "are the plant's. The paper's figures are traces; "
+                                  "numbers are from its text.",
+                                  name_of(options.engine))};
+  Found found;
+  std::vector<PaperSection> figures;
+  figures.push_back(voltage_model(drive, options, found));
+  figures.push_back(current_model(drive, options, found));
+  figures.push_back(wrong_parameters(drive, options));
+  figures.push_back(torque_on_and_off(drive, options));
+  figures.push_back(starts(drive, options));
+  figures.push_back(initial_position(salient, options));
+  page.sections.push_back(comparison(drive, found));
+  for (auto& section : figures) page.sections.push_back(std::move(section));
+  return page;
+}
+
+}  // namespace steplock

@@ -1,0 +1,81 @@
+// Matsui 1996 figure by figure, on the drives of drives/matsui1996.toml and drives/ipm_2k2.toml.
+//
+// Speeds are the plant's, over whole electrical turns; delta theta is the true angle of the N pole
+// less theta_c.  Torque is a shaft's that pulls either way, so that -100 % is regeneration.
+//
+// Doc: docs/papers/matsui1996.md (printed)   Test: tests/testbench/paper_matsui_test.cpp
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "testbench/paper/paper_options.hpp"
+#include "testbench/paper/paper_page.hpp"
+#include "testbench/sinusoidal/recorder.hpp"
+
+namespace steplock {
+
+// `drive` as drives/matsui1996.toml has it, `salient` as drives/ipm_2k2.toml.  Throws Stopped.
+PaperPage matsui1996_page(const design::Settings& drive, const design::Settings& salient,
+                          const PaperOptions&);
+
+namespace matsui1996 {
+
+// A drive that runs with any engine, designed for `believed` on a plant of `real`.
+class Rig {
+ public:
+  virtual ~Rig() = default;
+  virtual void run_until(double seconds) = 0;
+  virtual double time() const = 0;
+  virtual void set_speed(double rpm) = 0;
+  virtual void set_torque(double nm) = 0;  // against turning forward
+  virtual plant::State state() = 0;
+  virtual sinusoidal::View view() = 0;
+  virtual bool locked() = 0;
+  virtual double delta_deg() = 0;
+  virtual sinusoidal::Totals totals() = 0;
+  virtual sinusoidal::Record take() = 0;
+};
+std::unique_ptr<Rig> make_rig(EngineKind, const design::Settings& believed,
+                              const design::Settings& real, double angle_deg);
+
+// The scenario without its events, at set speed `rpm`.
+design::Settings steady(design::Settings, design::Estimator, double rpm, double i_gamma = 0);
+double rated_torque(const design::Settings&);
+
+struct Point {
+  double rpm = 0, torque = 0;  // of the rated one
+  bool held = false;           // locked to the end, within 20 %
+  double error_percent = 0;    // of the mean speed
+  double delta_deg = 0;        // mean
+};
+
+// One start, then each torque in turn: settled, and measured over whole electrical turns.
+struct Case {
+  EngineKind engine = EngineKind::kFixed;
+  design::Estimator estimator = design::Estimator::kCurrent;
+  double rpm = 0, i_gamma = 0;
+  std::vector<double> torques = {};
+};
+std::vector<Point> measure(const design::Settings& believed, const design::Settings& real,
+                           const Case&, const PaperOptions&, const std::string& what);
+bool all_held(const std::vector<Point>&);
+double worst_error(const std::vector<Point>&);  // percent, without sign
+
+// What Table III needs of the figures.
+struct Found {
+  // By design::Estimator: from this speed on, within this of it.
+  double slowest[2] = {}, error_percent[2] = {};
+};
+
+PaperSection voltage_model(const design::Settings&, const PaperOptions&, Found&);     // Fig. 4
+PaperSection current_model(const design::Settings&, const PaperOptions&, Found&);     // Fig. 5
+PaperSection wrong_parameters(const design::Settings&, const PaperOptions&);          // Fig. 5(b)
+PaperSection torque_on_and_off(const design::Settings&, const PaperOptions&);         // Fig. 6
+PaperSection starts(const design::Settings&, const PaperOptions&);                    // Fig. 7
+PaperSection initial_position(const design::Settings& salient, const PaperOptions&);  // Fig. 10
+PaperSection comparison(const design::Settings&, const Found&);                       // Table III
+
+}  // namespace matsui1996
+}  // namespace steplock

@@ -1,0 +1,114 @@
+// How the points of the page are measured.
+#include <algorithm>
+#include <cmath>
+
+#include "model/design/sinusoidal/design.hpp"
+#include "testbench/paper/matsui1996.hpp"
+#include "testbench/sinusoidal/fixed_engine.hpp"
+#include "testbench/sinusoidal/rtl_engine.hpp"
+#include "testbench/sinusoidal/run.hpp"
+
+namespace steplock::matsui1996 {
+namespace {
+
+template <class Engine>
+class RigOf : public Rig {
+ public:
+  RigOf(const design::Settings& believed, const design::Settings& real, double angle_deg)
+      : bench_(believed, real, timeline(believed), angle_deg) {}
+
+  void run_until(double seconds) override { bench_.run_until(seconds); }
+  double time() const override { return bench_.time(); }
+  void set_speed(double rpm) override { bench_.engine().set_target_rpm(rpm); }
+  void set_torque(double nm) override { bench_.plant().set_active_torque(nm); }
+  plant::State state() override { return bench_.plant().state(); }
+  sinusoidal::View view() override { return bench_.engine().view(); }
+  bool locked() override { return bench_.engine().watch().locked(); }
+  double delta_deg() override { return bench_.recorder().delta_theta_deg(); }
+  sinusoidal::Totals totals() override { return bench_.recorder().totals(); }
+  sinusoidal::Record take() override { return bench_.take(); }
+
+ private:
+  sinusoidal::BenchOf<Engine> bench_;
+};
+
+}  // namespace
+
+std::unique_ptr<Rig> make_rig(EngineKind engine, const design::Settings& believed,
+                              const design::Settings& real, double angle_deg) {
+  switch (engine) {
+    case EngineKind::kFloat:
+      return std::make_unique<RigOf<sinusoidal::FloatEngine>>(believed, real, angle_deg);
+    case EngineKind::kFixed:
+      return std::make_unique<RigOf<sinusoidal::FixedEngine>>(believed, real, angle_deg);
+    case EngineKind::kRtl:
+      return std::make_unique<RigOf<sinusoidal::RtlEngine>>(believed, real, angle_deg);
+  }
+  throw std::invalid_argument("no such engine");
+}
+
+design::Settings steady(design::Settings s, design::Estimator estimator, double rpm,
+                        double i_gamma) {
+  s.scenario.load_step_s.reset();
+  s.scenario.load_off_s.reset();
+  s.scenario.stop_s.reset();
+  s.scenario.reverse_s.reset();
+  s.scenario.speed_rpm = rpm;
+  s.scenario.duration_s = 60;  // more than any run here
+  s.sinusoidal.estimator = estimator;
+  s.sinusoidal.i_gamma_a = i_gamma;
+  return s;
+}
+
+double rated_torque(const design::Settings& s) {
+  return design::sinusoidal::design_drive(s).rated_torque;
+}
+
+std::vector<Point> measure(const design::Settings& believed, const design::Settings& real,
+                           const Case& c, const PaperOptions& options, const std::string& what) {
+  constexpr double kLeast = 60, kStarted = 0.9;  // r/min where a start locks; s after which it has
+  const double settle = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 0.6 : 0.4;
+  const double turn = 60 / c.rpm / believed.motor.pole_pairs;
+  // What of its hunting does not go with the turns moves the rotor by a degree or two at both ends.
+  const double turns = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 4 : 2;
+  const double span = turn * std::max(turns, std::round(0.3 / turn));
+  const auto rig = make_rig(
+      c.engine, steady(believed, c.estimator, std::max(c.rpm, kLeast), c.i_gamma), real, 130);
+  rig->run_until(kStarted);
+  rig->set_speed(c.rpm);
+  rig->run_until(kStarted + settle / 2);
+  std::vector<Point> all;
+  for (const double torque : c.torques) {
+    if (options.progress &&
+        !options.progress(what, double(all.size()) / double(c.torques.size()))) {
+      throw Stopped();
+    }
+    rig->set_torque(torque * rated_torque(real));
+    rig->run_until(rig->time() + settle);
+    const double from = rig->time(), angle = rig->state().angle;
+    const sinusoidal::Totals before = rig->totals();
+    rig->run_until(from + span);
+    const double mean = rpm((rig->state().angle - angle) / (rig->time() - from));
+    const sinusoidal::Totals after = rig->totals();
+    const double samples = std::max(1.0, double(after.angles - before.angles));
+    const double error = 100 * (mean / c.rpm - 1);
+    all.push_back({.rpm = c.rpm,
+                   .torque = torque,
+                   .held = rig->locked() && std::abs(error) < 20,
+                   .error_percent = error,
+                   .delta_deg = (after.angle_deg - before.angle_deg) / samples});
+  }
+  return all;
+}
+
+bool all_held(const std::vector<Point>& points) {
+  return std::ranges::all_of(points, &Point::held);
+}
+
+double worst_error(const std::vector<Point>& points) {
+  double worst = 0;
+  for (const Point& p : points) worst = std::max(worst, std::abs(p.error_percent));
+  return worst;
+}
+
+}  // namespace steplock::matsui1996
