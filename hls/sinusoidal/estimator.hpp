@@ -5,9 +5,9 @@
 //              -> CorrectedSpeed  voltage model, (6)-(11)   --'
 //
 // Applied voltage, what moved the current, sine and cosine and the turning are the same for both:
-// side by side they take 3 products more than the current model alone.  With `voltage` a constant
-// where the drive is built in, synthesis drops what the other one needs.  The words stand still
-// while the drive runs.
+// side by side they take 3 products more than the current model alone.  A drive that needs one
+// takes CurrentModel or VoltageModel in this block's place, whose ports are the same but for words.
+// The words stand still while the drive runs.
 //
 //     formats                those of CurrentModel and VoltageModel
 //     multipliers            37 products of 16 x 16 bits: one multiplier, in turn
