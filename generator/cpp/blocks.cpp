@@ -3,6 +3,8 @@
 #include <llvm/BinaryFormat/Dwarf.h>
 #include <llvm/IR/Constants.h>
 
+#include <map>
+
 #include "generator/cpp/scheduled.hpp"
 #include "generator/names.hpp"
 #include "generator/refusal.hpp"
@@ -114,7 +116,28 @@ class Finder {
                     is_own ? "use the block under a schedule or by itself, not both"
                            : "rename one of the classes");
     }
+    claim_ports(block, block.in, Direction::kIn);
+    claim_ports(block, block.out, Direction::kOut);
     block.has_module = true;
+  }
+
+  // Verilog tools may take names that differ in case for one.
+  static void claim_ports(const Block& block, const Layout& layout, Direction direction) {
+    std::map<std::string, const LeafPlace*> taken;
+    for (const auto& place : layout.leaves) {
+      const auto port = llvm::StringRef(port_name(place.leaf, direction)).lower();
+      const auto [first, is_new] = taken.emplace(port, &place);
+      if (is_new) continue;
+      const LeafPlace& other = *first->second;
+      // The handshake stands behind the block's own ports.
+      const bool is_handshake = block.sample != nullptr && place.source.file != other.source.file;
+      throw Refusal(is_handshake ? other.source : place.source,
+                    is_handshake ? "'" + other.leaf.name + "' would be printed as port '" + port +
+                                       "', which a schedule needs for its handshake"
+                                 : "both '" + other.leaf.name + "' and '" + place.leaf.name +
+                                       "' would be printed as port '" + port + "'",
+                    is_handshake ? "rename it" : "rename one of them");
+    }
   }
 
   void find_tick(Block& block) {
