@@ -11,7 +11,7 @@
 // `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
 // and give their codes with `valid` any time before the next.
 //
-//     sample's codes to new on-clocks    1 clock and the four schedules, 113 in all
+//     `sample` to new on-clocks          2 clocks and the four schedules: 114, if the codes come at once
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp

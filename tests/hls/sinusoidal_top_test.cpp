@@ -64,7 +64,7 @@ TEST(SinusoidalTop, ThePatternIsLegVAndThenLegUAgainstTheOthers) {
   EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);
 }
 
-TEST(SinusoidalTop, OnTimesAreNew114ClocksAfterTheCodes) {
+TEST(SinusoidalTop, OnTimesAreNew114ClocksAfterTheSample) {
   Bench b;
   for (int period = 0; period < 5; ++period) {
     b.clocks_until([](const auto& o) { return o.sample; });
