@@ -37,7 +37,7 @@ Figure start_figure(std::string name, std::string title, const Start& s) {
     drive.points.push_back({x.time, x.drive.speed_rpm});
     if (x.drive.estimating) delta.points.push_back({x.time, x.delta_theta_deg});
   }
-  for (Curve* c : {&speed, &drive, &delta}) c->points = thinned(std::move(c->points), 800);
+  for (Curve* c : {&speed, &drive, &delta}) c->points = outlined(c->points, 800);
   return {
       .name = std::move(name),
       .title = std::move(title),
