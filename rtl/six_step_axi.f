@@ -20,4 +20,5 @@ rtl/protection.sv
 rtl/telemetry.sv
 rtl/six_step_top.sv
 rtl/drive_registers.sv
+rtl/six_step_registered.sv
 rtl/six_step_axi.sv

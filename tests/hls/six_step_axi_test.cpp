@@ -6,21 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <random>
 
 #include "testbench/bus/axi_master.hpp"
+#include "tests/hls/map_model.hpp"
 
 namespace steplock {
 namespace {
-
-constexpr int address_of(int index) { return 4 * index; }
-constexpr int kControl = address_of(index_of("CONTROL"));
-constexpr int kStatus = address_of(index_of("STATUS"));
-constexpr int kFault = address_of(index_of("FAULT"));
-constexpr int kPwm = address_of(index_of("PWM"));
-constexpr int kLock = address_of(index_of("LOCK"));
 
 struct Bench {
   SixStepAxi dut;
@@ -65,48 +58,6 @@ struct Bench {
   AxiMaster<decltype(step_)> master_{step_};
 };
 
-// What the table says of an idle drive.
-class Model {
- public:
-  bool write(int address, std::uint32_t data, std::uint32_t mask) {
-    bool allowed = false;
-    for (const Field& f : kFields) {
-      if (f.address != address || !writable(f.access)) continue;
-      if (f.access == Access::kKeyed && !unlocked_) continue;
-      allowed = true;
-      const std::uint32_t bits = mask_of(f) & mask;
-      if (f.access != Access::kWriteOnly && f.access != Access::kWriteOneToClear) {
-        value(address) = (value(address) & ~bits) | (data & bits);
-      }
-    }
-    if (address == kLock) {
-      unlocked_ = (data & mask & 0xffff) == kLockKey;
-      value(kStatus) = reset(kStatus) | unsigned(unlocked_) << field("STATUS", "unlocked").lsb;
-    }
-    return allowed;
-  }
-  std::optional<std::uint32_t> read(int address) {  // nothing: an error
-    for (const Field& f : kFields) {
-      if (f.address == address) return value(address);
-    }
-    return {};
-  }
-
- private:
-  static std::uint32_t reset(int address) {
-    std::uint32_t bits = 0;
-    for (const Field& f : kFields) {
-      if (f.address == address) bits |= f.reset << f.lsb;
-    }
-    return bits;
-  }
-  std::uint32_t& value(int address) {
-    return values_.try_emplace(address, reset(address)).first->second;
-  }
-  std::map<int, std::uint32_t> values_;
-  bool unlocked_ = false;
-};
-
 // Channels begin and wait at random and independently; every answer is the one that the order of
 // acceptance demands, and while it waits for its host it stands still.
 void random_traffic(int clocks, std::uint64_t seed, std::optional<int> lie_at = {}) {
@@ -116,7 +67,7 @@ void random_traffic(int clocks, std::uint64_t seed, std::optional<int> lie_at = 
     return chance(10) ? int(random() % 4096) : chance(20) ? kLock : int(random() % 64) * 4;
   };
   SixStepAxi dut;
-  Model model;
+  MapModel model;
   AxiLite::In in;
   SixStepAxi::Axi before;
   AxiLite::In was;

@@ -1,0 +1,58 @@
+// The six-step drive behind an APB4 slave: wires between the blocks, and nothing else.
+//
+//     APB -> Apb -> SixStepRegistered -> gates
+//
+// The map is docs/registers.md.  A hole and a refused write end with pslverr.
+//
+//     fault pin to all six gates off    3 clocks, as without the bus
+//     write of CONTROL to the drive     2 clocks
+//
+// Doc: docs/blocks/six_step_apb.md   Test: tests/hls/six_step_apb_test.cpp
+
+#pragma once
+
+#include "hls/bus/apb.hpp"
+#include "hls/bus/six_step_registered.hpp"
+
+namespace steplock {
+
+class SixStepApb {
+ public:
+  struct In {
+    Synchroniser::Pins pins;  // asynchronous
+    Apb::In apb;
+  };
+
+  struct ApbOut {
+    bool pready = false;
+    bool pslverr = false;
+    UInt<32> prdata = 0;
+  };
+
+  struct Out {
+    Gates gates;
+    bool interrupt = false;  // level
+    bool locked = false;     // running under speed control
+    bool fault = false;      // the drive's fault is latched
+    ApbOut apb;
+  };
+
+  Out tick(const In& in) {
+    const auto bus = bus_.tick(in.apb);
+    const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
+    const bool error = in.apb.pwrite ? drive.write_error : drive.read_error;
+    return {.gates = drive.gates,
+            .interrupt = drive.interrupt,
+            .locked = drive.locked,
+            .fault = drive.fault,
+            .apb = {.pready = bus.pready,
+                    .pslverr = bus.pready && error,
+                    .prdata = drive.data}};
+  }
+
+ private:
+  Apb bus_;
+  SixStepRegistered drive_;
+};
+
+}  // namespace steplock

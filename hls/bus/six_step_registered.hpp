@@ -1,0 +1,87 @@
+// The six-step drive behind its registers, for any bus: wires between the blocks, and nothing else.
+//
+//     request -> WordRegisters -> words -> SixStepTop -> gates
+//            \-> DriveRegisters <- status <-/
+//
+// The map is docs/registers.md.  A second PwmGenerator with the drive's own period runs in step
+// with that of the drive and tells its boundaries, so that the drive needs no further port.
+//
+//     request to its answer             1 clock, kept until the next request of its kind
+//     fault pin to all six gates off    3 clocks, as without the registers
+//
+// Doc: docs/blocks/six_step_registered.md   Test: tests/hls/six_step_registered_test.cpp
+
+#pragma once
+
+#include "hls/bus/drive_registers.hpp"
+#include "hls/bus/word_registers.hpp"
+#include "hls/six_step/six_step_top.hpp"
+
+namespace steplock {
+
+class SixStepRegistered {
+ public:
+  struct In {
+    Synchroniser::Pins pins;  // asynchronous
+    BusRequest request;
+  };
+
+  struct Out {
+    Gates gates;
+    bool interrupt = false;    // level
+    bool locked = false;       // running under speed control
+    bool fault = false;        // the drive's fault is latched
+    UInt<32> data = 0;         // of the last read
+    bool read_error = false;   // it was of a hole
+    bool write_error = false;  // the last write was refused
+  };
+
+  Out tick(const In& in) {
+    const auto words =
+        words_.tick({.request = in.request, .stopped = stopped_, .boundary = boundary_});
+    const auto pwm = pwm_.tick({.on_clocks = 0,
+                                .period = words.words.pwm.period,
+                                .minimum = 0,
+                                .centred = false,
+                                .tick_periods = words.words.pwm.tick_periods});
+    const auto drive = drive_.tick({.pins = in.pins, .command = command_, .words = words.words});
+    const auto registers = registers_.tick({.request = in.request,
+                                            .word = words.data,
+                                            .hole = words.hole,
+                                            .refused = words.refused,
+                                            .unlocked = words.unlocked,
+                                            .tick = pwm.tick,
+                                            .drive = {.state = drive.state,
+                                                      .reason = drive.reason,
+                                                      .locked = drive.locked,
+                                                      .reverse = drive.reverse,
+                                                      .frequency = drive.frequency,
+                                                      .duty = drive.duty,
+                                                      .phase_error = drive.phase_error,
+                                                      .counts = drive.counts}});
+
+    // Both have to rest: what was told to run may have left idle since.
+    stopped_ = registers.stopped && !command_.run && !registers.command.run;
+    command_ = registers.command;
+    boundary_ = pwm.start;
+    return {.gates = drive.gates,
+            .interrupt = registers.interrupt,
+            .locked = drive.locked,
+            .fault = drive.state == State::kFault,
+            .data = registers.data,
+            .read_error = registers.read_error,
+            .write_error = registers.write_error};
+  }
+
+ private:
+  WordRegisters words_;
+  PwmGenerator pwm_;  // of the drive's period alone, for its boundaries and ticks
+  SixStepTop drive_;
+  DriveRegisters registers_;
+
+  Command command_;
+  bool stopped_ = true;
+  bool boundary_ = false;
+};
+
+}  // namespace steplock

@@ -1,0 +1,60 @@
+// The six-step drive behind a Wishbone B4 slave: wires between the blocks, and nothing else.
+//
+//     Wishbone -> Wishbone -> SixStepRegistered -> gates
+//
+// The map is docs/registers.md.  A hole and a refused write end in err instead of ack.
+//
+//     fault pin to all six gates off    3 clocks, as without the bus
+//     write of CONTROL to the drive     2 clocks
+//
+// Doc: docs/blocks/six_step_wb.md   Test: tests/hls/six_step_wb_test.cpp
+
+#pragma once
+
+#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/wishbone.hpp"
+
+namespace steplock {
+
+class SixStepWb {
+ public:
+  struct In {
+    Synchroniser::Pins pins;  // asynchronous
+    Wishbone::In wb;
+  };
+
+  struct Wb {
+    bool ack = false;
+    bool err = false;
+    bool stall = false;  // for pipelined hosts
+    UInt<32> dat = 0;
+  };
+
+  struct Out {
+    Gates gates;
+    bool interrupt = false;  // level
+    bool locked = false;     // running under speed control
+    bool fault = false;      // the drive's fault is latched
+    Wb wb;
+  };
+
+  Out tick(const In& in) {
+    const auto bus = bus_.tick(in.wb);
+    const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
+    const bool error = in.wb.we ? drive.write_error : drive.read_error;
+    return {.gates = drive.gates,
+            .interrupt = drive.interrupt,
+            .locked = drive.locked,
+            .fault = drive.fault,
+            .wb = {.ack = bus.ack && !error,
+                   .err = bus.ack && error,
+                   .stall = bus.stall,
+                   .dat = drive.data}};
+  }
+
+ private:
+  Wishbone bus_;
+  SixStepRegistered drive_;
+};
+
+}  // namespace steplock

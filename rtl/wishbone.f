@@ -1,0 +1,1 @@
+rtl/wishbone.sv
