@@ -17,7 +17,7 @@
 //
 //     error        s0.16 of a step, held until the next update
 //     latency      1 clock: all outputs are registers but `good`, one comparison behind them
-//     registers    21 bits     multipliers  none
+//     registers    23 bits     multipliers  none
 //
 // Doc: docs/blocks/phase_detector.md   Test: tests/hls/phase_detector_test.cpp
 
