@@ -22,7 +22,7 @@ module phase_detector (
     output logic        update_o,  // strobe: the error is new
     output logic        good_o,  // strobe: it is within the window (following: within 1/8)
     output logic        missed_o,  // strobe: it stands for a crossing that was not found
-    output logic        hurries_o  // strobe: freewheeling hid it, and the rotor led in the step before
+    output logic        hurries_o  // until the next one: freewheeling hid it, and the rotor led before
 );
   localparam logic [1:0] Evidence_kCrossings = 2'd1;
   localparam logic [1:0] Evidence_kSectors = 2'd2;
@@ -33,7 +33,7 @@ module phase_detector (
   logic answered;  // this step has had its crossing, or needs none
   logic before_;  // before_seen, from the step that a commutation ends
   logic hid;  // the last update was of a step on the level after
-  logic hurries;  // and the rotor led before it
+  logic hurries;  // and the rotor led before it; until the next update
   logic turned;  // following: a whole turn since the last change or miss
 
   wire [15:0] magnitude = error ^ {16{error[15]}};  // line 61
@@ -135,5 +135,5 @@ module phase_detector (
   assign update_o = update;
   assign good_o = update && !missed && magnitude < window;
   assign missed_o = missed;
-  assign hurries_o = missed && hurries;
+  assign hurries_o = hurries;
 endmodule

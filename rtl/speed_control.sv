@@ -10,7 +10,7 @@ module speed_control (
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
-    input  logic        hurries_i,  // strobe: freewheeling hides crossings of a rotor that leads
+    input  logic        hurries_i,  // freewheeling just hid the crossing of a rotor that leads
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32
@@ -57,7 +57,6 @@ module speed_control (
   logic [13:0] on_clocks;
   logic slips;
   logic limited;  // the current limit cut a pulse since the last integral
-  logic hurries;  // a hidden crossing since the last duty
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
@@ -78,11 +77,6 @@ module speed_control (
     endcase
   end
 
-  wire [4:0] sum_101 = stage + 5'd1;  // line 101
-  wire [4:0] choice_101 = stage[4] ? Stage_kIdle : sum_101;  // line 101
-  wire [4:0] choice_3 =
-      (stage != Stage_kBemf || mode_i == SpeedMode_kControl) ? choice_101 : Stage_kHigh;
-
   wire [42:0] multiplier_product;
   wire multiplier_done;
   wire unused_multiplier_busy;
@@ -98,18 +92,7 @@ module speed_control (
       .busy_o(unused_multiplier_busy)
   );
 
-  logic [4:0] stage_next;
-  always_comb begin
-    case (stage)
-      Stage_kProportional, Stage_kIntegral, Stage_kOnClocks, Stage_kBemf: stage_next =
-          multiplier_done ? choice_3 : stage;
-      Stage_kIdle: stage_next = tick_i ? Stage_kSlew : Stage_kIdle;
-      default: stage_next =
-          (stage != Stage_kHigh || mode_i == SpeedMode_kControl) ? choice_101 : Stage_kDuty;
-    endcase
-  end
-
-  wire [33:0] joined_171 = {work[17:0], 16'd0};  // line 171
+  wire [33:0] joined_170 = {work[17:0], 16'd0};  // line 170
 
   always_ff @(posedge clk) begin
     case (stage)
@@ -120,60 +103,60 @@ module speed_control (
       end
       Stage_kSlew, Stage_kReach: begin
         logic [25:0] goal;
-        logic below_154;
-        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 153
-        below_154 = $signed(reference) < $signed({2'd0, goal});  // line 154
+        logic below_153;
+        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 152
+        below_153 = $signed(reference) < $signed({2'd0, goal});  // line 153
         case (stage)
           Stage_kSlew: begin
-            logic at_most_156;
+            logic at_most_155;
             logic [20:0] slew_4;
             logic [27:0] slew_5;
-            at_most_156 = $signed({2'd0, goal}) <= $signed(reference);  // line 156
-            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_156}};  // line 156
-            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 156
-            stage <= sum_101;
+            at_most_155 = $signed({2'd0, goal}) <= $signed(reference);  // line 155
+            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_155}};  // line 155
+            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 155
+            stage <= stage + 5'd1;
             reference <= reference + slew_5;
-            rises <= below_154;
+            rises <= below_153;
           end
           default: begin  // Stage_kReach
-            stage <= sum_101;
-            if (mode_i != SpeedMode_kControl || (below_154 ^ rises)) begin
+            stage <= stage + 5'd1;
+            if (mode_i != SpeedMode_kControl || (below_153 ^ rises)) begin
               reference <= {2'd0, goal};
             end
           end
         endcase
       end
       Stage_kBemf, Stage_kProportional: begin
-        logic [15:0] choice_132;
-        logic either_132;
+        logic [15:0] choice_131;
+        logic either_131;
         logic [17:0] base;
         logic [20:0] base_2;
-        logic [19:0] choice_122;
-        logic [20:0] sum_122;
-        choice_132 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 132
-        either_132 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 132
-        base = either_132 ? integral[33:16] : {2'd0, choice_132};  // line 132
-        base_2 = {{3{base[17]}}, base};  // line 132
-        choice_122 =  // line 122
+        logic [19:0] choice_121;
+        logic [20:0] sum_121;
+        choice_131 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 131
+        either_131 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 131
+        base = either_131 ? integral[33:16] : {2'd0, choice_131};  // line 131
+        base_2 = {{3{base[17]}}, base};  // line 131
+        choice_121 =  // line 121
             (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
             multiplier_product[31:12];
-        sum_122 = base_2 + {choice_122[19], choice_122};  // line 122
+        sum_121 = base_2 + {choice_121[19], choice_121};  // line 121
         case (stage)
           Stage_kBemf: begin
             if (multiplier_done) begin
               if (mode_i == SpeedMode_kControl) begin
-                stage <= sum_101;
+                stage <= stage + 5'd1;
               end else begin
                 stage <= Stage_kHigh;
               end
-              work <= sum_122;
+              work <= sum_121;
             end
             started <= !multiplier_done;
           end
           default: begin  // Stage_kProportional
             if (multiplier_done) begin
-              stage <= sum_101;
-              work <= sum_122;
+              stage <= stage + 5'd1;
+              work <= sum_121;
             end
             started <= !multiplier_done;
           end
@@ -184,86 +167,86 @@ module speed_control (
         logic [17:0] limit;
         logic [17:0] limit_2;
         logic [12:0] slew;
-        logic [12:0] choice_140;
+        logic [12:0] choice_139;
         logic [12:0] slew_2;
         logic [17:0] slew_3;
         logic [17:0] limit_3;
-        logic [17:0] limit_4;  // line 140
-        logic [20:0] wide_141;
-        logic below_141;
-        logic at_most_145;
+        logic [17:0] limit_4;  // line 139
+        logic [20:0] wide_140;
+        logic below_140;
+        logic at_most_144;
+        logic either_181;
+        logic [20:0] wide_140_2;
         logic either_182;
-        logic [20:0] wide_141_2;
-        logic either_183;
-        logic [20:0] wide_141_3;
-        limit = {2'd0, words_minimum_i};  // line 190
-        limit_2 = {2'd0, words_maximum_i};  // line 192
-        slew = ~{1'b0, words_duty_slew_i};  // line 198
-        choice_140 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 140
-        slew_2 = (stage != Stage_kUp || hurries) ? choice_140 : {1'b0, words_duty_slew_i};
-        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 140
-        limit_3 = slew_3 + {2'd0, duty};  // line 200
+        logic [20:0] wide_140_3;
+        limit = {2'd0, words_minimum_i};  // line 189
+        limit_2 = {2'd0, words_maximum_i};  // line 191
+        slew = ~{1'b0, words_duty_slew_i};  // line 197
+        choice_139 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 139
+        slew_2 = (stage != Stage_kUp || hurries_i) ? choice_139 : {1'b0, words_duty_slew_i};
+        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 139
+        limit_3 = slew_3 + {2'd0, duty};  // line 199
         case (stage)
           Stage_kWholeLow, Stage_kLow: limit_4 = limit;
           Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
           default: limit_4 = limit_3;
         endcase
-        wide_141 = {{3{limit_4[17]}}, limit_4};  // line 141
-        below_141 = $signed(work) < $signed(wide_141);  // line 141
-        at_most_145 = $signed(wide_141) <= $signed(work);  // line 145
-        either_182 = at_low || below_141;  // line 182
-        wide_141_2 = {{3{limit_2[17]}}, limit_2};  // line 141
-        either_183 = at_high || at_most_145;  // line 183
-        wide_141_3 = {{3{limit_3[17]}}, limit_3};  // line 141
+        wide_140 = {{3{limit_4[17]}}, limit_4};  // line 140
+        below_140 = $signed(work) < $signed(wide_140);  // line 140
+        at_most_144 = $signed(wide_140) <= $signed(work);  // line 144
+        either_181 = at_low || below_140;  // line 181
+        wide_140_2 = {{3{limit_2[17]}}, limit_2};  // line 140
+        either_182 = at_high || at_most_144;  // line 182
+        wide_140_3 = {{3{limit_3[17]}}, limit_3};  // line 140
         case (stage)
           Stage_kSlip: begin
-            stage <= sum_101;
-            slips <= below_141;
+            stage <= stage + 5'd1;
+            slips <= below_140;
           end
           Stage_kWholeLow, Stage_kLow: begin
-            stage <= sum_101;
-            if (below_141) begin
+            stage <= stage + 5'd1;
+            if (below_140) begin
               work <= {{3{limit[17]}}, limit};
             end
-            at_low <= either_182;
+            at_low <= either_181;
           end
           Stage_kWholeHigh: begin
-            stage <= sum_101;
-            if (at_most_145) begin
-              work <= wide_141_2;
+            stage <= stage + 5'd1;
+            if (at_most_144) begin
+              work <= wide_140_2;
             end
-            at_high <= either_183;
+            at_high <= either_182;
           end
           Stage_kHigh: begin
             if (mode_i == SpeedMode_kControl) begin
-              stage <= sum_101;
+              stage <= stage + 5'd1;
             end else begin
               stage <= Stage_kDuty;
             end
-            if (at_most_145) begin
-              work <= wide_141_2;
+            if (at_most_144) begin
+              work <= wide_140_2;
             end
-            at_high <= either_183;
+            at_high <= either_182;
           end
           Stage_kUp: begin
-            stage <= sum_101;
-            if (at_most_145) begin
-              work <= wide_141_3;
+            stage <= stage + 5'd1;
+            if (at_most_144) begin
+              work <= wide_140_3;
             end
-            at_high <= either_183;
+            at_high <= either_182;
           end
           default: begin  // Stage_kDown
-            stage <= sum_101;
-            if (below_141) begin
-              work <= wide_141_3;
+            stage <= stage + 5'd1;
+            if (below_140) begin
+              work <= wide_140_3;
             end
-            at_low <= either_182;
+            at_low <= either_181;
           end
         endcase
       end
       Stage_kIntegral: begin
         if (multiplier_done) begin
-          stage <= sum_101;
+          stage <= stage + 5'd1;
           if (!(multiplier_product[31] ? at_low : at_high || limited)) begin
             integral <= integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]};
           end
@@ -271,21 +254,21 @@ module speed_control (
         started <= !multiplier_done;
       end
       Stage_kWhole: begin
-        stage <= sum_101;
+        stage <= stage + 5'd1;
         work <= {{3{integral[33]}}, integral[33:16]};
         at_high <= 1'b0;
         at_low <= 1'b0;
       end
       Stage_kKeep: begin
-        stage <= sum_101;
+        stage <= stage + 5'd1;
         if (at_low || at_high) begin
-          integral <= joined_171;
+          integral <= joined_170;
         end
       end
       Stage_kDuty: begin
-        stage <= sum_101;
+        stage <= stage + 5'd1;
         if (mode_i != SpeedMode_kControl) begin
-          integral <= joined_171;
+          integral <= joined_170;
         end
         duty <= work[15:0];
         slips <= mode_i == SpeedMode_kControl && slips;
@@ -302,7 +285,6 @@ module speed_control (
     limited <=
         limited_i ||
         (limited && !(stage == Stage_kIntegral && multiplier_done) && mode_i == SpeedMode_kControl);
-    hurries <= hurries_i || (hurries && stage_next != Stage_kDuty);
     if (rst) begin
       stage <= Stage_kIdle;
       started <= 1'b0;
@@ -314,7 +296,6 @@ module speed_control (
       on_clocks <= 14'd0;
       slips <= 1'b0;
       limited <= 1'b0;
-      hurries <= 1'b0;
       at_high <= 1'b0;
       at_low <= 1'b0;
     end

@@ -54,7 +54,7 @@ class PhaseDetector {
     bool update = false;   // strobe: the error is new
     bool good = false;     // strobe: it is within the window (following: within 1/8)
     bool missed = false;   // strobe: it stands for a crossing that was not found
-    bool hurries = false;  // strobe: freewheeling hid it, and the rotor led in the step before
+    bool hurries = false;  // until the next one: freewheeling hid it, and the rotor led before
   };
 
   Out tick(const In& in) {
@@ -64,7 +64,7 @@ class PhaseDetector {
                   .update = update_,
                   .good = update_ && !missed_ && magnitude < window,
                   .missed = missed_,
-                  .hurries = missed_ && hurries_};
+                  .hurries = hurries_};
 
     const bool crossings = in.watch == Evidence::kCrossings;
     const bool sectors = in.watch == Evidence::kSectors;
@@ -119,7 +119,7 @@ class PhaseDetector {
   bool answered_ = true;  // this step has had its crossing, or needs none
   bool before_ = false;   // before_seen, from the step that a commutation ends
   bool hid_ = false;      // the last update was of a step on the level after
-  bool hurries_ = false;  // and the rotor led before it
+  bool hurries_ = false;  // and the rotor led before it; until the next update
   bool turned_ = false;   // following: a whole turn since the last change or miss
 };
 

@@ -13,7 +13,7 @@
 // catching a rotor.
 //
 // Where the freewheeling of so much current took half a step and hid the crossing of a rotor that hurries
-// on, since the last tick, the duty falls by its slew: more current would hide them all and lose the loop.
+// on, the duty falls by its slew until a crossing shows: more current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
 //
@@ -42,7 +42,7 @@ class SpeedControl {
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
-    bool hurries = false;                // strobe: freewheeling hides crossings of a rotor that leads
+    bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;
@@ -81,7 +81,6 @@ class SpeedControl {
     }
     // A cut counts until an integral has seen it.
     limited_ = in.limited || (limited_ && !integrated && in.mode == SpeedMode::kControl);
-    hurries_ = in.hurries || (hurries_ && stage_ != Stage::kDuty);
     return out;
   }
 
@@ -192,7 +191,7 @@ class SpeedControl {
       case Stage::kHigh: return in.words.maximum;
       default: {
         // Downwards one last bit more: the one's complement.
-        const bool up = stage_ == Stage::kUp && !hurries_;
+        const bool up = stage_ == Stage::kUp && !in.hurries;
         const bool down = stage_ == Stage::kUp || stage_ == Stage::kDown;
         const Int<18> slew = up     ? Int<18>(in.words.duty_slew)
                              : down ? ~Int<18>(in.words.duty_slew)
@@ -213,7 +212,6 @@ class SpeedControl {
   Clocks on_clocks_ = 0;
   bool slips_ = false;
   bool limited_ = false;    // the current limit cut a pulse since the last integral
-  bool hurries_ = false;    // a hidden crossing since the last duty
   bool at_high_ = false;    // integral or duty wanted to be higher than they may
   bool at_low_ = false;     // or lower
 };

@@ -104,7 +104,6 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .frequency = filter_.frequency(),
                     .caught = caught_});
   const bool missed = detector_.missed();
-  hurries_ |= detector_.hurries();
   // A rotor started with more torque than it needs leads the field; less and less lets it fall back
   // to where its crossings show, whatever flux and bus voltage really are.
   // A rotor that lags has too little and gets more, up to the start's.
@@ -237,11 +236,11 @@ void Drive::on_tick(double t) {
   }
   if (sequence_.locked()) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
-                hurries_);
+                detector_.hurries());
   } else {
     speed_.follow(duty, duty, f);
   }
-  limited_ = hurries_ = false;
+  limited_ = false;
   pwm_.set_duty(speed_.duty());
 }
 

@@ -80,7 +80,7 @@ class Drive {
   double changed_ = 0;        // when the decoder's sector last changed
   int steady_ = 0, way_ = 0;  // changes in a row with a steady period, and their direction
   int caught_ = 0;
-  bool limited_ = false, hurries_ = false, ramp_done_ = false;
+  bool limited_ = false, ramp_done_ = false;
 };
 
 }  // namespace steplock::reference

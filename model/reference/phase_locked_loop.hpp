@@ -34,7 +34,7 @@ class PhaseDetector {
     double window = 0;
   };
   void update(const In& in) {
-    updated_ = good_ = missed_ = hurries_ = false;
+    updated_ = good_ = missed_ = false;
     if (in.step_ended) {
       missed_ = in.counts && !found_;
       if (in.counts) {
@@ -48,6 +48,7 @@ class PhaseDetector {
     }
     if (in.crossing && in.counts) {
       found_ = true;
+      hurries_ = false;
       take(p_.expected - in.crossing_phase);
       good_ = std::abs(error_) < in.window;
     }
@@ -59,7 +60,8 @@ class PhaseDetector {
   bool updated() const { return updated_; }
   bool good() const { return good_; }
   bool missed() const { return missed_; }
-  bool hurries() const { return hurries_; }  // hidden, and the rotor led in the step before
+  // The last crossing was hidden, and the rotor led in the step before.
+  bool hurries() const { return hurries_; }
 
  private:
   void take(double error) {
