@@ -16,7 +16,7 @@ module six_step_bare (
     input  logic        controls_reverse_i,
     input  logic [1:0]  controls_speed_i,  // 0 to 3: a quarter to the whole of the set speed
     input  logic        brake_to_stop_i,  // else coast; fixed at synthesis, as are the words
-    input  logic [13:0] words_pwm_period_i,  // clocks; 0 keeps the bridge off; taken at the period's start
+    input  logic [13:0] words_pwm_period_i,  // clocks; 0 keeps the high sides off; taken at the period's start
     input  logic [13:0] words_pwm_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic        words_pwm_centred_i,  // pulses centred in the period instead of at its start
     input  logic        words_pwm_complementary_i,  // the chopped leg's low side conducts in the off-time
@@ -69,7 +69,7 @@ module six_step_bare (
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
-    input  logic [11:0] words_protection_wrong_lock_i,  // for how long; 0 disables the test
+    input  logic [11:0] words_protection_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
     input  logic [3:0]  words_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
     input  logic        words_source_i,
     output logic        gates_uh_o,  // phase U, high side
@@ -82,11 +82,21 @@ module six_step_bare (
     output logic        fault_o,  // latched
     output logic        turn_o  // the divided VCO signal: a tachometer, one period per electrical turn
 );
-  logic first_run;
-  logic first_reverse;
+  (* ASYNC_REG = "TRUE", syn_preserve = 1,
+     altera_attribute = "-name SYNCHRONIZER_IDENTIFICATION FORCED" *)
+  logic
+      first_run,
+      first_reverse;
+  (* ASYNC_REG = "TRUE", syn_preserve = 1,
+     altera_attribute = "-name SYNCHRONIZER_IDENTIFICATION FORCED" *)
   logic [1:0] first_speed;  // 0 to 3: a quarter to the whole of the set speed
-  logic second_run;
-  logic second_reverse;
+  (* ASYNC_REG = "TRUE", syn_preserve = 1,
+     altera_attribute = "-name SYNCHRONIZER_IDENTIFICATION FORCED" *)
+  logic
+      second_run,
+      second_reverse;
+  (* ASYNC_REG = "TRUE", syn_preserve = 1,
+     altera_attribute = "-name SYNCHRONIZER_IDENTIFICATION FORCED" *)
   logic [1:0] second_speed;  // 0 to 3: a quarter to the whole of the set speed
   logic taken_run;
   logic taken_reverse;

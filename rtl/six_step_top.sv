@@ -17,7 +17,7 @@ module six_step_top (
     input  logic        command_reverse_i,
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
-    input  logic [13:0] words_pwm_period_i,  // clocks; 0 keeps the bridge off; taken at the period's start
+    input  logic [13:0] words_pwm_period_i,  // clocks; 0 keeps the high sides off; taken at the period's start
     input  logic [13:0] words_pwm_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic        words_pwm_centred_i,  // pulses centred in the period instead of at its start
     input  logic        words_pwm_complementary_i,  // the chopped leg's low side conducts in the off-time
@@ -70,7 +70,7 @@ module six_step_top (
     input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
     input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
     input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
-    input  logic [11:0] words_protection_wrong_lock_i,  // for how long; 0 disables the test
+    input  logic [11:0] words_protection_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
     input  logic [3:0]  words_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
     input  logic        words_source_i,
     output logic        gates_uh_o,  // phase U, high side

@@ -11,8 +11,10 @@
 //     stall        six steps in a row slower than `stall`
 //     wrong lock   a stable lock on a wrong edge keeps its phase error small; it shows in current
 //                  (duty - duty of the back-EMF > slip: voltage that only resistance can take) or
-//                  in the interval (freewheeling longer than `freewheel` of a step), for
-//                  `wrong_lock` ticks in a row
+//                  in the interval (freewheeling longer than `freewheel` of a step).  Of `wrong_lock`
+//                  ticks a wrong one takes two, a right one gives one back: the VCO swings about an
+//                  edge that follows each commutation of a rotor at rest, and half of its steps look
+//                  right
 //     Hall code    all three alike for two ticks
 //     over-current the limit's comparator was never released in `over_current` hits in a row
 //     fault pin    as it comes
@@ -110,10 +112,10 @@ class Protection {
   }
 
   void watch_time(const In& in, bool wrong) {
-    if (!wrong) {
-      wrong_ = in.words.wrong_lock;
-    } else if (wrong_ != 0) {
-      wrong_ = wrap<Ticks>(wrong_ - 1);
+    if (wrong) {
+      wrong_ = wrong_ > 2 ? wrap<Ticks>(wrong_ - 2) : Ticks(0);
+    } else if (wrong_ < in.words.wrong_lock) {
+      wrong_ = wrap<Ticks>(wrong_ + 1);
     }
     if (!in.hall || !in.hall_illegal) {
       hall_ = 0;
@@ -124,7 +126,7 @@ class Protection {
 
   UInt<7> score_ = 0;  // of missed and far crossings
   UInt<3> slow_ = 0;   // slow steps in a row
-  Ticks wrong_ = Ticks::max();  // ticks more that may look like a wrong lock
+  Ticks wrong_ = Ticks::max();  // ticks left of those that may look like a wrong lock
   UInt<2> hall_ = 0;   // ticks in a row with an illegal code
 };
 

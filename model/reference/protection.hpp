@@ -3,13 +3,14 @@
 //     step-out     score + 4 per step that ended before its crossing, + 1 per one whose crossing
 //                  freewheeling hid or came far from its place, - 1 per good one, at `misses`
 //     stall        six steps in a row slower than `stall`
-//     wrong lock   duty - back-EMF's duty > slip, or freewheeling beyond `freewheel` of a step, for
-//                  `wrong_lock` in a row
+//     wrong lock   duty - back-EMF's duty > slip, or freewheeling beyond `freewheel` of a step: of
+//                  `wrong_lock` such a tick takes two, any other gives one back
 //     over-current the limit did not release in `over_current` hits in a row; fault pin: at once
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_protection_test.cpp
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/design/parameters.hpp"
@@ -31,14 +32,15 @@ class Protection {
   };
   void update(const In& in) {
     if (!in.running) {
-      score_ = slow_ = wrong_ = illegal_ = 0;
+      wrong_ = score_ = slow_ = illegal_ = 0;
     } else {
       if (in.missed) score_ += in.lags ? 4 : 1;
       if (in.updated && !in.good && !in.missed && !in.hall) ++score_;
       if (in.good && score_ > 0) --score_;
       if (in.commutated) slow_ = in.frequency < p_.stall ? slow_ + 1 : 0;
       if (in.tick) {
-        wrong_ = in.slip > p_.slip || in.freewheel > p_.freewheel ? wrong_ + 1 : 0;
+        const bool wrong = in.slip > p_.slip || in.freewheel > p_.freewheel;
+        wrong_ = std::max(0L, wrong_ + (wrong ? 2 : -1));
         illegal_ = in.hall && in.hall_illegal ? illegal_ + 1 : 0;
       }
     }
@@ -57,7 +59,8 @@ class Protection {
  private:
   design::ProtectionParameters p_;
   long wrong_ticks_;
-  int score_ = 0, slow_ = 0, wrong_ = 0, illegal_ = 0;
+  long wrong_ = 0;
+  int score_ = 0, slow_ = 0, illegal_ = 0;
   Reason lost_ = Reason::kNone, fatal_ = Reason::kNone;
 };
 

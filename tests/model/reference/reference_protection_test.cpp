@@ -65,12 +65,13 @@ TEST(ReferenceProtection, SixSlowStepsAreAStall) {
 
 TEST(ReferenceProtection, SlipOrLongFreewheelingIsAWrongLockInTime) {
   Case slip, freewheel, brief;
-  EXPECT_EQ(slip.after(99, {.tick = true, .slip = 0.6}), Reason::kNone);
+  EXPECT_EQ(slip.after(49, {.tick = true, .slip = 0.6}), Reason::kNone);
   EXPECT_EQ(slip.after(1, {.tick = true, .slip = 0.6}), Reason::kWrongLock);
-  EXPECT_EQ(freewheel.after(100, {.tick = true, .freewheel = 0.5}), Reason::kWrongLock);
-  brief.after(99, {.tick = true, .slip = 0.6});
+  EXPECT_EQ(freewheel.after(50, {.tick = true, .freewheel = 0.5}), Reason::kWrongLock);
+  brief.after(49, {.tick = true, .slip = 0.6});
   brief.after(1, {.tick = true});
-  EXPECT_EQ(brief.after(99, {.tick = true, .slip = 0.6}), Reason::kNone);
+  EXPECT_EQ(brief.after(1, {.tick = true, .slip = 0.6}), Reason::kNone);
+  EXPECT_EQ(brief.after(1, {.tick = true, .slip = 0.6}), Reason::kWrongLock);
 }
 
 TEST(ReferenceProtection, HoldsOnlyInLock) {
