@@ -1,4 +1,4 @@
-// sinusoidal_sequence: steplock::SinusoidalSequence, printed by hlsgen from hls/sinusoidal/sinusoidal_sequence.hpp:25.
+// sinusoidal_sequence: steplock::SinusoidalSequence, printed by hlsgen from hls/sinusoidal/sinusoidal_sequence.hpp:26.
 // Do not edit: change the C++ and print again.
 
 module sinusoidal_sequence (
@@ -16,11 +16,13 @@ module sinusoidal_sequence (
     input  logic        fast_i,  // the speed may be trusted
     input  logic        plausible_i,  // the EMF belongs to it
     input  logic        stopping_i,  // slower than the stop speed
+    input  logic        found_i,  // the pilot pulses know the angle
     input  logic [3:0]  fatal_i,
     input  logic [3:0]  failed_i,
     input  logic        words_arbitrary_i,  // no pattern before the loop is closed
-    input  logic [14:0] words_hold_voltage_i,  // u0.15, of the pattern's leg
-    input  logic [19:0] words_pattern_i,  // each of its two halves
+    input  logic        words_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
+    input  logic [14:0] words_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
+    input  logic [19:0] words_pattern_i,  // each of its two halves; all pilot pulses at most
     input  logic [19:0] words_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_brake_i,
@@ -31,6 +33,7 @@ module sinusoidal_sequence (
     output logic        entered_o,  // one clock: the state is new
     output logic        reverse_o,  // the wanted direction
     output logic        calibrate_o,
+    output logic        pilot_o,  // pulses are wanted
     output logic        hold_o,  // one leg alone
     output logic        hold_v_o,  // that is v
     output logic        regulate_o,  // the loop is closed
@@ -43,6 +46,7 @@ module sinusoidal_sequence (
   localparam logic [3:0] SinusoidalReason_kNone = 4'd0;
   localparam logic [3:0] SinusoidalReason_kFaultPin = 4'd1;
   localparam logic [3:0] SinusoidalReason_kNoLock = 4'd7;
+  localparam logic [3:0] SinusoidalReason_kNoDecay = 4'd8;
   localparam logic [3:0] SinusoidalState_kIdle = 4'd0;
   localparam logic [3:0] SinusoidalState_kCalibrate = 4'd1;
   localparam logic [3:0] SinusoidalState_kPilot = 4'd2;
@@ -68,20 +72,19 @@ module sinusoidal_sequence (
   wire regulate =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire both_122 = command_run_i && command_configured_i;  // line 122
-  wire both_74 = period_i && timer != 20'd0;  // line 74
-  wire [19:0] sum_74 = timer + {20{both_74}};  // line 74
-  wire both_149 = sum_74 == 20'd0 && first_half;  // line 149
-  wire below_106 = tries < words_retries_i;  // line 106
-  wire [19:0] choice_77 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire both_78 = period_i && choice_77 != 20'd0;  // line 78
-  wire [19:0] sum_78 = choice_77 + {20{both_78}};  // line 78
-  wire differ = command_reverse_i ^ reverse;
-  wire either_123 = !both_122 || differ;  // line 123
-  wire [3:0] sum_109 = tries + {3'd0, below_106};  // line 109
-  wire [1:0] sum_75 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 75
+  wire both_126 = command_run_i && command_configured_i;  // line 126
+  wire below_110 = tries < words_retries_i;  // line 110
+  wire both_78 = period_i && timer != 20'd0;  // line 78
+  wire [19:0] sum_78 = timer + {20{both_78}};  // line 78
+  wire both_164 = sum_78 == 20'd0 && first_half;  // line 164
+  wire [19:0] choice_81 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
+  wire both_82 = period_i && choice_81 != 20'd0;  // line 82
+  wire [19:0] sum_82 = choice_81 + {20{both_82}};  // line 82
+  wire either_127 = !both_126 || (command_reverse_i ^ reverse);  // line 127
+  wire [3:0] sum_113 = tries + {3'd0, below_110};  // line 113
+  wire [1:0] sum_79 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 79
   wire either = fault_pin_i || fatal_i != SinusoidalReason_kNone;
-  wire either_76 = sampled_i || regulated;  // line 76
+  wire either_80 = sampled_i || regulated;  // line 80
 
   always_ff @(posedge clk) begin
     if (state != SinusoidalState_kFault && fault_pin_i) begin
@@ -93,146 +96,140 @@ module sinusoidal_sequence (
       reason <= fatal_i;
       entered <= 1'b1;
     end else if (state == SinusoidalState_kIdle) begin
-      if (both_122) begin
+      if (both_126) begin
         state <= SinusoidalState_kCalibrate;
         reason <= SinusoidalReason_kNone;
       end
-      entered <= both_122;
+      entered <= both_126;
     end else if (state == SinusoidalState_kCalibrate) begin
-      if (both_122) begin
+      if (both_126) begin
         if (measured_i) begin
           if (words_arbitrary_i) begin
             state <= SinusoidalState_kStarting;
           end else begin
-            state <= SinusoidalState_kPattern;
+            state <= words_pilot_i ? SinusoidalState_kPilot : SinusoidalState_kPattern;
           end
         end
       end else begin
         state <= SinusoidalState_kIdle;
       end
-      entered <= !both_122 || measured_i;
-    end else if (state == SinusoidalState_kPattern) begin
-      if (both_122) begin
-        if (sum_74 == 20'd0 && !first_half) begin
-          state <= SinusoidalState_kStarting;
-        end
-        entered <= !both_149 && sum_74 == 20'd0;
-      end else begin
-        state <= SinusoidalState_kIdle;
-        entered <= 1'b1;
-      end
+      entered <= !both_126 || measured_i;
     end else begin
-      case (state)
-        SinusoidalState_kPilot: begin
+      logic [3:0] choice_159;
+      logic [3:0] choice;
+      choice_159 = below_110 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 159
+      choice = (sum_78 == 20'd0) ? choice_159 : state;
+      if (state == SinusoidalState_kPilot) begin
+        if (both_126) begin
+          if (failed_i == SinusoidalReason_kNone) begin
+            state <= found_i ? SinusoidalState_kStarting : choice;
+            reason <=
+                found_i ? reason :
+                (sum_78 == 20'd0) ? SinusoidalReason_kNoDecay :
+                reason;
+            entered <= found_i || sum_78 == 20'd0;
+          end else begin
+            state <= choice_159;
+            reason <= failed_i;
+            entered <= 1'b1;
+          end
+        end else begin
           state <= SinusoidalState_kIdle;
           entered <= 1'b1;
         end
-        SinusoidalState_kStarting, SinusoidalState_kRun: begin
-          logic [3:0] choice_166;
-          choice_166 = below_106 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 166
-          case (state)
-            SinusoidalState_kStarting: begin
-              if (both_122) begin
-                logic [3:0] choice;
-                logic [3:0] choice_2;
-                choice =
-                    (sum_78 == 20'd0) ? SinusoidalState_kRun :
-                    (sum_74 == 20'd0) ? choice_166 :
-                    state;
-                choice_2 =
-                    (sum_78 == 20'd0) ? reason :
-                    (sum_74 == 20'd0) ? SinusoidalReason_kNoLock :
-                    reason;
-                state <=
-                    differ ? SinusoidalState_kBrake :
-                    (failed_i == SinusoidalReason_kNone) ? choice :
-                    choice_166;
-                reason <=
-                    differ ? reason :
-                    (failed_i == SinusoidalReason_kNone) ? choice_2 :
-                    failed_i;
-                entered <=
-                    differ ||
-                    failed_i != SinusoidalReason_kNone || sum_78 == 20'd0 || sum_74 == 20'd0;
-              end else begin
-                state <= SinusoidalState_kBrake;
-                entered <= 1'b1;
-              end
-            end
-            default: begin  // SinusoidalState_kRun
-              if (failed_i == SinusoidalReason_kNone) begin
-                state <=
-                    either_123 ?
-                    ((both_122 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
-                    SinusoidalState_kIdle) : state;
-                entered <= either_123;
-              end else begin
-                state <= choice_166;
-                reason <= failed_i;
-                entered <= 1'b1;
-              end
-            end
-          endcase
+      end else if (state == SinusoidalState_kPattern) begin
+        if (both_126) begin
+          state <= (sum_78 == 20'd0 && !first_half) ? SinusoidalState_kStarting : state;
+          entered <= !both_164 && sum_78 == 20'd0;
+        end else begin
+          state <= SinusoidalState_kIdle;
+          entered <= 1'b1;
         end
-        SinusoidalState_kSlowDown: begin
-          if (either_123) begin
-            state <= stopping_i ? SinusoidalState_kBrake : state;
-          end else begin
-            state <= SinusoidalState_kRun;
+      end else if (state == SinusoidalState_kStarting) begin
+        logic [3:0] choice_4;
+        choice_4 =
+            (sum_82 == 20'd0) ? reason :
+            (sum_78 == 20'd0) ? SinusoidalReason_kNoLock :
+            reason;
+        state <=
+            either_127 ? SinusoidalState_kBrake :
+            (failed_i == SinusoidalReason_kNone) ?
+            ((sum_82 == 20'd0) ? SinusoidalState_kRun : choice) :
+            choice_159;
+        reason <=
+            either_127 ? reason :
+            (failed_i == SinusoidalReason_kNone) ? choice_4 :
+            failed_i;
+        entered <=
+            either_127 || failed_i != SinusoidalReason_kNone || sum_82 == 20'd0 || sum_78 == 20'd0;
+      end else begin
+        logic [3:0] choice_2;
+        logic [3:0] choice_3;
+        logic choice_5;
+        choice_2 =
+            either_127 ?
+            ((both_126 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
+            SinusoidalState_kIdle) : state;
+        case (state)
+          SinusoidalState_kRun: begin
+            choice_3 = (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_159;
+            choice_5 = failed_i != SinusoidalReason_kNone || either_127;
           end
-          entered <= !either_123 || stopping_i;
-        end
-        SinusoidalState_kBrake: begin
-          if (sum_74 == 20'd0) begin
-            state <= SinusoidalState_kIdle;
+          SinusoidalState_kSlowDown: begin
+            choice_3 =
+                either_127 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
+            choice_5 = !either_127 || stopping_i;
           end
-          entered <= sum_74 == 20'd0;
-        end
-        SinusoidalState_kRest: begin
-          if (both_122) begin
-            state <= (sum_74 == 20'd0) ? SinusoidalState_kCalibrate : state;
-            entered <= sum_74 == 20'd0;
-          end else begin
-            state <= SinusoidalState_kIdle;
-            entered <= 1'b1;
+          SinusoidalState_kBrake: begin
+            choice_3 = (sum_78 == 20'd0) ? SinusoidalState_kIdle : state;
+            choice_5 = sum_78 == 20'd0;
           end
-        end
-        SinusoidalState_kFault: begin
-          if (fault_pin_i) begin
-            entered <= 1'b0;
-          end else begin
-            logic both_2;
-            both_2 = command_clear_fault_i && !command_run_i;
-            state <= both_2 ? SinusoidalState_kIdle : state;
-            entered <= both_2;
+          SinusoidalState_kRest: begin
+            choice_3 =
+                both_126 ? ((sum_78 == 20'd0) ? SinusoidalState_kCalibrate : state) :
+                SinusoidalState_kIdle;
+            choice_5 = !both_126 || sum_78 == 20'd0;
           end
-        end
-        default: entered <= 1'b0;
-      endcase
+          default: begin
+            choice_3 =
+                (state == SinusoidalState_kFault &&
+                command_clear_fault_i && !(command_run_i || fault_pin_i)) ? SinusoidalState_kIdle :
+                state;
+            choice_5 =
+                state == SinusoidalState_kFault &&
+                command_clear_fault_i && !command_run_i && !fault_pin_i;
+          end
+        endcase
+        state <= choice_3;
+        reason <=
+            (state == SinusoidalState_kRun && failed_i != SinusoidalReason_kNone) ? failed_i :
+            reason;
+        entered <= choice_5;
+      end
     end
     case (state)
       SinusoidalState_kIdle: begin
-        timer <= sum_74;
-        trust <= sum_78;
-        if (!either && both_122) begin
+        timer <= sum_78;
+        trust <= sum_82;
+        if (!either && both_126) begin
           tries <= 4'd0;
           reverse <= command_reverse_i;
         end
-        modulated <= sum_75;
+        modulated <= sum_79;
       end
       SinusoidalState_kCalibrate: begin
         if (either) begin
-          timer <= sum_74;
-          trust <= sum_78;
-          modulated <= sum_75;
-        end else if (both_122 && measured_i && words_arbitrary_i) begin
+          timer <= sum_78;
+          trust <= sum_82;
+          modulated <= sum_79;
+        end else if (both_126 && measured_i && words_arbitrary_i) begin
           timer <= words_give_up_i;
           trust <= words_lock_i;
           modulated <= 2'd0;
           regulated <= 1'b0;
         end else begin
           if (measured_i) begin
-            if (both_122) begin
+            if (both_126) begin
               if (words_arbitrary_i) begin
                 timer <= words_give_up_i;
               end else begin
@@ -240,24 +237,57 @@ module sinusoidal_sequence (
               end
               regulated <= !words_arbitrary_i && regulated;
             end else begin
-              timer <= sum_74;
+              timer <= sum_78;
             end
-            first_half <= (both_122 && !words_arbitrary_i) || first_half;
+            first_half <= (both_126 && !words_arbitrary_i) || first_half;
           end else begin
-            timer <= sum_74;
+            timer <= sum_78;
           end
-          trust <= sum_78;
-          modulated <= sum_75;
+          trust <= sum_82;
+          modulated <= sum_79;
+        end
+      end
+      SinusoidalState_kPilot: begin
+        if (either) begin
+          timer <= sum_78;
+          trust <= sum_82;
+          modulated <= sum_79;
+        end else if (both_126 && failed_i == SinusoidalReason_kNone && found_i) begin
+          timer <= words_give_up_i;
+          trust <= words_lock_i;
+          modulated <= 2'd0;
+          regulated <= 1'b0;
+        end else begin
+          if (both_126) begin
+            if (failed_i == SinusoidalReason_kNone) begin
+              if (found_i) begin
+                timer <= words_give_up_i;
+              end else if (sum_78 == 20'd0) begin
+                timer <= words_rest_i;
+                tries <= sum_113;
+              end else begin
+                timer <= sum_78;
+              end
+              regulated <= !found_i && regulated;
+            end else begin
+              timer <= words_rest_i;
+              tries <= sum_113;
+            end
+          end else begin
+            timer <= sum_78;
+          end
+          trust <= sum_82;
+          modulated <= sum_79;
         end
       end
       SinusoidalState_kPattern: begin
         if (either) begin
-          timer <= sum_74;
-          trust <= sum_78;
-          modulated <= sum_75;
+          timer <= sum_78;
+          trust <= sum_82;
+          modulated <= sum_79;
         end else begin
           logic both;
-          both = both_122 && sum_74 == 20'd0;
+          both = both_126 && sum_78 == 20'd0;
           if (both && !first_half) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
@@ -270,76 +300,76 @@ module sinusoidal_sequence (
                 timer <= words_give_up_i;
               end
             end else begin
-              timer <= sum_74;
+              timer <= sum_78;
             end
-            trust <= sum_78;
-            modulated <= sum_75;
+            trust <= sum_82;
+            modulated <= sum_79;
           end
-          if (both_122) begin
-            if (!both_149) begin
-              regulated <= sum_74 != 20'd0 && regulated;
+          if (both_126) begin
+            if (!both_164) begin
+              regulated <= sum_78 != 20'd0 && regulated;
             end
-            first_half <= !both_149 && first_half;
+            first_half <= !both_164 && first_half;
           end
         end
       end
       SinusoidalState_kStarting: begin
         if (either) begin
-          timer <= sum_74;
-          trust <= sum_78;
-        end else if (either_123) begin
+          timer <= sum_78;
+          trust <= sum_82;
+        end else if (either_127) begin
           timer <= words_brake_i;
-          trust <= sum_78;
+          trust <= sum_82;
         end else if (failed_i == SinusoidalReason_kNone) begin
-          if (sum_78 == 20'd0) begin
-            timer <= sum_74;
+          if (sum_82 == 20'd0) begin
+            timer <= sum_78;
             trust <= 20'd0;
           end else begin
-            if (sum_74 == 20'd0) begin
+            if (sum_78 == 20'd0) begin
               timer <= words_rest_i;
-              tries <= sum_109;
+              tries <= sum_113;
             end else begin
-              timer <= sum_74;
+              timer <= sum_78;
             end
-            trust <= sum_78;
+            trust <= sum_82;
           end
         end else begin
           timer <= words_rest_i;
-          trust <= sum_78;
-          tries <= sum_109;
+          trust <= sum_82;
+          tries <= sum_113;
         end
-        modulated <= sum_75;
-        regulated <= either_76;
+        modulated <= sum_79;
+        regulated <= either_80;
       end
       SinusoidalState_kRun: begin
         if (failed_i == SinusoidalReason_kNone) begin
-          timer <= sum_74;
+          timer <= sum_78;
         end else if (either) begin
-          timer <= sum_74;
+          timer <= sum_78;
         end else begin
           timer <= words_rest_i;
-          tries <= sum_109;
+          tries <= sum_113;
         end
-        trust <= sum_78;
-        modulated <= sum_75;
-        regulated <= either_76;
+        trust <= sum_82;
+        modulated <= sum_79;
+        regulated <= either_80;
       end
       SinusoidalState_kSlowDown: begin
         if (either) begin
-          timer <= sum_74;
-        end else if (either_123 && stopping_i) begin
+          timer <= sum_78;
+        end else if (either_127 && stopping_i) begin
           timer <= words_brake_i;
         end else begin
-          timer <= sum_74;
+          timer <= sum_78;
         end
-        trust <= sum_78;
-        modulated <= sum_75;
-        regulated <= either_76;
+        trust <= sum_82;
+        modulated <= sum_79;
+        regulated <= either_80;
       end
       default: begin
-        timer <= sum_74;
-        trust <= sum_78;
-        modulated <= sum_75;
+        timer <= sum_78;
+        trust <= sum_82;
+        modulated <= sum_79;
       end
     endcase
     if (rst) begin
@@ -361,6 +391,7 @@ module sinusoidal_sequence (
   assign entered_o = entered;
   assign reverse_o = reverse;
   assign calibrate_o = state == SinusoidalState_kCalibrate;
+  assign pilot_o = state == SinusoidalState_kPilot;
   assign hold_o = state == SinusoidalState_kPattern;
   assign hold_v_o = first_half;
   assign regulate_o = regulate;

@@ -1,4 +1,5 @@
 rtl/synchroniser.sv
+rtl/pilot_pulses.sv
 rtl/current_sense.sv
 rtl/estimator.sv
 rtl/speed_regulator.sv

@@ -1,4 +1,4 @@
-// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:35.
+// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:39.
 // Do not edit: change the C++ and print again.
 
 module sinusoidal_top (
@@ -48,13 +48,20 @@ module sinusoidal_top (
     input  logic [14:0] words_control_emf_i,  // u3.12, voltage per speed
     input  logic [14:0] words_control_limit_i,  // u0.15, of the dc voltage
     input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
-    input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg
-    input  logic [19:0] words_sequence_pattern_i,  // each of its two halves
+    input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
+    input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
+    input  logic [19:0] words_sequence_pattern_i,  // each of its two halves; all pilot pulses at most
     input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_sequence_brake_i,
     input  logic [19:0] words_sequence_rest_i,
     input  logic [3:0]  words_sequence_retries_i,
+    input  logic [5:0]  words_pilot_short_periods_i,  // 0 counts as 1
+    input  logic [5:0]  words_pilot_long_periods_i,  // 0 counts as 1
+    input  logic [4:0]  words_pilot_rounds_i,  // of six short pulses; even
+    input  logic [14:0] words_pilot_decayed_i,  // u0.15: below, a current is gone
+    input  logic [14:0] words_pilot_saliency_i,  // u0.15: a smaller sum is no position
+    input  logic [14:0] words_pilot_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
     input  logic [14:0] words_fault_over_current_i,  // u0.15, any phase
     input  logic [19:0] words_fault_saturated_i,  // a regulator at its limit for more than this; 0: no test
     input  logic [19:0] words_fault_slow_i,  // slow for more than this longer than not; 0: no test
@@ -73,6 +80,7 @@ module sinusoidal_top (
     output logic        estimating_o,  // the loop is closed
     output logic        done_o,  // strobe: a sample is worked through
     output logic [23:0] angle_o,  // u0.24, electrical turns, at the last sample
+    output logic [23:0] initial_o,  // u0.24, where the estimate begins: once found, by pilot pulses
     output logic [15:0] speed_o,  // s0.15 of 1/16 turn per sample, smoothed
     output logic [15:0] reference_o,  // the same, slewed, in the wanted direction
     output logic [15:0] i_gamma_o,  // s0.15
@@ -84,6 +92,7 @@ module sinusoidal_top (
 );
   logic orders_reverse;  // the wanted direction
   logic orders_calibrate;
+  logic orders_pilot;  // pulses are wanted
   logic orders_hold;  // one leg alone
   logic orders_hold_v;  // that is v
   logic orders_regulate;  // the loop is closed
@@ -96,7 +105,54 @@ module sinusoidal_top (
   logic [13:0] ended_on_u;  // clocks
   logic [13:0] ended_on_v;  // clocks
   logic [13:0] ended_on_w;  // clocks
+  logic seen_period;
+  logic seen_taken;
+  logic seen_sampled;
+  logic seen_over;
+  logic [15:0] seen_i_gamma;  // s0.15
+  logic seen_backward;
   logic restart;
+
+  wire pilot_pulse;
+  wire pilot_high_u;
+  wire pilot_high_v;
+  wire pilot_high_w;
+  wire pilot_waiting;
+  wire pilot_search;
+  wire [15:0] pilot_a;
+  wire [15:0] pilot_b;
+  wire [23:0] pilot_angle;
+  wire pilot_found;
+  wire [3:0] pilot_failed;
+  pilot_pulses pilot (
+      .clk(clk),
+      .rst(rst),
+      .rest_i(orders_calibrate),
+      .enable_i(orders_pilot),
+      .period_i(seen_period),
+      .taken_i(seen_taken),
+      .sampled_i(seen_sampled),
+      .over_i(seen_over),
+      .i_gamma_i(seen_i_gamma),
+      .backward_i(seen_backward),
+      .words_short_periods_i(words_pilot_short_periods_i),
+      .words_long_periods_i(words_pilot_long_periods_i),
+      .words_rounds_i(words_pilot_rounds_i),
+      .words_decayed_i(words_pilot_decayed_i),
+      .words_saliency_i(words_pilot_saliency_i),
+      .words_polarity_i(words_pilot_polarity_i),
+      .pulse_o(pilot_pulse),
+      .high_u_o(pilot_high_u),
+      .high_v_o(pilot_high_v),
+      .high_w_o(pilot_high_w),
+      .waiting_o(pilot_waiting),
+      .search_o(pilot_search),
+      .a_o(pilot_a),
+      .b_o(pilot_b),
+      .angle_o(pilot_angle),
+      .found_o(pilot_found),
+      .failed_o(pilot_failed)
+  );
 
   wire sense_taken;
   wire sense_measured;
@@ -112,7 +168,7 @@ module sinusoidal_top (
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
       .calibrate_i(orders_calibrate),
-      .over_current_i(words_fault_over_current_i),
+      .over_current_i(pilot_waiting ? words_pilot_decayed_i : words_fault_over_current_i),
       .taken_o(sense_taken),
       .measured_o(sense_measured),
       .over_o(sense_over),
@@ -132,7 +188,7 @@ module sinusoidal_top (
       .clk(clk),
       .rst(rst),
       .enable_i(orders_estimate),
-      .initial_i(24'd0),
+      .initial_i(pilot_angle),
       .i_u_i(sense_i_u),
       .i_v_i(sense_i_v),
       .v_dc_i(sense_v_dc),
@@ -205,7 +261,7 @@ module sinusoidal_top (
       .missed_o(unused_regulator_missed)
   );
 
-  wire [16:0] sum_90 =  // line 90
+  wire [16:0] sum_106 =  // line 106
       {regulator_speed[15], regulator_speed} + {{2{regulator_speed[15]}}, regulator_speed[15:1]};
 
   wire [15:0] control_v_alpha;
@@ -222,10 +278,10 @@ module sinusoidal_top (
       .clk(clk),
       .rst(rst),
       .enable_i(orders_regulate),
-      .i_u_i(sense_i_u),
-      .i_v_i(sense_i_v),
+      .i_u_i(pilot_search ? pilot_a : sense_i_u),
+      .i_v_i(pilot_search ? pilot_b : sense_i_v),
       .angle_i(model_angle[23:8]),
-      .ahead_i(model_angle[23:8] + {{2{sum_90[16]}}, sum_90[16:3]}),
+      .ahead_i(model_angle[23:8] + {{2{sum_106[16]}}, sum_106[16:3]}),
       .speed_i(regulator_speed),
       .set_gamma_i(words_control_set_gamma_i),
       .set_delta_i(regulator_current),
@@ -264,10 +320,10 @@ module sinusoidal_top (
       .v_dc_i(sense_v_dc),
       .period_i(words_bridge_period_i),
       .minimum_i(words_bridge_minimum_i),
-      .dead_i(words_bridge_compensate_i ? words_bridge_lost_i : 12'd0),
+      .dead_i((words_bridge_compensate_i && !orders_pilot) ? words_bridge_lost_i : 12'd0),
       .sine_i(words_bridge_sine_i),
-      .hold_i(orders_hold),
-      .hold_v_i(orders_hold_v),
+      .hold_i(orders_hold || orders_pilot),
+      .hold_v_i(orders_hold && orders_hold_v),
       .hold_voltage_i(words_sequence_hold_voltage_i),
       .start_i(control_done),
       .on_u_o(modulator_on_u),
@@ -331,7 +387,7 @@ module sinusoidal_top (
       .restart_i(restart),
       .period_i(pwm_u_start),
       .sampled_i(modulator_done),
-      .over_current_i(sense_over),
+      .over_current_i(sense_over && !pilot_waiting),
       .regulating_i(orders_regulate),
       .saturated_i(control_limited || regulator_saturated),
       .locked_i(orders_locked),
@@ -352,6 +408,7 @@ module sinusoidal_top (
   wire sequence__entered;
   wire sequence__reverse;
   wire sequence__calibrate;
+  wire sequence__pilot;
   wire sequence__hold;
   wire sequence__hold_v;
   wire sequence__regulate;
@@ -375,9 +432,11 @@ module sinusoidal_top (
       .fast_i(regulator_fast),
       .plausible_i(regulator_plausible),
       .stopping_i(regulator_stopping),
+      .found_i(pilot_found),
       .fatal_i(protection_fatal),
-      .failed_i(protection_failed),
+      .failed_i(orders_pilot ? pilot_failed : protection_failed),
       .words_arbitrary_i(words_sequence_arbitrary_i),
+      .words_pilot_i(words_sequence_pilot_i),
       .words_hold_voltage_i(words_sequence_hold_voltage_i),
       .words_pattern_i(words_sequence_pattern_i),
       .words_lock_i(words_sequence_lock_i),
@@ -390,6 +449,7 @@ module sinusoidal_top (
       .entered_o(sequence__entered),
       .reverse_o(sequence__reverse),
       .calibrate_o(sequence__calibrate),
+      .pilot_o(sequence__pilot),
       .hold_o(sequence__hold),
       .hold_v_o(sequence__hold_v),
       .regulate_o(sequence__regulate),
@@ -399,6 +459,9 @@ module sinusoidal_top (
       .slow_down_o(sequence__slow_down),
       .locked_o(sequence__locked)
   );
+
+  wire either_168 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 168
+  wire choice_169 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 169
 
   wire pwm_v_on;
   wire unused_pwm_v_start;
@@ -416,6 +479,8 @@ module sinusoidal_top (
       .tick_o(unused_pwm_v_tick)
   );
 
+  wire choice_170 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 170
+
   wire pwm_w_on;
   wire unused_pwm_w_start;
   wire unused_pwm_w_tick;
@@ -432,6 +497,8 @@ module sinusoidal_top (
       .tick_o(unused_pwm_w_tick)
   );
 
+  wire choice_171 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 171
+
   wire guard_uh;
   wire guard_ul;
   wire guard_vh;
@@ -441,12 +508,12 @@ module sinusoidal_top (
   gate_guard guard (
       .clk(clk),
       .rst(rst),
-      .request_uh_i(sequence__modulate && pwm_u_on),
-      .request_ul_i(sequence__brake || (sequence__modulate && !pwm_u_on)),
-      .request_vh_i(sequence__modulate && pwm_v_on),
-      .request_vl_i(sequence__brake || (sequence__modulate && !pwm_v_on)),
-      .request_wh_i(sequence__modulate && pwm_w_on),
-      .request_wl_i(sequence__brake || (sequence__modulate && !pwm_w_on)),
+      .request_uh_i(either_168 && choice_169),
+      .request_ul_i(sequence__brake || (either_168 && !choice_169)),
+      .request_vh_i(either_168 && choice_170),
+      .request_vl_i(sequence__brake || (either_168 && !choice_170)),
+      .request_wh_i(either_168 && choice_171),
+      .request_wl_i(sequence__brake || (either_168 && !choice_171)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_bridge_dead_time_i),
@@ -463,6 +530,7 @@ module sinusoidal_top (
     if (codes_valid_i) begin
       orders_reverse <= sequence__reverse;
       orders_calibrate <= sequence__calibrate;
+      orders_pilot <= sequence__pilot;
       orders_hold <= sequence__hold;
       orders_hold_v <= sequence__hold_v;
       orders_regulate <= sequence__regulate;
@@ -478,10 +546,17 @@ module sinusoidal_top (
       ended_on_v <= running_on_v;
       ended_on_w <= running_on_w;
     end
+    seen_period <= pwm_u_start;
+    seen_taken <= sense_taken;
+    seen_sampled <= modulator_done;
+    seen_over <= sense_over;
+    seen_i_gamma <= control_i_gamma;
+    seen_backward <= control_i_delta[15];  // line 188
     restart <= sequence__entered;
     if (rst) begin
       orders_reverse <= 1'b0;
       orders_calibrate <= 1'b0;
+      orders_pilot <= 1'b0;
       orders_hold <= 1'b0;
       orders_hold_v <= 1'b0;
       orders_regulate <= 1'b0;
@@ -494,6 +569,12 @@ module sinusoidal_top (
       ended_on_u <= 14'd0;
       ended_on_v <= 14'd0;
       ended_on_w <= 14'd0;
+      seen_period <= 1'b0;
+      seen_taken <= 1'b0;
+      seen_sampled <= 1'b0;
+      seen_over <= 1'b0;
+      seen_i_gamma <= 16'sd0;
+      seen_backward <= 1'b0;
       restart <= 1'b0;
     end
   end
@@ -511,6 +592,7 @@ module sinusoidal_top (
   assign estimating_o = sequence__regulate;
   assign done_o = modulator_done;
   assign angle_o = model_angle;
+  assign initial_o = pilot_angle;
   assign speed_o = regulator_speed;
   assign reference_o = regulator_reference;
   assign i_gamma_o = control_i_gamma;
@@ -521,5 +603,5 @@ module sinusoidal_top (
   assign on_w_o = modulator_on_w;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_90[2:0]};
+  wire unused = &{1'b0, sum_106[2:0]};
 endmodule

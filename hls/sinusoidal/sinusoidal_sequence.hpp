@@ -2,10 +2,11 @@
 //
 //     idle -> calibrate -> pattern -> starting -> run -> slow down -> brake -> idle
 //                                        |         |
-//                                   (failed: rest -> calibrate, so many times, then fault)
+//                    pilot ----------^   (failed: rest -> calibrate, so many times, then fault)
 //
 // Pattern: first leg v alone, so that a rotor exactly opposite to u moves, then leg u; the rotor's
-// N pole then stands at winding u, which is angle 0.  Starting: the loop is closed; the gates
+// N pole then stands at winding u, which is angle 0.  Pilot: PilotPulses looks for the angle; not
+// found in `pattern` periods is a try that failed for want of decay.  Starting: the loop is closed; the gates
 // follow from the first period on that has on-times of the regulators, and the estimator from the
 // period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
 // without a gap.
@@ -33,6 +34,7 @@ class SinusoidalSequence {
     bool fast = false;       // the speed may be trusted
     bool plausible = false;  // the EMF belongs to it
     bool stopping = false;   // slower than the stop speed
+    bool found = false;      // the pilot pulses know the angle
     SinusoidalReason fatal = SinusoidalReason::kNone;
     SinusoidalReason failed = SinusoidalReason::kNone;
     SequenceWords words;
@@ -44,6 +46,7 @@ class SinusoidalSequence {
     bool entered = false;     // one clock: the state is new
     bool reverse = false;     // the wanted direction
     bool calibrate = false;
+    bool pilot = false;       // pulses are wanted
     bool hold = false;        // one leg alone
     bool hold_v = false;      // that is v
     bool regulate = false;    // the loop is closed
@@ -62,6 +65,7 @@ class SinusoidalSequence {
                   .entered = entered_,
                   .reverse = reverse_,
                   .calibrate = state_ == SinusoidalState::kCalibrate,
+                  .pilot = state_ == SinusoidalState::kPilot,
                   .hold = holding,
                   .hold_v = first_half_,
                   .regulate = regulating,
@@ -140,7 +144,18 @@ class SinusoidalSequence {
         } else if (in.measured) {
           timer_ = words.pattern;
           first_half_ = true;
-          enter(SinusoidalState::kPattern);
+          enter(words.pilot ? SinusoidalState::kPilot : SinusoidalState::kPattern);
+        }
+        break;
+      case SinusoidalState::kPilot:
+        if (!run) {
+          enter(SinusoidalState::kIdle);
+        } else if (failed) {
+          fail(in.failed, words);
+        } else if (in.found) {
+          begin_to_turn(words);
+        } else if (over) {
+          fail(SinusoidalReason::kNoDecay, words);
         }
         break;
       case SinusoidalState::kPattern:
@@ -195,9 +210,6 @@ class SinusoidalSequence {
         if (in.command.clear_fault && !in.command.run && !in.fault_pin) {
           enter(SinusoidalState::kIdle);
         }
-        break;
-      case SinusoidalState::kPilot:
-        enter(SinusoidalState::kIdle);
         break;
     }
   }

@@ -4,6 +4,9 @@
 //                               ^ on-clocks of the period that ended                |
 //                         gates <- GateGuard <- 3 x PwmGenerator <- next period <---'
 //
+// PilotPulses is asked first in a start by pilot pulses: one leg's on-time for all, its choice of
+// legs, CurrentControl for its arithmetic.  It sees what the others gave a clock before.
+//
 // Each of the scheduled blocks begins when the one before is done.  SinusoidalSequence says who is
 // closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
 // taken, so that the whole chain works under the same orders.
@@ -25,6 +28,7 @@
 #include "hls/sinusoidal/current_sense.hpp"
 #include "hls/sinusoidal/drive_protection.hpp"
 #include "hls/sinusoidal/estimator.hpp"
+#include "hls/sinusoidal/pilot_pulses.hpp"
 #include "hls/sinusoidal/sinusoidal_sequence.hpp"
 #include "hls/sinusoidal/space_vector.hpp"
 #include "hls/sinusoidal/speed_regulator.hpp"
@@ -50,6 +54,7 @@ class SinusoidalTop {
     bool estimating = false;  // the loop is closed
     bool done = false;        // strobe: a sample is worked through
     Angle angle = 0;          // u0.24, electrical turns, at the last sample
+    Angle initial = 0;        // u0.24, where the estimate begins: once found, by pilot pulses
     Int<16> speed = 0;        // s0.15 of 1/16 turn per sample, smoothed
     Int<16> reference = 0;    // the same, slewed, in the wanted direction
     Int<16> i_gamma = 0;      // s0.15
@@ -64,10 +69,21 @@ class SinusoidalTop {
   Out tick(const In& in) {
     const SinusoidalWords& words = in.words;
     const auto pins = synchroniser_.tick({.fault = in.fault});
-    const auto sense = sense_.tick({.codes = in.codes,
-                                    .calibrate = orders_.calibrate,
-                                    .over_current = words.fault.over_current});
+    const auto pilot = pilot_.tick({.rest = orders_.calibrate,
+                                    .enable = orders_.pilot,
+                                    .period = seen_.period,
+                                    .taken = seen_.taken,
+                                    .sampled = seen_.sampled,
+                                    .over = seen_.over,
+                                    .i_gamma = seen_.i_gamma,
+                                    .backward = seen_.backward,
+                                    .words = words.pilot});
+    const auto sense = sense_.tick(
+        {.codes = in.codes,
+         .calibrate = orders_.calibrate,
+         .over_current = pilot.waiting ? words.pilot.decayed : words.fault.over_current});
     const auto model = model_.tick({{.enable = orders_.estimate,
+                                     .initial = pilot.angle,
                                      .i_u = sense.i_u,
                                      .i_v = sense.i_v,
                                      .v_dc = sense.v_dc,
@@ -90,8 +106,8 @@ class SinusoidalTop {
     const auto further = (speed.speed + (speed.speed >> 1)) >> 3;
     const UInt<16> angle = model.angle.slice<23, 8>();
     const auto control = control_.tick({{.enable = orders_.regulate,
-                                         .i_u = sense.i_u,
-                                         .i_v = sense.i_v,
+                                         .i_u = pilot.search ? pilot.a : sense.i_u,
+                                         .i_v = pilot.search ? pilot.b : sense.i_v,
                                          .angle = angle,
                                          .ahead = wrap<UInt<16>>(angle + further),
                                          .speed = speed.speed,
@@ -104,6 +120,8 @@ class SinusoidalTop {
                                          .v_dc = sense.v_dc,
                                          .limit = words.control.limit},
                                         speed.done});
+    // A pilot pulse is the same for every leg only without regard to what its current may be.
+    const bool compensate = words.bridge.compensate && !orders_.pilot;
     const auto legs =
         modulator_.tick({{.v_alpha = control.v_alpha,
                           .v_beta = control.v_beta,
@@ -112,10 +130,10 @@ class SinusoidalTop {
                           .v_dc = sense.v_dc,
                           .period = words.bridge.period,
                           .minimum = words.bridge.minimum,
-                          .dead = words.bridge.compensate ? words.bridge.lost : DeadClocks(0),
+                          .dead = compensate ? words.bridge.lost : DeadClocks(0),
                           .sine = words.bridge.sine,
-                          .hold = orders_.hold,
-                          .hold_v = orders_.hold_v,
+                          .hold = orders_.hold || orders_.pilot,
+                          .hold_v = orders_.hold && orders_.hold_v,
                           .hold_voltage = words.sequence.hold_voltage},
                          control.done});
 
@@ -126,7 +144,7 @@ class SinusoidalTop {
     const auto faults = protection_.tick({.restart = restart_,
                                           .period = u.start,
                                           .sampled = legs.done,
-                                          .over_current = sense.over,
+                                          .over_current = sense.over && !pilot.waiting,
                                           .regulating = orders_.regulate,
                                           .saturated = control.limited || speed.saturated,
                                           .locked = orders_.locked,
@@ -142,22 +160,32 @@ class SinusoidalTop {
                                      .fast = speed.fast,
                                      .plausible = speed.plausible,
                                      .stopping = speed.stopping,
+                                     .found = pilot.found,
                                      .fatal = faults.fatal,
-                                     .failed = faults.failed,
+                                     .failed = orders_.pilot ? pilot.failed : faults.failed,
                                      .words = words.sequence});
 
-    const bool off = !now.modulate;
-    const auto gates = guard_.tick({.request = {.uh = !off && u.on,
-                                                .ul = now.brake || (!off && !u.on),
-                                                .vh = !off && v.on,
-                                                .vl = now.brake || (!off && !v.on),
-                                                .wh = !off && w.on,
-                                                .wl = now.brake || (!off && !w.on)},
+    const bool off = !now.modulate && !(now.pilot && pilot.pulse);
+    const bool on_u = now.pilot ? pilot.high_u && u.on : u.on;
+    const bool on_v = now.pilot ? pilot.high_v && u.on : v.on;
+    const bool on_w = now.pilot ? pilot.high_w && u.on : w.on;
+    const auto gates = guard_.tick({.request = {.uh = !off && on_u,
+                                                .ul = now.brake || (!off && !on_u),
+                                                .vh = !off && on_v,
+                                                .vl = now.brake || (!off && !on_v),
+                                                .wh = !off && on_w,
+                                                .wl = now.brake || (!off && !on_w)},
                                     .enable = in.command.configured,
                                     .fault = pins.fault,
                                     .dead_time = words.bridge.dead_time});
 
     restart_ = now.entered;
+    seen_ = {.period = u.start,
+             .taken = sense.taken,
+             .sampled = legs.done,
+             .over = sense.over,
+             .i_gamma = control.i_gamma,
+             .backward = control.i_delta.negative()};
     if (in.codes.valid) orders_ = now;
     if (u.start) {
       ended_ = running_;
@@ -171,6 +199,7 @@ class SinusoidalTop {
             .estimating = now.regulate,
             .done = legs.done,
             .angle = model.angle,
+            .initial = pilot.angle,
             .speed = speed.speed,
             .reference = speed.reference,
             .i_gamma = control.i_gamma,
@@ -182,11 +211,22 @@ class SinusoidalTop {
   }
 
  private:
+  // What PilotPulses hears of a clock in the next one.
+  struct Seen {
+    bool period = false;
+    bool taken = false;
+    bool sampled = false;
+    bool over = false;
+    Int<16> i_gamma = 0;  // s0.15
+    bool backward = false;
+  };
+
   static PwmGenerator::In pulse(LegClocks on, const BridgeWords& words) {
     return {.on_clocks = on, .period = words.period, .minimum = words.minimum, .centred = true};
   }
 
   Synchroniser synchroniser_;
+  PilotPulses pilot_;
   CurrentSense sense_;
   EstimatorLoop model_;
   SpeedRegulatorLoop regulator_;
@@ -202,6 +242,7 @@ class SinusoidalTop {
   SinusoidalSequence::Out orders_;  // as of the present sample
   SpaceVector::Out running_;        // of the present period
   SpaceVector::Out ended_;          // of the one before
+  Seen seen_;
   bool restart_ = false;
 };
 

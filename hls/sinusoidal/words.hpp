@@ -17,7 +17,7 @@ namespace steplock {
 
 using Periods = UInt<20>;  // PWM periods
 
-// Places as in the reference, so that a record reads the same; kPilot and its reasons do not occur.
+// Places as in the reference, so that a record reads the same.
 enum class SinusoidalState : std::uint8_t {
   kIdle, kCalibrate, kPilot, kPattern, kStarting, kRun, kSlowDown, kBrake, kRest, kFault
 };
@@ -48,13 +48,23 @@ struct ControlWords {
 
 struct SequenceWords {
   bool arbitrary = false;     // no pattern before the loop is closed
-  UInt<15> hold_voltage = 0;  // u0.15, of the pattern's leg
-  Periods pattern = 0;        // each of its two halves
+  bool pilot = false;         // pilot pulses instead of the pattern: a salient rotor
+  UInt<15> hold_voltage = 0;  // u0.15, of the pattern's leg, or of a pilot pulse's
+  Periods pattern = 0;        // each of its two halves; all pilot pulses at most
   Periods lock = 0;           // the estimate has to be trusted for so long
   Periods give_up = 0;        // no lock in this time is a failed try
   Periods brake = 0;
   Periods rest = 0;
   UInt<4> retries = 0;
+};
+
+struct PilotWords {
+  UInt<6> short_periods = 0;  // 0 counts as 1
+  UInt<6> long_periods = 0;   // 0 counts as 1
+  UInt<5> rounds = 0;         // of six short pulses; even
+  UInt<15> decayed = 0;       // u0.15: below, a current is gone
+  UInt<15> saliency = 0;      // u0.15: a smaller sum is no position
+  UInt<15> polarity = 0;      // u0.15: a smaller difference of the long peaks is no polarity
 };
 
 struct FaultWords {
@@ -71,6 +81,7 @@ struct SinusoidalWords {
   RegulatorWords speed;
   ControlWords control;
   SequenceWords sequence;
+  PilotWords pilot;
   FaultWords fault;
 };
 

@@ -12,7 +12,7 @@
 
 #include "testbench/paper/paper_options.hpp"
 #include "testbench/paper/paper_page.hpp"
-#include "testbench/sinusoidal/recorder.hpp"
+#include "testbench/sinusoidal/run.hpp"
 
 namespace steplock {
 
@@ -63,10 +63,17 @@ std::vector<Point> measure(const design::Settings& believed, const design::Setti
 bool all_held(const std::vector<Point>&);
 double worst_error(const std::vector<Point>&);  // percent, without sign
 
+struct Start {
+  sinusoidal::Result result;
+  sinusoidal::Record record;
+};
+Start start_from(design::Settings, EngineKind, design::StartBy, double angle_deg, double seconds);
+
 // What Table III needs of the figures.
 struct Found {
   // By design::Estimator: from this speed on, within this of it.
   double slowest[2] = {}, error_percent[2] = {};
+  double position_deg = 0;  // worst, of a salient rotor at standstill
 };
 
 PaperSection voltage_model(const design::Settings&, const PaperOptions&, Found&);     // Fig. 4
@@ -74,7 +81,9 @@ PaperSection current_model(const design::Settings&, const PaperOptions&, Found&)
 PaperSection wrong_parameters(const design::Settings&, const PaperOptions&);          // Fig. 5(b)
 PaperSection torque_on_and_off(const design::Settings&, const PaperOptions&);         // Fig. 6
 PaperSection starts(const design::Settings&, const PaperOptions&);                    // Fig. 7
-PaperSection initial_position(const design::Settings& salient, const PaperOptions&);  // Fig. 10
+PaperSection initial_position(const design::Settings& salient, const PaperOptions&,
+                              Found&);                                                // 9, 10
+PaperSection salient_running(const design::Settings& salient, const PaperOptions&);
 PaperSection comparison(const design::Settings&, const Found&);                       // Table III
 
 }  // namespace matsui1996

@@ -41,10 +41,9 @@ PaperSection wrong_parameters(const design::Settings& drive, const PaperOptions&
           "What the drive believes, over what the motor is; rated torque, 0.8 A of gamma current, "
           "the reference in doubles. "
           "The number is the worst mean speed error of both estimators at 100 and 1200 r/min; "
-          "beside it speed "
-          "error and delta theta of each. A lock cannot drift, so that the mean speed is right "
-          "wherever it holds; a wrong parameter "
-          "shows as an angle, and costs torque. What is lost is lost at 100 r/min: there the EMF "
+          "beside it speed error and delta theta of each. A wrong parameter shows as an angle, and "
+          "costs torque; why the speed is off as well where it is by more than 1 % was not looked "
+          "into. What is lost is lost at 100 r/min: there the EMF "
           "is {:.1f} V, and 30 % of R at rated current "
           "are {:.1f} V. In the voltage model K_E is a factor of the speed itself (Sec. IX of the "
           "paper says the same), in the current model of the angle alone.",

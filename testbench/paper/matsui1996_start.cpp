@@ -1,33 +1,16 @@
-// Figs. 7 and 10 of Matsui 1996: starts, and the initial position of a salient rotor.
+// Fig. 7 of Matsui 1996: starts.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "testbench/paper/matsui1996.hpp"
-#include "testbench/sinusoidal/run.hpp"
 
 namespace steplock::matsui1996 {
 namespace {
 
 using design::StartBy;
 using sinusoidal::Result;
-
-struct Start {
-  Result result;
-  sinusoidal::Record record;
-};
-
-Start start_from(design::Settings s, EngineKind engine, StartBy by, double angle_deg,
-                 double seconds) {
-  s = steady(s, s.sinusoidal.estimator, s.scenario.speed_rpm, s.sinusoidal.i_gamma_a);
-  s.sinusoidal_start.by = by;
-  s.scenario.duration_s = seconds;
-  const RunOptions options{.engine = engine, .angle_deg = angle_deg};
-  Start all{{}, sinusoidal::run(s, options)};
-  all.result = sinusoidal::summarise(s, options, all.record);
-  return all;
-}
 
 Figure start_figure(std::string name, std::string title, const Start& s) {
   Curve speed{"rotor", palette::kTrue, {}}, drive{"drive's own", palette::kDrive, {}};
@@ -89,6 +72,17 @@ Claim from_all_round(const design::Settings& drive, StartBy by, const std::strin
 
 }  // namespace
 
+Start start_from(design::Settings s, EngineKind engine, StartBy by, double angle_deg,
+                 double seconds) {
+  s = steady(s, s.sinusoidal.estimator, s.scenario.speed_rpm, s.sinusoidal.i_gamma_a);
+  s.sinusoidal_start.by = by;
+  s.scenario.duration_s = seconds;
+  const RunOptions options{.engine = engine, .angle_deg = angle_deg};
+  Start all{{}, sinusoidal::run(s, options)};
+  all.result = sinusoidal::summarise(s, options, all.record);
+  return all;
+}
+
 PaperSection starts(const design::Settings& drive, const PaperOptions& options) {
   if (options.progress && !options.progress("Fig. 7", 0)) throw Stopped();
   // The assumed axis stands at winding u; theta_e = 180 has the N pole there.
@@ -106,51 +100,6 @@ PaperSection starts(const design::Settings& drive, const PaperOptions& options) 
                              start_figure("fig7b", "Fig. 7(b): start from 180 degrees", opposite)}};
   if (!right.result.locked) s.failures.push_back("the start from 0 degrees");
   if (!opposite.result.locked) s.failures.push_back("the start from 180 degrees");
-  return s;
-}
-
-PaperSection initial_position(const design::Settings& salient, const PaperOptions& options) {
-  constexpr int kPlaces = 64;
-  Curve found{"estimated", palette::kW, {}}, error{"error", palette::kU, {}};
-  found.dots = error.dots = true;
-  double worst = 0;
-  int none = 0, flipped = 0;
-  for (int n = 0; n < kPlaces; ++n) {
-    if (options.progress && !options.progress("Fig. 10", double(n) / kPlaces)) throw Stopped();
-    const double angle = n * 360.0 / kPlaces;
-    const Start s = start_from(salient, EngineKind::kFloat, StartBy::kPilot, angle, 0.06);
-    if (!s.result.position_error_deg) {
-      ++none;
-      continue;
-    }
-    const double off = *s.result.position_error_deg, actual = std::fmod(angle + 180, 360);
-    if (std::abs(off) > 90) ++flipped;
-    worst = std::max(worst, std::abs(off));
-    found.points.push_back({actual, std::fmod(actual + off + 360, 360)});
-    error.points.push_back({actual, off});
-  }
-  PaperSection s{.title = "Figs. 9 and 10: initial position from pilot pulses",
-                 .text =
-                     "The 2.2 kW salient motor of [ipm_2k2.toml](../../drives/ipm_2k2.toml) at "
-                     "standstill, 12-bit converters with noise, "
-                     "the reference in doubles: **missed** in fixed point and RTL, which have no "
-                     "pilot pulses yet.",
-                 .claims = {{fmt::format("worst error from {} places", kPlaces),
-                             "deg",
-                             {},
-                             "close agreement",
-                             worst,
-                             "Eq. (24) by an arctangent; reversed pulses cancel what iron adds"},
-                            {"wrong polarity", "", {}, "none", double(flipped), ""},
-                            {"no position found", "", {}, "none", double(none), ""}}};
-  s.figures = {{.name = "fig10",
-                .title = "Fig. 10: actual and estimated rotor position at standstill",
-                .axis = "actual position, deg",
-                .caption = "64 places, electrical degrees.",
-                .panels = {{.label = "estimated, deg", .curves = {found}, .weight = 1.6},
-                           {.label = "error, deg", .curves = {error}}}}};
-  if (worst > 3 || flipped + none > 0)
-    s.failures.push_back("3 degrees and the right polarity from everywhere");
   return s;
 }
 

@@ -140,8 +140,7 @@ PaperSection voltage_model(const design::Settings& drive, const PaperOptions& op
   found.error_percent[int(kModel)] = swept.worst;
   PaperSection s{.title = "Fig. 4: voltage model, steady state",
                  .text = fmt::format(
-                     "Mean speed over whole electrical turns (swings that do not go with the turns "
-                     "leave 0.1 to 0.2 % below 50 r/min), the mean of 8 samples in Eq. (7); engine "
+                     "Mean speed over whole electrical turns, the mean of 8 samples in Eq. (7); engine "
                      "`fixed`, which equals the RTL on every clock, and beside it the reference in "
                      "doubles. Aim: "
                      "50 to 1200 r/min within 0.5 %. {}",

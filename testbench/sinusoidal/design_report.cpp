@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "model/design/sinusoidal/design.hpp"
 
 namespace steplock::sinusoidal {
@@ -36,6 +38,7 @@ std::vector<DesignRow> design_rows(const design::Settings& s) {
           {"pilot pulse, short", "s", p.pilot.short_s},
           {"pilot pulse, long", "s", p.pilot.long_s},
           {"pilot decayed below", "A", p.pilot.decayed},
+          {"pilot pulse turns", "deg", p.pilot.turned * 180 / std::numbers::pi},
           {"over-current", "A", p.protection.over_current},
           {"too slow below", "rpm", rpm(p.protection.slow_speed)}};
 }

@@ -40,7 +40,8 @@ struct Showing {
             .reference_rpm = (reverse ? -rpm : rpm) * part(o.reference),
             .i_gamma = current * part(o.i_gamma),
             .i_delta = current * part(o.i_delta),
-            .i_wanted = current * part(o.wanted)};
+            .i_wanted = current * part(o.wanted),
+            .pilot_deg = 360 * static_cast<double>(o.initial.raw()) / (1 << 24)};
   }
 };
 

@@ -54,6 +54,7 @@ class RtlEngine {
     SinusoidalTop::Out o;
     o.estimating = top_.estimating_o != 0;
     o.angle = Angle::of(top_.angle_o);
+    o.initial = Angle::of(top_.initial_o);
     o.speed = Int<16>::of(top_.speed_o);
     o.reference = Int<16>::of(top_.reference_o);
     o.i_gamma = Int<16>::of(top_.i_gamma_o);

@@ -77,6 +77,32 @@ TEST(SinusoidalSequence, GatesAndEstimatorWaitForOnTimesOfTheLoop) {
   EXPECT_EQ(estimator, gates + 1);
 }
 
+TEST(SinusoidalSequence, PilotPulsesTakeThePatternsPlaceUntilTheyFound) {
+  Started s;
+  s.in.words.pilot = true;
+  s.until(S::kPilot);
+  for (int n = 0; n < 5; ++n) {
+    const auto out = s.period();
+    ASSERT_TRUE(out.pilot && !out.hold && !out.modulate && !out.regulate);
+  }
+  s.in.found = true;
+  EXPECT_TRUE(s.period().regulate);
+  EXPECT_EQ(s.entered, (std::vector{S::kCalibrate, S::kPilot, S::kStarting}));
+}
+
+TEST(SinusoidalSequence, PilotPulsesThatFindNothingAreAFailedTry) {
+  for (const R reason : {R::kNoSaliency, R::kNoPolarity, R::kNoDecay}) {
+    Started s;
+    s.in.words.pilot = true;
+    s.until(S::kPilot);
+    if (reason != R::kNoDecay) s.in.failed = reason;
+    s.until(S::kRest);
+    EXPECT_EQ(s.period().reason, reason);
+    EXPECT_LT(s.until(S::kFault), 1000);
+    EXPECT_EQ(s.period().reason, reason);
+  }
+}
+
 TEST(SinusoidalSequence, OneDoubtfulSampleBeginsTheWaitForLockAnew) {
   Started s;
   s.in.words.arbitrary = true;

@@ -64,6 +64,61 @@ TEST(SinusoidalTop, ThePatternIsLegVAndThenLegUAgainstTheOthers) {
   EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);
 }
 
+// The currents that come back are none, so that the search ends with no saliency.
+TEST(SinusoidalTop, PilotPulsesChopTheirLegsAgainstTheOthersWithAllGatesOffBetween) {
+  Bench b;
+  b.in.words.sequence.pilot = true;
+  b.in.words.sequence.pattern = 1000;
+  b.in.words.pilot = {.short_periods = 2, .rounds = 2, .decayed = 100, .saliency = 100};
+  for (int round = 0; round < 2; ++round) {
+    for (const int legs : {1, 6, 2, 5, 4, 3}) {
+      int high = 0, low = 0;
+      ASSERT_GT(b.clocks_until([](const auto& o) { return !(o.gates == Gates{}); }), 0);
+      // Two periods, the dead times at their begin, and no gate after them.
+      for (int n = 0; n < 2 * 1200; ++n) {
+        const Gates& g = b.out.gates;
+        high |= int(g.uh) | int(g.vh) << 1 | int(g.wh) << 2;
+        low |= int(g.ul) | int(g.vl) << 1 | int(g.wl) << 2;
+        b.tick();
+      }
+      EXPECT_EQ(high, legs);
+      EXPECT_EQ(low, 7) << "chopped";
+      for (int n = 0; n < 2 * 1200; ++n) {
+        ASSERT_TRUE(b.off());
+        b.tick();
+      }
+    }
+  }
+  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kRest; });
+  EXPECT_EQ(b.out.reason, SinusoidalReason::kNoSaliency);
+}
+
+TEST(SinusoidalTop, AFaultPinEndsAPilotPulseInThreeClocks) {
+  Bench b;
+  b.in.words.sequence.pilot = true;
+  b.in.words.sequence.pattern = 1000;
+  b.in.words.pilot = {.short_periods = 20, .rounds = 2, .decayed = 100};
+  ASSERT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
+  b.in.fault = true;
+  for (int n = 0; n < 3; ++n) b.tick();
+  for (int n = 0; n < 3000; ++n) {
+    b.tick();
+    ASSERT_TRUE(b.off());
+  }
+}
+
+// In a pulse the limit is that of the drive, between pulses that of the decay, which is no fault.
+TEST(SinusoidalTop, OverCurrentEndsAPilotPulseToo) {
+  Bench b;
+  b.in.words.sequence.pilot = true;
+  b.in.words.sequence.pattern = 1000;
+  b.in.words.pilot = {.short_periods = 20, .rounds = 2, .decayed = 100};
+  ASSERT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
+  b.u = 1900;
+  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kFault; });
+  EXPECT_EQ(b.out.reason, SinusoidalReason::kOverCurrent);
+}
+
 TEST(SinusoidalTop, OnTimesAreNew114ClocksAfterTheSample) {
   Bench b;
   for (int period = 0; period < 5; ++period) {

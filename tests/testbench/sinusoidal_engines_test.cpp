@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "testbench/run/check.hpp"
-#include "testbench/sinusoidal/rtl_engine.hpp"
+#include "tests/testbench/sinusoidal_lockstep.hpp"
 #include "testbench/sinusoidal/run.hpp"
 
 namespace steplock::sinusoidal {
@@ -126,37 +126,6 @@ TEST(SinusoidalEngines, FaultsOfTheFixedDriveHaveTheirReasons) {
   EXPECT_EQ(spoiled([](B&) {}), Reason::kNone);
 }
 
-// The RTL with its source beside it: the same inputs, and every output in every clock.
-class Lockstep {
- public:
-  Lockstep(const design::Settings& s, const plant::AdcParameters& adc)
-      : rtl_(s, adc), cpp_(s, adc) {}
-
-  void set_pins(const plant::Pins&) {}
-  void set_command(const HostCommand& c) { rtl_.set_command(c), cpp_.set_command(c); }
-  void set_reading(const plant::State& s) { rtl_.set_reading(s), cpp_.set_reading(s); }
-  void tick() {
-    rtl_.tick();
-    cpp_.tick();
-    auto out = cpp_.output();
-    if (clocks == spoil) out.on_u = out.on_u ^ LegClocks(1);
-    if (const char* port = rtl_.differs(out); port != nullptr && first == nullptr) {
-      first = port;
-      at = clocks;
-    }
-    ++clocks;
-  }
-  Watch watch() const { return rtl_.watch(); }
-  View view() const { return rtl_.view(); }
-
-  const char* first = nullptr;  // the first port that differed
-  std::uint64_t clocks = 0, at = 0, spoil = ~std::uint64_t{0};
-
- private:
-  RtlEngine rtl_;
-  FixedEngine cpp_;
-};
-
 // Offsets, both halves of the pattern, the closed loop to set speed: 4.8 million clocks.
 TEST(SinusoidalEngines, TheRtlIsItsSourceInEveryClockOfAStart) {
   const design::Settings s = drive("m2310p_sinusoidal");
@@ -196,8 +165,6 @@ TEST(SinusoidalEngines, WhatTheBlocksCannotDoIsRefusedWithOneLine) {
   };
   using D = design::Settings;
   EXPECT_EQ(refusal([](D&) {}), "accepted");
-  EXPECT_EQ(refusal([](D& s) { s.sinusoidal_start.by = design::StartBy::kPilot; }),
-            "sinusoidal_start.by is \"pilot\"; must be \"pattern\" or \"arbitrary\" for this engine");
   EXPECT_EQ(refusal([](D& s) {
               s.sinusoidal.estimator = design::Estimator::kVoltage;
               s.sinusoidal.moving_average = 5;

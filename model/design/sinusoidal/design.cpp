@@ -96,7 +96,16 @@ void set_start(const Settings& s, Design& d) {
              .decay_s = 0.1,
              .repeats = z.pilot_repeats,
              .least_saliency = z.least_saliency,
-             .least_polarity = z.least_polarity};
+             .least_polarity = z.least_polarity,
+             .amperes_per_second = 1 / seconds_per_ampere};
+  // A pulse rises over 1/0.8 of its length at most (words.cpp), and falls over about its length;
+  // two samples without current and one on which it begins pass before the next.
+  const auto turned = [&](double length, double part) {
+    const double impulse = 1.5 * p.motor.pole_pairs * s.motor.flux_vs * part *
+                           (length / seconds_per_ampere) * 1.125 * length;
+    return p.motor.pole_pairs * impulse / inertia * (2.25 * length + 3 * p.pwm.period);
+  };
+  p.pilot.turned = std::max(turned(p.pilot.short_s, 1), turned(p.pilot.long_s, 0.556));
 }
 
 void set_protection(const Settings& s, Design& d) {
@@ -165,6 +174,13 @@ std::vector<std::string> problems(const Settings& s) {
   }
   if (s.sinusoidal_start.by == StartBy::kPilot && s.motor.saturation == 0) {
     add("sinusoidal_start.by is \"pilot\", but motor.saturation is 0; nothing shows the polarity then");
+  }
+  constexpr double kMostTurned = 2;  // electrical degrees, less than what the position may be off
+  const double turned = d.parameters.pilot.turned * 180 / kPi;
+  if (s.sinusoidal_start.by == StartBy::kPilot && turned > kMostTurned) {
+    add("sinusoidal_start.by is \"pilot\", but a pulse turns the rotor by up to ", turned,
+        " electrical degrees; must be ", kMostTurned,
+        " or less: shorter pulses (pilot_short_s, pilot_long_s), or start by \"pattern\"");
   }
   if (s.scenario.speed_rpm > 0.9 * d.no_load_rpm) {
     add("scenario.speed_rpm is ", s.scenario.speed_rpm, " rpm; must be below ", 0.9 * d.no_load_rpm,

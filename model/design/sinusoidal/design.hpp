@@ -6,6 +6,9 @@
 //     K_SP      angle_gain / K_E,  K_SI = 10/s K_SP      the same of the voltage model
 //     currents  kp = bandwidth L, ki = kp max(R / L, bandwidth / 6)
 //     speed     kp = bandwidth J / (pole_pairs^2 K_E), ki = kp bandwidth / 5
+//     pilot     p torque impulse / J times the way to the reverse: what a pulse turns the rotor; the
+//               torque is the whole of a short pulse's current, and of a long one's, which lies
+//               within 34 degrees of the magnet, the sine of that
 //     slowest   K_E w T / L_q = half a step of the converter: one radian of error just shows
 //
 // Doc: docs/sinusoidal.md   Test: tests/model/design/sinusoidal_rules_test.cpp

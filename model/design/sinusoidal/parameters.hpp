@@ -66,6 +66,8 @@ struct Pilot {
   int repeats = 1;                    // rounds of short pulses that are averaged
   double least_saliency = 0;          // of the mean peak; less is no position
   double least_polarity = 0;          // of the two long peaks' sum; less is no polarity
+  double amperes_per_second = 0;      // of a winding against the two others, mean over the rotor
+  double turned = 0;                  // rad, by a pulse before its reverse, at most
 };
 
 struct Start {

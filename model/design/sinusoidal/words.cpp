@@ -108,12 +108,83 @@ ControlWords control_words(ScaledQuantiser& word, const Parameters& p, const Sca
           .limit = word("control.limit", "", longest, 1, 15, 15)};
 }
 
+// A pulse is chopped over whole periods, at most four fifths of them: the length that is wanted is
+// the on-time of all together, each longer by the dead time that it loses.
+struct PilotPlan {
+  double short_periods, on_share, long_periods;
+};
+
+PilotPlan plan_pilot(const Parameters& p) {
+  const double n = std::ceil(p.pilot.short_s / (0.8 * p.pwm.period));
+  const double share = p.pilot.short_s / (n * p.pwm.period);
+  return {n, share, std::max(n, std::round(p.pilot.long_s / (share * p.pwm.period)))};
+}
+
+PilotWords pilot_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
+  const Pilot& o = p.pilot;
+  const PilotPlan plan = plan_pilot(p);
+  // Half the rounds give one part of the sum, each of its six pulses as much as the saliency.
+  const double sum = 3 * o.repeats * o.short_s * o.amperes_per_second;
+  return {.short_periods = word("pilot.short_periods", "periods", plan.short_periods, 1, 0, 6),
+          .long_periods = word("pilot.long_periods", "periods", plan.long_periods, 1, 0, 6),
+          .rounds = word("pilot.rounds", "", o.repeats, 1, 0, 5),
+          .decayed = word("pilot.decayed", "A", o.decayed, f.current, 15, 15),
+          .saliency = word("pilot.saliency", "A", o.least_saliency * sum, f.current, 15, 15),
+          .polarity = word("pilot.polarity", "A",
+                           o.least_polarity * 2 * o.long_s * o.amperes_per_second, f.current, 15,
+                           15)};
+}
+
+SequenceWords sequence_words(ScaledQuantiser& word, const Parameters& p, const Settings& s,
+                             const Scales& f) {
+  const Start& t = p.start;
+  const bool pilot = t.by == StartBy::kPilot;
+  const PilotPlan plan = plan_pilot(p);
+  const double dead = std::max(p.pwm.dead_time, kDeadTimeFloor * f.clock);
+  const double hold = pilot ? (plan.on_share + dead / p.pwm.period) * s.inverter.bus_v
+                            : 1.5 * p.motor.resistance * t.pattern_current;
+  // Each pulse with its decay and the samples between; and one that does not decay.
+  const double pulses = 6 * p.pilot.repeats * (2 * plan.short_periods + 6) +
+                        2 * (2 * plan.long_periods + 6) + 20;
+  const double pattern = pilot ? pulses * p.pwm.period + p.pilot.decay_s : t.pattern_s / 2;
+  return {.arbitrary = t.by == StartBy::kArbitrary,
+          .pilot = pilot,
+          .hold_voltage = word("sequence.hold_voltage", "V", hold, f.voltage, 15, 15),
+          .pattern = word.periods("sequence.pattern", pattern, f),
+          .lock = word.periods("sequence.lock", t.lock_s, f),
+          .give_up = word.periods("sequence.give_up", t.give_up_s, f),
+          .brake = word.periods("sequence.brake", t.brake_s, f),
+          .rest = word.periods("sequence.rest", t.rest_s, f),
+          .retries = word("sequence.retries", "", t.retries, 1, 0, 4)};
+}
+
+void refuse_pilot(std::vector<std::string>& lines, const Settings& s, const Design& d) {
+  const Pilot& o = d.parameters.pilot;
+  const auto add = [&](const auto&... parts) {
+    std::ostringstream line;
+    (line << ... << parts);
+    lines.push_back(line.str());
+  };
+  if (o.repeats % 2 != 0) {
+    add("sinusoidal_start.pilot_repeats is ", o.repeats, "; must be even for this engine");
+  }
+  const double shortest = 2 * std::max(d.parameters.pwm.dead_time, d.parameters.pwm.minimum);
+  if (o.short_s < shortest) {
+    add("sinusoidal_start.pilot_short_s is ", o.short_s, " s; must be at least ", shortest,
+        " s, twice the dead time and the shortest pulse");
+  }
+  // A quarter is left to what iron adds to the saliency.
+  const double once = 3 * d.saliency * o.short_s * o.amperes_per_second;
+  const double most = 0.75 * current_range(s);
+  if (o.repeats * once > most) {
+    add("sinusoidal_start.pilot_repeats is ", o.repeats, "; must be at most ",
+        2 * int(most / once / 2), " for this engine, whose sum has the converter's range");
+  }
+}
+
 void refuse(std::vector<std::string>& lines, const Settings& s, const Design& d) {
   const auto& p = d.parameters;
-  if (p.start.by == StartBy::kPilot) {
-    lines.push_back(
-        "sinusoidal_start.by is \"pilot\"; must be \"pattern\" or \"arbitrary\" for this engine");
-  }
+  if (p.start.by == StartBy::kPilot) refuse_pilot(lines, s, d);
   if (p.estimator == Estimator::kVoltage && p.voltage_model.samples != 1 &&
       p.voltage_model.samples != 8) {
     std::ostringstream line;
@@ -125,10 +196,6 @@ void refuse(std::vector<std::string>& lines, const Settings& s, const Design& d)
     std::ostringstream line;
     line << "adc.bits is " << s.adc.bits << "; must be 12 for this engine";
     lines.push_back(line.str());
-  }
-  if (p.motor.inductance_d != p.motor.inductance_q) {
-    lines.push_back(
-        "motor.inductance_d_h differs from inductance_q_h; must be the same for this engine");
   }
 }
 
@@ -145,17 +212,8 @@ Quantised quantise(const Settings& s) {
   q.words.estimator = estimator_words(word, p, f);
   q.words.speed = speed_words(word, p, f);
   q.words.control = control_words(word, p, f);
-  const auto& t = p.start;
-  q.words.sequence = {
-      .arbitrary = t.by == StartBy::kArbitrary,
-      .hold_voltage = word("sequence.hold_voltage", "V",
-                           1.5 * p.motor.resistance * t.pattern_current, f.voltage, 15, 15),
-      .pattern = word.periods("sequence.pattern", t.pattern_s / 2, f),
-      .lock = word.periods("sequence.lock", t.lock_s, f),
-      .give_up = word.periods("sequence.give_up", t.give_up_s, f),
-      .brake = word.periods("sequence.brake", t.brake_s, f),
-      .rest = word.periods("sequence.rest", t.rest_s, f),
-      .retries = word("sequence.retries", "", t.retries, 1, 0, 4)};
+  q.words.sequence = sequence_words(word, p, s, f);
+  if (p.start.by == StartBy::kPilot) q.words.pilot = pilot_words(word, p, f);
   const auto& g = p.protection;
   const Word over = word("fault.over_current", "A", g.over_current, f.current, 15, 15);
   q.words.fault = {.over_current = over,

@@ -35,8 +35,11 @@ struct ControlWords {
   Word set_gamma = 0, k_p = 0, k_i = 0, inductance = 0, emf = 0, limit = 0;
 };
 struct SequenceWords {
-  bool arbitrary = false;
+  bool arbitrary = false, pilot = false;
   Word hold_voltage = 0, pattern = 0, lock = 0, give_up = 0, brake = 0, rest = 0, retries = 0;
+};
+struct PilotWords {
+  Word short_periods = 0, long_periods = 0, rounds = 0, decayed = 0, saliency = 0, polarity = 0;
 };
 struct FaultWords {
   Word over_current = 0, saturated = 0, slow = 0, emf = 0, lost_samples = 0;
@@ -47,6 +50,7 @@ struct Words {
   RegulatorWords speed;
   ControlWords control;
   SequenceWords sequence;
+  PilotWords pilot;
   FaultWords fault;
 };
 

@@ -1,0 +1,5 @@
+#include "hls/sinusoidal/sigma_delta.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::SigmaDelta<>>;

@@ -1,0 +1,5 @@
+#include "hls/sinusoidal/spi_adc.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::SpiAdc>;

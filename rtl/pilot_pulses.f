@@ -1,0 +1,1 @@
+rtl/pilot_pulses.sv

@@ -1,0 +1,2 @@
+rtl/sinc3.sv
+rtl/sigma_delta.sv

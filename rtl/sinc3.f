@@ -1,0 +1,1 @@
+rtl/sinc3.sv

@@ -1,0 +1,272 @@
+// Against a converter that answers bit by bit as the AD7928's data sheet says: every code, the times, any delay
+// of the line, and what a converter out of step does.
+
+#include "hls/sinusoidal/spi_adc.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <random>
+#include <utility>
+
+#include "hls/sinusoidal/sinusoidal_top.hpp"
+
+namespace steplock {
+namespace {
+
+// 12 bits, 8 channels: holds its input when cs_n falls, drives DOUT after falling edges of SCLK, reads DIN
+// at them, and converts next time the channel that a frame has written.
+class Converter {
+ public:
+  std::function<int(int channel, long clock)> input;  // 0 .. 4095
+  int delay = 1;                                      // clocks from an edge to the line, at least 1
+  SpiAdcWords words;                                  // what the pins' times are judged by
+  std::map<int, long> held;                           // clock, by channel
+  int violations = 0;                                 // of the interface's rules
+  int frames = 0;
+
+  // Somebody has turned its supply off and on.
+  void reset() {
+    channel_ = int(any_() % 8);
+    asleep_ = 2;
+  }
+
+  bool clock(const SpiAdc::Out& pins) {
+    ++now_;
+    const int half = int(words.half.raw());
+    if (pins.sclk != sclk_ && now_ - sclk_changed_ < half) ++violations;
+    if (pins.mosi != mosi_ && sclk_ && !pins.sclk) ++violations;
+    if (pins.mosi != mosi_ && !pins.cs_n && !pins.sclk) ++violations;  // holds while low
+    if (cs_n_ && !pins.cs_n) begin(pins);
+    if (!cs_n_ && pins.cs_n) end(pins);
+    if (!pins.cs_n && sclk_ && !pins.sclk) falls(pins.mosi);
+    if (pins.sclk != sclk_) sclk_changed_ = now_;
+    if (pins.cs_n != cs_n_) cs_changed_ = now_;
+    cs_n_ = pins.cs_n, sclk_ = pins.sclk, mosi_ = pins.mosi;
+    while (!line_.empty() && line_.front().first <= now_) {
+      miso_ = line_.front().second;
+      line_.pop_front();
+    }
+    return miso_;
+  }
+  long now() const { return now_; }
+
+ private:
+  void begin(const SpiAdc::Out& pins) {
+    if (!pins.sclk || (frames > 0 && now_ - cs_changed_ < int(words.quiet.raw()))) ++violations;
+    held[channel_] = now_;
+    const int code = input(channel_, now_) ^ (binary_ ? 0 : 2048);
+    answer_ = asleep_ > 0 ? int(any_() & 0xffff) : channel_ << 12 | code;
+    edges_ = written_ = 0;
+    drive();
+  }
+  void falls(bool mosi) {
+    if (edges_ == 0 && now_ - cs_changed_ < int(words.half.raw())) ++violations;
+    if (++edges_ <= 12) written_ = written_ << 1 | int(mosi);
+    // WRITE, SEQ, -, ADD, PM, SHADOW, -, RANGE, CODING
+    if (edges_ == 12 && asleep_ == 0 && (written_ & 0x800)) {
+      channel_ = written_ >> 6 & 7;
+      binary_ = written_ & 1;
+      if ((written_ >> 4 & 3) != 3 || (written_ & 0x408)) ++violations;  // normal mode, no sequence
+      if (((written_ >> 1 & 1) == 0) != words.twice) ++violations;
+    }
+    drive();
+  }
+  void end(const SpiAdc::Out&) {
+    if (edges_ != 16) ++violations;
+    if (asleep_ > 0) {
+      if (written_ != 0xfff) ++violations;
+      --asleep_;
+    }
+    ++frames;
+  }
+  void drive() {
+    line_.push_back({now_ + delay - 1, edges_ < 16 ? answer_ >> (15 - edges_) & 1 : bool(any_() & 1)});
+  }
+
+  std::mt19937 any_{1};
+  int channel_ = 5, asleep_ = 2;  // unknown at power-up
+  bool binary_ = false;
+  int answer_ = 0, edges_ = 0, written_ = 0;
+  bool cs_n_ = true, sclk_ = true, mosi_ = false, miso_ = false;
+  long now_ = 0, sclk_changed_ = -1000, cs_changed_ = -1000;
+  std::deque<std::pair<long, bool>> line_;
+};
+
+struct Bench {
+  explicit Bench(int half = 2, int quiet = 10) {
+    in.words = {.half = half, .quiet = quiet, .u = 3, .v = 6, .dc = 1};
+    adc.words = in.words;
+    adc.input = [](int channel, long) { return 100 * channel; };
+  }
+  SpiAdc::Out tick(bool sample = false) {
+    in.sample = sample;
+    out = dut.tick(in);
+    in.miso = adc.clock(out);
+    if (broken) in.miso = broken(in.miso);
+    errors += out.error;
+    missed += out.missed;
+    return out;
+  }
+  void wake() {
+    for (int i = 0; i < 100'000 && !out.ready; ++i) tick();
+  }
+  // Clocks to valid, or 0 if there is none.
+  int sampled(int limit = 20'000) {
+    tick(true);
+    for (int clock = 1; clock < limit; ++clock) {
+      if (tick().codes.valid) {
+        codes = out.codes;
+        wake();
+        return clock;
+      }
+    }
+    return 0;
+  }
+
+  SpiAdc dut;
+  SpiAdc::In in;
+  SpiAdc::Out out;
+  Converter adc;
+  CurrentSense::Codes codes;
+  std::function<bool(bool)> broken;
+  int errors = 0, missed = 0;
+};
+
+TEST(SpiAdc, EveryCodeOfEveryChannelArrives) {
+  Bench b(1, 4);
+  int k = 0;
+  b.adc.input = [&](int channel, long) {
+    return channel == 3 ? k : channel == 6 ? 4095 - k : channel == 1 ? (k * 1365) & 4095 : 0;
+  };
+  b.wake();
+  for (k = 0; k < 4096; ++k) {
+    ASSERT_NE(b.sampled(), 0);
+    ASSERT_EQ(b.codes.u, k - 2048);
+    ASSERT_EQ(b.codes.v, 2047 - k);
+    ASSERT_EQ(b.codes.dc, (k * 1365) & 4095);
+  }
+  EXPECT_EQ(b.adc.violations + b.errors + b.missed, 0);
+}
+
+TEST(SpiAdc, HoldsAndCodesComeWhenTheHeaderSays) {
+  for (const int half : {1, 2, 3, 7, 63}) {
+    for (const int quiet : {4, 5, 30, 255}) {
+      Bench b(half, quiet);
+      b.wake();
+      const long strobe = b.adc.now() + 1;
+      ASSERT_EQ(b.sampled(30'000), 98 * half + 2 * quiet + 4);
+      const int frame = 33 * half + quiet;
+      EXPECT_EQ(b.adc.held[3], strobe + 1);
+      EXPECT_EQ(b.adc.held[6], strobe + 1 + frame);
+      EXPECT_EQ(b.adc.held[1], strobe + 1 + 2 * frame);
+      EXPECT_EQ(b.adc.violations, 0);
+    }
+  }
+}
+
+TEST(SpiAdc, AnyDelayOfTheLineBelowAPeriodIsReadAndALongerOneIsNoticed) {
+  for (const int half : {1, 2, 3, 4}) {
+    for (int delay = 1; delay <= 2 * half; ++delay) {
+      Bench b(half);
+      b.adc.delay = delay;
+      b.wake();
+      const bool comes = b.sampled(2000) != 0;
+      EXPECT_EQ(comes, delay < 2 * half) << half << " " << delay;
+      EXPECT_EQ(b.errors != 0, delay == 2 * half);
+      EXPECT_TRUE(!comes || b.codes.u == 300 - 2048);
+    }
+  }
+}
+
+TEST(SpiAdc, ALineThatStandsStillIsAnErrorAndNoCurrent) {
+  for (const bool level : {false, true}) {
+    Bench b;
+    b.wake();
+    b.broken = [=](bool) { return level; };
+    EXPECT_EQ(b.sampled(2000), 0);
+    EXPECT_EQ(b.errors, 1);
+    b.broken = nullptr;
+    b.wake();
+    EXPECT_NE(b.sampled(), 0);
+    EXPECT_EQ(b.codes.u, 300 - 2048);
+  }
+}
+
+TEST(SpiAdc, AConverterThatForgotItsChannelIsWokenAgain) {
+  Bench b;
+  b.wake();
+  ASSERT_NE(b.sampled(), 0);
+  b.adc.reset();
+  for (int tries = 0; tries < 3; ++tries) {
+    if (b.sampled(2000) != 0) break;
+    b.wake();
+  }
+  EXPECT_GE(b.errors, 1);
+  EXPECT_EQ(b.codes.u, 300 - 2048);
+  EXPECT_EQ(b.codes.v, 600 - 2048);
+  EXPECT_EQ(b.codes.dc, 100);
+}
+
+TEST(SpiAdc, ASampleThatComesTooEarlyIsMissedAndDisturbsNothing) {
+  Bench b;
+  b.tick(true);
+  b.tick();
+  EXPECT_EQ(b.missed, 1) << "not awake yet";
+  b.wake();
+  b.tick(true);
+  int valid = 0;
+  for (int clock = 1; clock < 200; ++clock) valid += b.tick(clock % 50 == 0).codes.valid;
+  for (int clock = 0; clock < 100; ++clock) valid += b.tick().codes.valid;
+  EXPECT_EQ(b.missed, 4);
+  EXPECT_EQ(valid, 1);
+  EXPECT_EQ(b.adc.violations + b.errors, 0);
+}
+
+TEST(SpiAdc, OffMovesNoPinAndOnWakesTheConverter) {
+  Bench b;
+  b.in.words.half = 0;
+  for (int clock = 0; clock < 1000; ++clock) {
+    b.tick();
+    ASSERT_TRUE(b.out.cs_n && b.out.sclk && !b.out.ready);
+  }
+  b.in.words.half = 2;
+  b.wake();
+  EXPECT_NE(b.sampled(), 0);
+}
+
+// The test's own eyes: a line that is written at the wrong edge is a violation.
+TEST(SpiAdc, TheConverterModelNoticesAWrongPhase) {
+  Bench b;
+  for (int clock = 0; clock < 400; ++clock) {
+    auto pins = b.dut.tick(b.in);
+    pins.sclk = !pins.sclk;
+    b.adc.clock(pins);
+  }
+  EXPECT_GT(b.adc.violations, 10);
+}
+
+TEST(SpiAdc, TheDriveGetsASampleInEveryPeriod) {
+  Bench b;
+  SinusoidalTop drive;
+  SinusoidalTop::In in;
+  in.words.bridge.period = 1000;
+  in.words.bridge.inverse = 22370;  // 2^26 / (3 * 1000)
+  int strobes = 0, done = 0;
+  bool sample = false;
+  for (int clock = 0; clock < 50'000; ++clock) {
+    in.codes = b.tick(sample).codes;
+    const auto out = drive.tick(in);
+    sample = out.sample;
+    strobes += sample;
+    done += out.done;
+  }
+  EXPECT_EQ(strobes, 50);
+  EXPECT_EQ(b.missed, 1) << "the converter wakes";
+  EXPECT_EQ(done, strobes - b.missed);
+}
+
+}  // namespace
+}  // namespace steplock

@@ -1,0 +1,39 @@
+// The RTL of the sinusoidal drive with its source beside it: the same inputs, and every output in
+// every clock.
+#pragma once
+
+#include "testbench/sinusoidal/rtl_engine.hpp"
+
+namespace steplock::sinusoidal {
+
+class Lockstep {
+ public:
+  Lockstep(const design::Settings& s, const plant::AdcParameters& adc)
+      : rtl_(s, adc), cpp_(s, adc) {}
+
+  void set_pins(const plant::Pins&) {}
+  void set_command(const HostCommand& c) { rtl_.set_command(c), cpp_.set_command(c); }
+  void set_reading(const plant::State& s) { rtl_.set_reading(s), cpp_.set_reading(s); }
+  void tick() {
+    rtl_.tick();
+    cpp_.tick();
+    auto out = cpp_.output();
+    if (clocks == spoil) out.on_u = out.on_u ^ LegClocks(1);
+    if (const char* port = rtl_.differs(out); port != nullptr && first == nullptr) {
+      first = port;
+      at = clocks;
+    }
+    ++clocks;
+  }
+  Watch watch() const { return rtl_.watch(); }
+  View view() const { return rtl_.view(); }
+
+  const char* first = nullptr;  // the first port that differed
+  std::uint64_t clocks = 0, at = 0, spoil = ~std::uint64_t{0};
+
+ private:
+  RtlEngine rtl_;
+  FixedEngine cpp_;
+};
+
+}  // namespace steplock::sinusoidal
