@@ -21,22 +21,25 @@ module synchroniser (
     output logic hall_v_o,  // Hall sensor V
     output logic hall_w_o  // Hall sensor W
 );
-  logic first_comparator_u;  // terminal U above the reference
-  logic first_comparator_v;  // terminal V above the reference
-  logic first_comparator_w;  // terminal W above the reference
-  logic first_limit;  // shunt current above the limit
-  logic first_fault;  // external fault, active high
-  logic first_hall_u;  // Hall sensor U
-  logic first_hall_v;  // Hall sensor V
-  logic first_hall_w;  // Hall sensor W
-  logic second_comparator_u;  // terminal U above the reference
-  logic second_comparator_v;  // terminal V above the reference
-  logic second_comparator_w;  // terminal W above the reference
-  logic second_limit;  // shunt current above the limit
-  logic second_fault;  // external fault, active high
-  logic second_hall_u;  // Hall sensor U
-  logic second_hall_v;  // Hall sensor V
-  logic second_hall_w;  // Hall sensor W
+  (* ASYNC_REG = "TRUE", syn_preserve = 1,
+     altera_attribute = "-name SYNCHRONIZER_IDENTIFICATION FORCED" *)
+  logic
+      first_comparator_u,  // terminal U above the reference
+      first_comparator_v,  // terminal V above the reference
+      first_comparator_w,  // terminal W above the reference
+      first_limit,  // shunt current above the limit
+      first_fault,  // external fault, active high
+      first_hall_u,  // Hall sensor U
+      first_hall_v,  // Hall sensor V
+      first_hall_w,  // Hall sensor W
+      second_comparator_u,  // terminal U above the reference
+      second_comparator_v,  // terminal V above the reference
+      second_comparator_w,  // terminal W above the reference
+      second_limit,  // shunt current above the limit
+      second_fault,  // external fault, active high
+      second_hall_u,  // Hall sensor U
+      second_hall_v,  // Hall sensor V
+      second_hall_w;  // Hall sensor W
 
   always_ff @(posedge clk) begin
     first_comparator_u <= comparator_u_i;

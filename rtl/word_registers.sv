@@ -11,7 +11,7 @@ module word_registers (
     input  logic [3:0]  request_strobes_i,  // bytes of `data` that count
     input  logic        stopped_i,  // stopped and keyed words may change
     input  logic        boundary_i,  // strobe: a PWM period begins
-    output logic [13:0] words_pwm_period_o,  // clocks; 0 keeps the bridge off; taken at the period's start
+    output logic [13:0] words_pwm_period_o,  // clocks; 0 keeps the high sides off; taken at the period's start
     output logic [13:0] words_pwm_minimum_o,  // clocks; shorter on or off times become 0 % or 100 %
     output logic        words_pwm_centred_o,  // pulses centred in the period instead of at its start
     output logic        words_pwm_complementary_o,  // the chopped leg's low side conducts in the off-time
@@ -64,7 +64,7 @@ module word_registers (
     output logic [25:0] words_protection_stall_o,  // u0.32: slower than this in speed control is a stall
     output logic [15:0] words_protection_slip_o,  // duty above the back-EMF's that no right lock shows
     output logic [15:0] words_protection_freewheel_o,  // u0.16: freewheeling for longer than this part of a step is wrong
-    output logic [11:0] words_protection_wrong_lock_o,  // for how long; 0 disables the test
+    output logic [11:0] words_protection_wrong_lock_o,  // a wrong tick takes two of them; 0 disables the test
     output logic [3:0]  words_protection_over_current_o,  // limit hits with the comparator never released; 0 disables
     output logic        words_source_o,
     output logic [31:0] data_o,  // the word register at `request.index`; 0 for all others
@@ -77,7 +77,7 @@ module word_registers (
   localparam logic Bandwidth_kPerStep = 1'b1;
   localparam logic Source_kBemf = 1'b0;
 
-  logic [13:0] words_pwm_period;  // clocks; 0 keeps the bridge off; taken at the period's start
+  logic [13:0] words_pwm_period;  // clocks; 0 keeps the high sides off; taken at the period's start
   logic [13:0] words_pwm_minimum;  // clocks; shorter on or off times become 0 % or 100 %
   logic words_pwm_centred;  // pulses centred in the period instead of at its start
   logic words_pwm_complementary;  // the chopped leg's low side conducts in the off-time
@@ -130,7 +130,7 @@ module word_registers (
   logic [25:0] words_protection_stall;  // u0.32: slower than this in speed control is a stall
   logic [15:0] words_protection_slip;  // duty above the back-EMF's that no right lock shows
   logic [15:0] words_protection_freewheel;  // u0.16: freewheeling for longer than this part of a step is wrong
-  logic [11:0] words_protection_wrong_lock;  // for how long; 0 disables the test
+  logic [11:0] words_protection_wrong_lock;  // a wrong tick takes two of them; 0 disables the test
   logic [3:0] words_protection_over_current;  // limit hits with the comparator never released; 0 disables
   logic words_source;
   logic [25:0] staged_speed_target;  // u0.32

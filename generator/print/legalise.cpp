@@ -5,6 +5,7 @@
 #include "generator/print/expressions.hpp"
 #include "generator/print/identifiers.hpp"
 #include "generator/print/place.hpp"
+#include "generator/print/synchronisers.hpp"
 #include "generator/print/wire_names.hpp"
 
 #include <fmt/format.h>
@@ -109,9 +110,10 @@ class Legaliser {
     for (std::size_t i = 0; i < m_.outputs.size(); ++i)
       text_.outputs.push_back(
           {names_.outputs[i], m_.outputs[i].leaf.width, m_.outputs[i].leaf.comment});
+    const std::vector<bool> synchronises = find_synchronisers(m_);
     for (std::size_t i = 0; i < m_.registers.size(); ++i)
-      text_.registers.push_back(
-          {names_.registers[i], m_.registers[i].leaf.width, m_.registers[i].leaf.comment});
+      text_.registers.push_back({names_.registers[i], m_.registers[i].leaf.width,
+                                 m_.registers[i].leaf.comment, synchronises[i]});
   }
 
   void write_cell(unsigned index) {

@@ -116,6 +116,7 @@ struct Signal {  // port or register
   std::string name;
   unsigned width = 1;
   std::string comment;
+  bool synchronises = false;
 };
 
 struct Text {

@@ -1,6 +1,7 @@
 #include "generator/print/write_module.hpp"
 
 #include "generator/names.hpp"
+#include "generator/print/synchronisers.hpp"
 #include "generator/print/write_expression.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +25,7 @@ class Writer {
       line(1, fmt::format("localparam logic {}{} = {};", write_range(value.width), name,
                           write_flat(value)));
     if (!t.constants.empty()) out_ += "\n";
-    for (const syntax::Signal& r : t.registers)
-      line(1, fmt::format("logic {}{};{}", write_range(r.width), r.name, write_comment(r.comment)));
+    declare_registers(t.registers);
     if (!t.registers.empty()) out_ += "\n";
     for (const syntax::Item& item : t.items)
       std::visit([this](const auto& i) { write(i); }, item);
@@ -138,6 +138,23 @@ class Writer {
       column += text.size();
     }
     return out;
+  }
+
+  // Neighbours that synchronise share one declaration, which carries their marks.
+  void declare_registers(const std::vector<syntax::Signal>& list) {
+    const auto alike = [&](std::size_t a, std::size_t b) {
+      return b < list.size() && list[a].synchronises && list[b].synchronises &&
+             list[a].width == list[b].width;
+    };
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const syntax::Signal& r = list[i];
+      const bool goes_on = i > 0 && alike(i - 1, i), more = alike(i, i + 1);
+      const std::string type = "logic " + write_range(r.width);
+      if (r.synchronises && !goes_on) line(1, kSynchroniserMarks);
+      if (more && !goes_on) line(1, type.substr(0, type.size() - 1));
+      line(goes_on || more ? 3 : 1, fmt::format("{}{}{}{}", goes_on || more ? "" : type, r.name,
+                                                more ? "," : ";", write_comment(r.comment)));
+    }
   }
 
   void registers(const syntax::Text& t) {

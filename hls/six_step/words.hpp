@@ -26,7 +26,7 @@ enum class Bandwidth : std::uint8_t { kPerSecond, kPerStep };
 enum class Source : std::uint8_t { kBemf, kHall };
 
 struct PwmWords {
-  Clocks period = 0;             // clocks; 0 keeps the bridge off; taken at the period's start
+  Clocks period = 0;             // clocks; 0 keeps the high sides off; taken at the period's start
   Clocks minimum = 0;            // clocks; shorter on or off times become 0 % or 100 %
   bool centred = false;          // pulses centred in the period instead of at its start
   bool complementary = false;    // the chopped leg's low side conducts in the off-time
@@ -97,7 +97,7 @@ struct ProtectionWords {
   Frequency stall = 0;           // u0.32: slower than this in speed control is a stall
   Duty slip = 0;                 // duty above the back-EMF's that no right lock shows
   Phase freewheel = 0;           // u0.16: freewheeling for longer than this part of a step is wrong
-  Ticks wrong_lock = 0;          // for how long; 0 disables the test
+  Ticks wrong_lock = 0;          // a wrong tick takes two of them; 0 disables the test
   UInt<4> over_current = 0;      // limit hits with the comparator never released; 0 disables
 };
 

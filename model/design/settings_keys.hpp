@@ -220,7 +220,8 @@ void for_each_key(S& s, Visitor&& visit) {
   k("stall_rpm", q.stall_rpm, "rpm", "slower is a stall; default: 0.4 x hand-over", 0, 1e6);
   k("slip_duty", q.slip_duty, "", "duty above what speed and commutation take that no right lock shows", 0, 2);
   k("freewheel_deg", q.freewheel_deg, "deg", "longer freewheeling is wrong", 1, 60);
-  k("wrong_lock_s", q.wrong_lock_s, "s", "for how long; 0 disables the test", 0, 4);
+  k("wrong_lock_s", q.wrong_lock_s, "s",
+    "a wrong tick takes two from it, a right one gives one back; 0 disables the test", 0, 4);
   k("over_current", q.over_current, "", "limit hits in a row that never release; 0 disables", 0,
     15);
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "model/design/analog_circuit.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "testbench/command/command.hpp"
@@ -20,15 +21,22 @@ namespace {
 
 struct Arguments {
   std::string file, out;
-  bool json = false, c_header = false, verilog = false;
+  bool json = false, c_header = false, verilog = false, circuit = false;
   std::optional<double> clock_hz;
 };
 
-// The words alone: for steplock_init() of rtl/host/steplock.h, or around rtl/six_step_bare.sv.
-int print_words(const DriveFile& file, const Arguments& arguments) {
+// One part alone: the analog circuit, or the words for steplock_init() of rtl/host/steplock.h, or around
+// rtl/six_step_bare.sv.
+int print_part(const DriveFile& file, const Arguments& arguments) {
   if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
     throw BadInput(fmt::format("{}: {} is for six-step drives; leave it out", arguments.file,
-                               arguments.c_header ? "--c-header" : "--verilog"));
+                               arguments.circuit    ? "--circuit"
+                               : arguments.c_header ? "--c-header"
+                                                    : "--verilog"));
+  }
+  if (arguments.circuit) {
+    fmt::print("{}", design::circuit_text(file.settings, design::circuit_of(file.settings)));
+    return kWell;
   }
   const double clock_hz = file.settings.control.clock_hz;
   const auto designed = design::design_drive(file.settings);
@@ -48,7 +56,7 @@ int design_drive_file(const Arguments& arguments) {
     file.settings.control.clock_hz = *arguments.clock_hz;
     check_drive_file(file);  // words that fitted the file's clock need not fit this one
   }
-  if (arguments.c_header || arguments.verilog) return print_words(file, arguments);
+  if (arguments.c_header || arguments.verilog || arguments.circuit) return print_part(file, arguments);
   if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
     fmt::print("{}", arguments.json ? sinusoidal::design_json(file.settings).dump(2) + "\n"
                                     : sinusoidal::design_text(file.settings));
@@ -84,6 +92,8 @@ void add_design_command(CLI::App& app, int& exit_code) {
                     "print the words as C initialisers for rtl/host/steplock.h, nothing else");
   command->add_flag("--verilog", arguments->verilog,
                     "print the words as constants around rtl/six_step_bare.sv, nothing else");
+  command->add_flag("--circuit", arguments->circuit,
+                    "print dividers, filter, shunt and threshold in front of the FPGA, nothing else");
   command->add_option("--clock-hz", arguments->clock_hz, "clock of the board (default: the file's)");
   command->add_option("--out", arguments->out,
                       "directory for bode.svg (default out/<file>-design; with --json: none)");

@@ -10,6 +10,7 @@ lint=--lint says="disagree about the pins"
 case $flaw in
   pin_without_port) echo "set_io gate_xh 21" >>"$pcf" ;;
   port_without_pin) sed -i '/^set_io gate_uh/d' "$pcf" ;;
+  pin_of_two_ports) sed -i 's/^set_io gate_vh .*/set_io gate_vh 4/' "$pcf"; says="gives a pin to two ports: 4" ;;
   tie_of_another_width) sed -i "s/{button_fast, 1'b1}/button_fast/" "$top"; says="WIDTH" ;;
   clock_too_fast) sed -i 's/^# clock_hz: .*/# clock_hz: 48000000/' "$pcf"; lint="" says="Max frequency" ;;
 esac

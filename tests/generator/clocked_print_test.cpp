@@ -145,5 +145,32 @@ TEST(ClockedPrint, ChoiceOfWordsThatTwoBranchesShareIsMadeOnce) {
   EXPECT_PRINTS(text, "wire [7:0] word = (c_i || d_i) ? x_i : y_i;");
 }
 
+TEST(ClockedPrint, FlipFlopsOfAnAsynchronousPinAreFoundByTheirShapeAndMarked) {
+  Build b("pins");
+  const NodeId p = b.input("p", 1), q = b.input("q", 2);
+  const NodeId first = b.reg("first", 1), second = b.reg("second", 1);
+  const NodeId wide = b.reg("wide", 2), narrow = b.reg("narrow", 1), still = b.reg("still", 2);
+  b.next(first, p), b.next(second, first), b.next(wide, q), b.next(still, wide);
+  b.next(narrow, b.op(Op::kXor, narrow, p));
+  b.output("p", second), b.output("q", still), b.output("n", narrow);
+  const std::string text = printed(std::move(b));
+  const std::string marks =
+      "  (* ASYNC_REG = \"TRUE\", syn_preserve = 1,\n"
+      "     altera_attribute = \"-name SYNCHRONIZER_IDENTIFICATION FORCED\" *)\n";
+  EXPECT_PRINTS(text, marks + "  logic\n      first,\n      second;\n");
+  EXPECT_PRINTS(text, marks + "  logic [1:0] wide;\n  logic narrow;\n" + marks + "  logic [1:0] still;\n");
+}
+
+TEST(ClockedPrint, FlipFlopsThatAreMoreThanASynchroniserAreNotMarked) {
+  Build b("others");
+  const NodeId p = b.input("p", 1), c = b.input("c", 1);
+  const NodeId read = b.reg("read", 1), twice = b.reg("twice", 1);  // the first flop has two readers
+  const NodeId held = b.reg("held", 1), later = b.reg("later", 1);  // logic stands before the first
+  b.next(read, p), b.next(twice, read);
+  b.next(held, b.mux(c, p, held)), b.next(later, held);
+  b.output("twice", twice), b.output("read", read), b.output("later", later);
+  EXPECT_EQ(printed(std::move(b)).find("ASYNC_REG"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hlsgen

@@ -7,14 +7,6 @@ target_link_libraries(random_programs PRIVATE random_writer)
 add_executable(programs_test random/programs_test.cpp)
 target_link_libraries(programs_test PRIVATE random_writer GTest::gtest_main)
 gtest_discover_tests(programs_test DISCOVERY_TIMEOUT 60)
-# What every Verilated model calls.
-add_library(verilated_runtime STATIC ${VERILATOR_ROOT}/include/verilated.cpp
-            ${VERILATOR_ROOT}/include/verilated_threads.cpp)
-target_include_directories(verilated_runtime SYSTEM PUBLIC ${VERILATOR_ROOT}/include
-                           ${VERILATOR_ROOT}/include/vltstd)
-target_compile_options(verilated_runtime PRIVATE -w)
-target_link_libraries(verilated_runtime PUBLIC pthread)
-
 add_library(random_harness OBJECT random/random_test.cpp)
 target_compile_definitions(random_harness PRIVATE HLSGEN_ROOT="${PROJECT_SOURCE_DIR}")
 target_link_libraries(random_harness PUBLIC hlsgen_lib GTest::gtest_main)

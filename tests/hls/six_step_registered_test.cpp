@@ -36,5 +36,81 @@ TEST(SixStepRegistered, WhatWasWrittenIsReadBackInTheClockAfter) {
   EXPECT_EQ(dut.tick({}).data, UInt<32>(0x01000190));
 }
 
+// Clocks in which each gate was on, in a run of half duty with a reset pattern that lasts, and what a leg shows.
+struct Life {
+  int high = 0, low = 0, both = 0, shortest_gap = 1 << 30;
+};
+struct Value {
+  int address;
+  std::uint32_t data;
+};
+template <class... Values>
+Life life_with(Values... bad) {
+  constexpr int lock = address_of(index_of("LOCK"));
+  SixStepRegistered dut;
+  const auto write = [&](Value v) { dut.tick({.pins = {}, .request = writing(v.address, v.data)}); };
+  write({lock, kLockKey});
+  write({kPwm, 1u << 24 | 200});
+  write({address_of(index_of("START_RESET")), 4095u << 16});
+  write({address_of(index_of("START_DUTY")), 0x4000});
+  write({address_of(index_of("SPEED_DUTY")), 0x8000u << 16});
+  write({address_of(index_of("SPEED_DUTY_SLEW")), 0xfff});
+  (write(bad), ...);
+  write({kControl, 3});
+  Life life;
+  int off_for[3] = {1 << 20, 1 << 20, 1 << 20};
+  Gates was;
+  for (int clock = 0; clock < 50'000; ++clock) {
+    const Gates g = dut.tick({}).gates;
+    const bool highs[] = {g.uh, g.vh, g.wh}, lows[] = {g.ul, g.vl, g.wl};
+    const bool were_high[] = {was.uh, was.vh, was.wh}, were_low[] = {was.ul, was.vl, was.wl};
+    for (int leg = 0; leg < 3; ++leg) {
+      life.high += highs[leg];
+      life.low += lows[leg];
+      life.both += highs[leg] && lows[leg];
+      const bool turns_on = (highs[leg] && !were_high[leg]) || (lows[leg] && !were_low[leg]);
+      if (turns_on && off_for[leg] < life.shortest_gap) life.shortest_gap = off_for[leg];
+      off_for[leg] = highs[leg] || lows[leg] ? 0 : off_for[leg] + 1;
+    }
+    was = g;
+  }
+  return life;
+}
+
+// As docs/programmers_guide.md has it, "Values that make no sense".
+TEST(SixStepRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
+  constexpr int limits = address_of(index_of("PWM_LIMITS"));
+  constexpr int duty = address_of(index_of("START_DUTY"));
+  const std::uint32_t complementary = 1u << 17;
+  const Life good = life_with();
+  EXPECT_GT(good.high, 5000);
+  EXPECT_GT(good.low, 5000);
+
+  const Life no_period = life_with(Value{kPwm, 1u << 24});
+  EXPECT_EQ(no_period.high, 0) << "nothing connects the motor to the supply";
+
+  const Life no_dead_time = life_with(Value{kPwm, 1u << 24 | complementary | 200}, Value{limits, 0});
+  EXPECT_GE(no_dead_time.shortest_gap, int(kDeadTimeFloor));
+  const Life long_dead_time =
+      life_with(Value{kPwm, 1u << 24 | complementary | 200}, Value{limits, 255u << 16});
+  EXPECT_EQ(long_dead_time.high, 0) << "a pulse of the dead time or less never comes";
+  EXPECT_GT(long_dead_time.low, 0);
+
+  const Life large_duty = life_with(Value{duty, 0xffff});
+  const Life full_duty = life_with(Value{duty, 0x8000});
+  EXPECT_EQ(large_duty.high, full_duty.high) << "above the period is all of it";
+  EXPECT_GT(full_duty.high, 3 * good.high / 2);
+
+  const Life large_minimum = life_with(Value{limits, 0xffff});
+  EXPECT_EQ(large_minimum.high, 0) << "every pulse is shorter";
+
+  const Life nothing = life_with(Value{address_of(index_of("START_RESET")), 0}, Value{duty, 0});
+  for (const Life& life : {good, no_period, no_dead_time, long_dead_time, large_duty, full_duty,
+                           large_minimum, nothing}) {
+    EXPECT_EQ(life.both, 0);
+    EXPECT_GE(life.shortest_gap, int(kDeadTimeFloor));
+  }
+}
+
 }  // namespace
 }  // namespace steplock

@@ -11,6 +11,6 @@ for target in rv32imc:ilp32 rv64imac:lp64; do
   # medany: the driver's home may be anywhere.
   riscv64-unknown-elf-gcc "-march=${target%:*}" "-mabi=${target#*:}" -mcmodel=medany -std=c99 -ffreestanding -Os \
     -Wall -Wextra -Werror -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Irtl/host -I"$out" "$@" \
-    -nostdlib -Wl,-e,main tests/testbench/firmware.c rtl/host/steplock.c -lgcc -o "$out/firmware.${target%:*}"
+    -nostdlib -Wl,-e,main tests/testbench/firmware.c rtl/host/steplock.c rtl/host/steplock_spi.c -lgcc -o "$out/firmware.${target%:*}"
   riscv64-unknown-elf-size "$out/firmware.${target%:*}"
 done

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <map>
 #include <vector>
 
 #include "Vsix_step_axi.h"
@@ -13,6 +12,7 @@
 #include "ports/six_step_axi_ports.hpp"
 #include "rtl/host/steplock.h"
 #include "testbench/bus/axi_master.hpp"
+#include "testbench/bus/register_words.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/check.hpp"
@@ -20,19 +20,6 @@
 
 namespace steplock {
 namespace {
-
-// The words as `steplock design --c-header` prints them, here straight from the table.
-std::vector<steplock_word> words_of(const Words& words) {
-  std::map<int, std::uint32_t> values;
-  const auto place = [&](const auto& row) {
-    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-    values[row.address] |= static_cast<std::uint32_t>(bits_of(Word::of(words)).raw()) << row.lsb;
-  };
-  std::apply([&](const auto&... row) { (place(row), ...); }, kWordRows);
-  std::vector<steplock_word> list;
-  for (const auto& [address, value] : values) list.push_back({std::uint32_t(address), value});
-  return list;
-}
 
 // Motor, inverter, drive and bus, clock by clock.
 class Bench {
@@ -64,7 +51,7 @@ class Bench {
             },
             .context = this};
   }
-  std::vector<steplock_word> words() const { return words_of(words_); }
+  std::vector<steplock_word> words() const { return register_words(words_); }
   std::uint32_t speed(std::uint32_t erpm) const {
     return steplock_speed(erpm, std::uint32_t(clock_hz_), unsigned(words_.loop.divide.raw()));
   }

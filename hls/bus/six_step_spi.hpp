@@ -1,0 +1,59 @@
+// The six-step drive behind an SPI slave, for a companion MCU: wires between the blocks, and nothing else.
+//
+//     SPI -> Spi -> SixStepRegistered -> gates
+//
+// The map is docs/registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and its
+// heartbeat watchdog do not pass the bus.
+//
+//     fault pin to all six gates off    3 clocks, as without the bus
+//     sclk                              f_clk / 8 at most
+//
+// Doc: docs/blocks/six_step_spi.md   Test: tests/hls/six_step_spi_test.cpp
+
+#pragma once
+
+#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/spi.hpp"
+
+namespace steplock {
+
+class SixStepSpi {
+ public:
+  struct In {
+    Synchroniser::Pins pins;  // asynchronous
+    Spi::Pins spi;            // asynchronous
+  };
+
+  struct SpiOut {
+    bool miso = false;
+    bool selected = false;  // drive miso now, where several slaves share it
+  };
+
+  struct Out {
+    Gates gates;
+    bool interrupt = false;  // level
+    bool locked = false;     // running under speed control
+    bool fault = false;      // the drive's fault is latched
+    SpiOut spi;
+  };
+
+  Out tick(const In& in) {
+    const auto bus = bus_.tick({.pins = in.spi, .bit = bit_, .error = error_});
+    const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
+    bit_ = drive.data.bit(int(bus.place.raw()));
+    error_ = bus.writing ? drive.write_error : drive.read_error;
+    return {.gates = drive.gates,
+            .interrupt = drive.interrupt,
+            .locked = drive.locked,
+            .fault = drive.fault,
+            .spi = {.miso = bus.miso, .selected = bus.selected}};
+  }
+
+ private:
+  Spi bus_;
+  SixStepRegistered drive_;
+  bool bit_ = false;    // of the answer, in the clock before
+  bool error_ = false;
+};
+
+}  // namespace steplock

@@ -1,0 +1,5 @@
+#include "hls/bus/spi.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::Spi>;
