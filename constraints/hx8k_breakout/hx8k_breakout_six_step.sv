@@ -1,5 +1,5 @@
 // iCE40-HX8K breakout board: PLL, pads, reset and lamps around six_step_fixed, the drive of one motor
-// (steplock design FILE --verilog).  The PLL makes 48 MHz of the board's 12 MHz.
+// (steplock design FILE --verilog).  The PLL makes 36 MHz of the board's 12 MHz.
 //
 // Doc: docs/boards.md   Pins: hx8k_breakout.pcf   Test: tests/boards/CMakeLists.txt
 
@@ -30,7 +30,7 @@ module hx8k_breakout_six_step (
 
   // 12 MHz / (DIVR + 1) * (DIVF + 1) / 2^DIVQ
   SB_PLL40_CORE #(
-      .FEEDBACK_PATH("SIMPLE"), .DIVR(4'd0), .DIVF(7'd63), .DIVQ(3'd4), .FILTER_RANGE(3'd1)
+      .FEEDBACK_PATH("SIMPLE"), .DIVR(4'd0), .DIVF(7'd47), .DIVQ(3'd4), .FILTER_RANGE(3'd1)
   ) pll (
       .REFERENCECLK(clk_12mhz), .RESETB(1'b1), .BYPASS(1'b0), .LOCK(stable), .PLLOUTGLOBAL(clk)
   );
