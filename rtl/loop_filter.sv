@@ -51,20 +51,20 @@ module loop_filter (
   logic at_top;  // the output stands at a limit
   logic at_bottom;
 
-  wire [9:0] choice_106 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 106
-  wire [21:0] choice_74 =  // line 74
+  wire [9:0] choice_114 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 114
+  wire [21:0] choice_73 =  // line 73
       (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
       (loop_i != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
-  wire both_121 =  // line 121
+  wire both_129 =  // line 129
       loop_i == Loop_kHall && (error_i[15] || !error_i[14]) && (!error_i[15] || error_i[14]);
-  wire [14:0] choice_74_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
-  wire [15:0] wide_74 = {1'b0, choice_74_2};  // line 74
-  wire [15:0] choice_74_3 =  // line 74
+  wire [14:0] choice_73_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
+  wire [15:0] wide_73 = {1'b0, choice_73_2};  // line 73
+  wire [15:0] choice_73_3 =  // line 73
       (stage == Stage_kIntegral) ?
-      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_121 ? 15'd4096 : 15'd16384}) :
+      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_129 ? 15'd4096 : 15'd16384}) :
       (stage == Stage_kProportional) ? kp_i :
-      wide_74;
+      wide_73;
 
   wire [55:0] multiplier_product;
   wire multiplier_done;
@@ -73,10 +73,10 @@ module loop_filter (
       .clk(clk),
       .rst(rst),
       .start_i(stage - 4'd1 < 4'd6 && !started),
-      .a_i((stage == Stage_kKeep || stage == Stage_kDelay) ? {4'd0, y} : work),
-      .b_i((stage == Stage_kDelay) ? {12'd0, choice_106} :
-        (stage == Stage_kScale) ? choice_74 :
-        {6'd0, choice_74_3}),
+      .a_i((stage == Stage_kDelay || stage == Stage_kKeep) ? {4'd0, y} : work),
+      .b_i((stage == Stage_kDelay) ? {12'd0, choice_114} :
+        (stage == Stage_kScale) ? choice_73 :
+        {6'd0, choice_73_3}),
       .shift_i(4'd0),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
@@ -103,27 +103,27 @@ module loop_filter (
         end
         Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep,
         Stage_kIntegral: begin
-          logic [8:0] choice_127;
-          logic [10:0] choice_127_2;
-          logic [12:0] wide_127;
-          logic [12:0] choice_127_3;
+          logic [8:0] choice_135;
+          logic [10:0] choice_135_2;
+          logic [12:0] wide_135;
+          logic [12:0] choice_135_3;
           logic [15:0] error;
           logic [33:0] base;
-          logic [33:0] base_2;  // line 84
+          logic [33:0] base_2;  // line 83
           logic [33:0] sum;
-          choice_127 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 127
-          choice_127_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_127};  // line 127
-          wide_127 = {2'd0, choice_127_2};  // line 127
-          choice_127_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_127;  // line 127
-          error = (loop_i == Loop_kRamp) ? {3'd0, choice_127_3} : error_i;  // line 127
-          base = {{12{error[15]}}, error, 6'd0};  // line 128
+          choice_135 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 135
+          choice_135_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_135};  // line 135
+          wide_135 = {2'd0, choice_135_2};  // line 135
+          choice_135_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_135;  // line 135
+          error = (loop_i == Loop_kRamp) ? {3'd0, choice_135_3} : error_i;  // line 135
+          base = {{12{error[15]}}, error, 6'd0};  // line 136
           case (stage)
             Stage_kDelay: base_2 = base;
             Stage_kIntegral, Stage_kProportional: base_2 = x;
             Stage_kKeep: base_2 = work;
             default: base_2 = 34'd0;
           endcase
-          sum = base_2 + multiplier_product[47:14];  // line 132
+          sum = base_2 + multiplier_product[47:14];  // line 140
           case (stage)
             Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep: begin
               if (multiplier_done) begin
@@ -149,35 +149,35 @@ module loop_filter (
           endcase
         end
         default: begin
-          logic [25:0] choice_157;
-          logic [25:0] limit;  // line 75
-          logic below_76;
-          choice_157 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 157
+          logic [25:0] choice_165;
+          logic [25:0] limit;  // line 74
+          logic below_75;
+          choice_165 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 165
           case (stage)
-            Stage_kLow: limit = choice_157;
+            Stage_kLow: limit = choice_165;
             Stage_kHigh: limit = maximum_i;
             Stage_kSlow: limit = stall_i;
             default: limit = hand_over_i;
           endcase
-          below_76 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 76
+          below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
           case (stage)
             Stage_kLow: begin
               stage <= Stage_kHigh;
-              if (below_76) begin
-                work <= {4'd0, choice_157, 4'd0};
+              if (below_75) begin
+                work <= {4'd0, choice_165, 4'd0};
               end
-              at_bottom <= below_76;
+              at_bottom <= below_75;
             end
             Stage_kHigh: begin
               stage <= Stage_kSlow;
-              if (!below_76) begin
+              if (!below_75) begin
                 work <= {4'd0, maximum_i, 4'd0};
               end
-              at_top <= !below_76;
+              at_top <= !below_75;
             end
             Stage_kSlow: begin
               stage <= Stage_kOut;
-              slow <= below_76;
+              slow <= below_75;
             end
             default: begin
               stage <= Stage_kIdle;

@@ -61,19 +61,18 @@ module speed_control (
   logic at_low;  // or lower
 
   wire either = stage == Stage_kProportional || stage == Stage_kIntegral;
-  wire [15:0] choice_66 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 66
-  wire [26:0] choice = either ? reference[26:0] : {11'd0, choice_66};
-  wire [25:0] choice_69 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 69
-  wire [26:0] choice_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_69};
-  wire [26:0] a = choice + choice_2;  // line 67
+  wire [15:0] choice_106 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 106
+  wire [26:0] choice_63 = either ? reference[26:0] : {11'd0, choice_106};  // line 63
+  wire [25:0] choice_109 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 109
+  wire [26:0] choice_63_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_109};  // line 63
 
-  logic [15:0] choice_73;  // line 73
+  logic [15:0] choice_64;  // line 64
   always_comb begin
     case (stage)
-      Stage_kBemf: choice_73 = (mode_i == SpeedMode_kControl) ? words_loaded_i : words_bemf_i;
-      Stage_kIntegral: choice_73 = words_ki_i;
-      Stage_kProportional: choice_73 = words_kp_i;
-      default: choice_73 = {2'd0, period_i};
+      Stage_kBemf: choice_64 = (mode_i == SpeedMode_kControl) ? words_loaded_i : words_bemf_i;
+      Stage_kIntegral: choice_64 = words_ki_i;
+      Stage_kProportional: choice_64 = words_kp_i;
+      default: choice_64 = {2'd0, period_i};
     endcase
   end
 
@@ -84,15 +83,15 @@ module speed_control (
       .clk(clk),
       .rst(rst),
       .start_i((either || stage == Stage_kOnClocks || stage == Stage_kBemf) && !started),
-      .a_i(a),
-      .b_i(choice_73),
+      .a_i(choice_63 + choice_63_2),
+      .b_i(choice_64),
       .shift_i((stage == Stage_kOnClocks) ? 4'd0 : words_shift_i),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
 
-  wire [33:0] joined_170 = {work[17:0], 16'd0};  // line 170
+  wire [33:0] joined_179 = {work[17:0], 16'd0};  // line 179
 
   always_ff @(posedge clk) begin
     case (stage)
@@ -103,44 +102,44 @@ module speed_control (
       end
       Stage_kSlew, Stage_kReach: begin
         logic [25:0] goal;
-        logic below_153;
-        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 152
-        below_153 = $signed(reference) < $signed({2'd0, goal});  // line 153
+        logic below_162;
+        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 161
+        below_162 = $signed(reference) < $signed({2'd0, goal});  // line 162
         case (stage)
           Stage_kSlew: begin
-            logic at_most_155;
+            logic at_most_164;
             logic [20:0] slew_4;
             logic [27:0] slew_5;
-            at_most_155 = $signed({2'd0, goal}) <= $signed(reference);  // line 155
-            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_155}};  // line 155
-            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 155
+            at_most_164 = $signed({2'd0, goal}) <= $signed(reference);  // line 164
+            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_164}};  // line 164
+            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 164
             stage <= stage + 5'd1;
             reference <= reference + slew_5;
-            rises <= below_153;
+            rises <= below_162;
           end
           default: begin  // Stage_kReach
             stage <= stage + 5'd1;
-            if (mode_i != SpeedMode_kControl || (below_153 ^ rises)) begin
+            if (mode_i != SpeedMode_kControl || (below_162 ^ rises)) begin
               reference <= {2'd0, goal};
             end
           end
         endcase
       end
       Stage_kBemf, Stage_kProportional: begin
-        logic [15:0] choice_131;
-        logic either_131;
+        logic [15:0] choice_140;
+        logic either_140;
         logic [17:0] base;
         logic [20:0] base_2;
-        logic [19:0] choice_121;
-        logic [20:0] sum_121;
-        choice_131 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 131
-        either_131 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 131
-        base = either_131 ? integral[33:16] : {2'd0, choice_131};  // line 131
-        base_2 = {{3{base[17]}}, base};  // line 131
-        choice_121 =  // line 121
+        logic [19:0] choice_130;
+        logic [20:0] sum_130;
+        choice_140 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 140
+        either_140 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 140
+        base = either_140 ? integral[33:16] : {2'd0, choice_140};  // line 140
+        base_2 = {{3{base[17]}}, base};  // line 140
+        choice_130 =  // line 130
             (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
             multiplier_product[31:12];
-        sum_121 = base_2 + {choice_121[19], choice_121};  // line 121
+        sum_130 = base_2 + {choice_130[19], choice_130};  // line 130
         case (stage)
           Stage_kBemf: begin
             if (multiplier_done) begin
@@ -149,14 +148,14 @@ module speed_control (
               end else begin
                 stage <= Stage_kHigh;
               end
-              work <= sum_121;
+              work <= sum_130;
             end
             started <= !multiplier_done;
           end
           default: begin  // Stage_kProportional
             if (multiplier_done) begin
               stage <= stage + 5'd1;
-              work <= sum_121;
+              work <= sum_130;
             end
             started <= !multiplier_done;
           end
@@ -167,55 +166,55 @@ module speed_control (
         logic [17:0] limit;
         logic [17:0] limit_2;
         logic [12:0] slew;
-        logic [12:0] choice_139;
+        logic [12:0] choice_148;
         logic [12:0] slew_2;
         logic [17:0] slew_3;
         logic [17:0] limit_3;
-        logic [17:0] limit_4;  // line 139
-        logic [20:0] wide_140;
-        logic below_140;
-        logic at_most_144;
-        logic either_181;
-        logic [20:0] wide_140_2;
-        logic either_182;
-        logic [20:0] wide_140_3;
-        limit = {2'd0, words_minimum_i};  // line 189
-        limit_2 = {2'd0, words_maximum_i};  // line 191
-        slew = ~{1'b0, words_duty_slew_i};  // line 197
-        choice_139 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 139
-        slew_2 = (stage != Stage_kUp || hurries_i) ? choice_139 : {1'b0, words_duty_slew_i};
-        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 139
-        limit_3 = slew_3 + {2'd0, duty};  // line 199
+        logic [17:0] limit_4;  // line 148
+        logic [20:0] wide_149;
+        logic below_149;
+        logic at_most_153;
+        logic either_190;
+        logic [20:0] wide_149_2;
+        logic either_191;
+        logic [20:0] wide_149_3;
+        limit = {2'd0, words_minimum_i};  // line 198
+        limit_2 = {2'd0, words_maximum_i};  // line 200
+        slew = ~{1'b0, words_duty_slew_i};  // line 206
+        choice_148 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 148
+        slew_2 = (stage != Stage_kUp || hurries_i) ? choice_148 : {1'b0, words_duty_slew_i};
+        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 148
+        limit_3 = slew_3 + {2'd0, duty};  // line 208
         case (stage)
           Stage_kWholeLow, Stage_kLow: limit_4 = limit;
           Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
           default: limit_4 = limit_3;
         endcase
-        wide_140 = {{3{limit_4[17]}}, limit_4};  // line 140
-        below_140 = $signed(work) < $signed(wide_140);  // line 140
-        at_most_144 = $signed(wide_140) <= $signed(work);  // line 144
-        either_181 = at_low || below_140;  // line 181
-        wide_140_2 = {{3{limit_2[17]}}, limit_2};  // line 140
-        either_182 = at_high || at_most_144;  // line 182
-        wide_140_3 = {{3{limit_3[17]}}, limit_3};  // line 140
+        wide_149 = {{3{limit_4[17]}}, limit_4};  // line 149
+        below_149 = $signed(work) < $signed(wide_149);  // line 149
+        at_most_153 = $signed(wide_149) <= $signed(work);  // line 153
+        either_190 = at_low || below_149;  // line 190
+        wide_149_2 = {{3{limit_2[17]}}, limit_2};  // line 149
+        either_191 = at_high || at_most_153;  // line 191
+        wide_149_3 = {{3{limit_3[17]}}, limit_3};  // line 149
         case (stage)
           Stage_kSlip: begin
             stage <= stage + 5'd1;
-            slips <= below_140;
+            slips <= below_149;
           end
           Stage_kWholeLow, Stage_kLow: begin
             stage <= stage + 5'd1;
-            if (below_140) begin
+            if (below_149) begin
               work <= {{3{limit[17]}}, limit};
             end
-            at_low <= either_181;
+            at_low <= either_190;
           end
           Stage_kWholeHigh: begin
             stage <= stage + 5'd1;
-            if (at_most_144) begin
-              work <= wide_140_2;
+            if (at_most_153) begin
+              work <= wide_149_2;
             end
-            at_high <= either_182;
+            at_high <= either_191;
           end
           Stage_kHigh: begin
             if (mode_i == SpeedMode_kControl) begin
@@ -223,24 +222,24 @@ module speed_control (
             end else begin
               stage <= Stage_kDuty;
             end
-            if (at_most_144) begin
-              work <= wide_140_2;
+            if (at_most_153) begin
+              work <= wide_149_2;
             end
-            at_high <= either_182;
+            at_high <= either_191;
           end
           Stage_kUp: begin
             stage <= stage + 5'd1;
-            if (at_most_144) begin
-              work <= wide_140_3;
+            if (at_most_153) begin
+              work <= wide_149_3;
             end
-            at_high <= either_182;
+            at_high <= either_191;
           end
           default: begin  // Stage_kDown
             stage <= stage + 5'd1;
-            if (below_140) begin
-              work <= wide_140_3;
+            if (below_149) begin
+              work <= wide_149_3;
             end
-            at_low <= either_181;
+            at_low <= either_190;
           end
         endcase
       end
@@ -262,13 +261,13 @@ module speed_control (
       Stage_kKeep: begin
         stage <= stage + 5'd1;
         if (at_low || at_high) begin
-          integral <= joined_170;
+          integral <= joined_179;
         end
       end
       Stage_kDuty: begin
         stage <= stage + 5'd1;
         if (mode_i != SpeedMode_kControl) begin
-          integral <= joined_170;
+          integral <= joined_179;
         end
         duty <= work[15:0];
         slips <= mode_i == SpeedMode_kControl && slips;

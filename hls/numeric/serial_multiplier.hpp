@@ -63,6 +63,19 @@ class SerialMultiplier {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than shift and add, and that many at
+  // once.  The addends of n clocks are `a` times the n bits of b that go out meanwhile.
+  std::uint64_t quiet() const { return left_ < 2 ? 0 : left_.raw() - 1; }
+  void skip(Int<WA> a, std::uint64_t clocks) {
+    const auto n = static_cast<int>(clocks);
+    const std::uint64_t low = low_.raw(), place = std::uint64_t{1} << n;
+    const auto used = static_cast<std::int64_t>(dropping_ ? 0 : low & (place - 2));
+    const std::int64_t sum = high_.raw() + addend_.raw() + a.raw() * used;
+    addend_ = !dropping_ && (low & place) != 0 ? a : Int<WA>(0);
+    high_ = Int<WA>::of(sum >> n);
+    low_ = UInt<WB>::of(low >> n | (static_cast<std::uint64_t>(sum) & (place - 1)) << (WB - n));
+    left_ = Left::of(left_.raw() - clocks);
+  }
   bool operator==(const SerialMultiplier&) const = default;
 
  private:

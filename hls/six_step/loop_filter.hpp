@@ -68,9 +68,8 @@ class LoopFilter {
                   .slow = slow_,
                   .busy = stage_ != Stage::kIdle};
     const bool multiplies = stage_ >= Stage::kDelay && stage_ <= Stage::kKeep;
-    const bool from_y = stage_ == Stage::kDelay || stage_ == Stage::kKeep;
     const auto product = multiplier_.tick({.start = multiplies && !started_,
-                                           .a = from_y ? Work(y_) : work_,
+                                           .a = multiplicand(),
                                            .b = factor(in)});
     const Frequency limit = bound(in);
     const bool below = wrap<Int<30>>(work_ >> 4) < limit;
@@ -88,8 +87,13 @@ class LoopFilter {
     return out;
   }
 
-  // Nothing to work on: a tick without a strobe changes nothing (docs/theory.md, quiet clocks).
-  bool idle() const { return stage_ == Stage::kIdle; }
+  // Quiet clocks (docs/theory.md): without a strobe, until a product is complete, and that many at once.
+  std::uint64_t quiet() const {
+    return stage_ == Stage::kIdle ? ~std::uint64_t{0} : started_ ? multiplier_.quiet() : 0;
+  }
+  void skip(std::uint64_t clocks) {
+    if (stage_ != Stage::kIdle) multiplier_.skip(multiplicand(), clocks);
+  }
   bool operator==(const LoopFilter&) const = default;
 
  private:
@@ -98,6 +102,10 @@ class LoopFilter {
   enum class Stage : std::uint8_t {
     kIdle, kDelay, kScale, kIntegral, kProportional, kPole, kKeep, kLow, kHigh, kSlow, kOut
   };
+
+  Work multiplicand() const {
+    return stage_ == Stage::kDelay || stage_ == Stage::kKeep ? Work(y_) : work_;
+  }
 
   UInt<22> factor(const In& in) const {
     const bool track = in.loop == Loop::kTrack;

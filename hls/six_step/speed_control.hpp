@@ -59,17 +59,8 @@ class SpeedControl {
     const bool of_error = stage_ == Stage::kIntegral || stage_ == Stage::kProportional;
     const bool of_duty = stage_ == Stage::kOnClocks;
     const bool multiplies = of_error || of_duty || stage_ == Stage::kBemf;
-    // Reference - frequency, but for its last bit: the one's complement saves the duty another
-    // adder.
-    const Int<27> frequency = in.frequency;
-    const Int<27> a = wrap<Int<27>>((of_error  ? wrap<Int<27>>(reference_)
-                                     : of_duty ? Int<27>(duty_)
-                                               : Int<27>(0)) +
-                                    (of_error  ? ~frequency
-                                     : of_duty ? Int<27>(0)
-                                               : frequency));
     const auto product = multiplier_.tick({.start = multiplies && !started_,
-                                           .a = a,
+                                           .a = multiplicand(in.frequency),
                                            .b = factor(in),
                                            .shift = of_duty ? UInt<4>(0) : in.words.shift});
     const bool integrated = stage_ == Stage::kIntegral && product.done;
@@ -84,8 +75,13 @@ class SpeedControl {
     return out;
   }
 
-  // Nothing to work on: a tick without a strobe changes nothing (docs/theory.md, quiet clocks).
-  bool idle() const { return stage_ == Stage::kIdle; }
+  // Quiet clocks (docs/theory.md): without a strobe, until a product is complete, and that many at once.
+  std::uint64_t quiet() const {
+    return stage_ == Stage::kIdle ? ~std::uint64_t{0} : started_ ? multiplier_.quiet() : 0;
+  }
+  void skip(Frequency frequency, std::uint64_t clocks) {
+    if (stage_ != Stage::kIdle) multiplier_.skip(multiplicand(frequency), clocks);
+  }
   bool operator==(const SpeedControl&) const = default;
 
  private:
@@ -99,6 +95,19 @@ class SpeedControl {
   static Stage next(Stage stage) {
     if (stage >= Stage::kOnClocks) return Stage::kIdle;
     return static_cast<Stage>(static_cast<int>(stage) + 1);
+  }
+
+  // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
+  Int<27> multiplicand(Frequency frequency) const {
+    const bool of_error = stage_ == Stage::kIntegral || stage_ == Stage::kProportional;
+    const bool of_duty = stage_ == Stage::kOnClocks;
+    const Int<27> speed = frequency;
+    return wrap<Int<27>>((of_error  ? wrap<Int<27>>(reference_)
+                          : of_duty ? Int<27>(duty_)
+                                    : Int<27>(0)) +
+                         (of_error  ? ~speed
+                          : of_duty ? Int<27>(0)
+                                    : speed));
   }
 
   UInt<16> factor(const In& in) const {

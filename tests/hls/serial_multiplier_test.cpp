@@ -50,6 +50,24 @@ RC_GTEST_PROP(SerialMultiplier, ShiftDropsTheProductsLastBits, ()) {
   RC_ASSERT(std::int64_t(out.product.raw()) == (a * b) >> shift);
 }
 
+// At any place of a product, also among the clocks that drop its last bits.
+RC_GTEST_PROP(SerialMultiplier, SkippingQuietClocksEqualsTickingThem, ()) {
+  const std::int64_t a = *rc::gen::inRange<std::int64_t>(-(std::int64_t{1} << 33), std::int64_t{1} << 33);
+  const std::int64_t b = *rc::gen::inRange(0, 1 << 22);
+  const int shift = *rc::gen::inRange(0, 16);
+  SerialMultiplier<34, 22> ticking;
+  ticking.tick({.start = true, .a = a, .b = b, .shift = shift});
+  for (int before = *rc::gen::inRange(0, 40); before > 0; --before) ticking.tick({.a = a, .shift = shift});
+  SerialMultiplier<34, 22> skipping = ticking;
+  const auto quiet = static_cast<int>(skipping.quiet());
+  RC_ASSERT(quiet < 22);
+  const int clocks = *rc::gen::inRange(0, quiet + 1);
+  if (clocks == 0) return;
+  skipping.skip(a, static_cast<std::uint64_t>(clocks));
+  for (int k = 0; k < clocks; ++k) RC_ASSERT(!ticking.tick({.a = a, .shift = shift}).done);
+  RC_ASSERT(skipping == ticking);
+}
+
 TEST(SerialMultiplier, TheEndsOfTheRangeDoNotOverflow) {
   SerialMultiplier<34, 26> dut;
   const std::int64_t most = (std::int64_t{1} << 33) - 1;
