@@ -17,6 +17,7 @@ using design::StartBy;
 using sinusoidal::State;
 
 constexpr int kPlaces = 64;
+constexpr int kFewPlaces = 8;
 constexpr double kLongEnough = 0.03;  // s, calibration and all pulses
 
 // Fig. 9(b), (c): a winding's current at the end of a pulse along it, of a rotor that stands.
@@ -89,13 +90,13 @@ Search search(const design::Settings& salient, EngineKind engine, const char* co
   return f;
 }
 
-// From eight places: how often `reason` was given, and nothing else.
+// From a few places: how often `reason` was given, and nothing else.
 Claim refused(const design::Settings& believed, const design::Settings& real,
               sinusoidal::Reason reason, const std::string& name) {
   int said = 0;
-  for (int n = 0; n < 8; ++n) {
+  for (int n = 0; n < kFewPlaces; ++n) {
     sinusoidal::BenchOf<sinusoidal::FixedEngine> bench(
-        believed, real, timeline(steady(believed, Estimator::kCurrent, 600)), 45 * n + 10);
+        believed, real, timeline(steady(believed, Estimator::kCurrent, 600)), 360.0 / kFewPlaces * n + 10);
     bench.run_until(kLongEnough);
     const sinusoidal::Record record = bench.take();
     const auto is = [](State state) { return [=](const auto& c) { return c.state == state; }; };
@@ -103,7 +104,7 @@ Claim refused(const design::Settings& believed, const design::Settings& real,
     said += end != record.changes.end() && end->reason == reason &&
             std::ranges::none_of(record.changes, is(State::kStarting));
   }
-  return {name, "", {}, "not shown", double(said), "of 8 places; engine fixed"};
+  return {name, "", {}, "not shown", double(said), fmt::format("of {} places; engine fixed", kFewPlaces)};
 }
 
 Figure pulses(const design::Settings& salient, EngineKind engine) {
@@ -139,6 +140,10 @@ PaperSection initial_position(const design::Settings& salient, const PaperOption
   design::Settings unsaturated = salient, round = salient;
   unsaturated.motor.saturation = 0;
   round.motor.inductance_d_h = round.motor.inductance_q_h = salient.motor.inductance_h;
+  const Claim no_polarity = refused(salient, unsaturated, sinusoidal::Reason::kNoPolarity,
+                                    "iron that does not saturate: no polarity");
+  const Claim no_saliency =
+      refused(salient, round, sinusoidal::Reason::kNoSaliency, "a round rotor: no saliency");
 
   const std::string engine = name_of(options.engine);
   PaperSection s{
@@ -165,9 +170,8 @@ PaperSection initial_position(const design::Settings& salient, const PaperOption
                        pilot.turned * 180 / std::numbers::pi)},
           {"found after", "ms", {}, "not shown", 1e3 * drive.seconds,
            "from the command on, with 16 samples for the converters' offsets"},
-          refused(salient, unsaturated, sinusoidal::Reason::kNoPolarity,
-                  "iron that does not saturate: no polarity"),
-          refused(salient, round, sinusoidal::Reason::kNoSaliency, "a round rotor: no saliency"),
+          no_polarity,
+          no_saliency,
           {"short pulse: Delta I_o / I_o", "%", {}, "Fig. 9(b)", 100 * shorts.swing / shorts.mean,
            fmt::format("(21) gives {:.1f} %; the rest is iron", 100 * d.saliency)},
           {"long pulse: I_U at 0 over 180 degrees", "", {}, "Fig. 9(c)",
@@ -194,6 +198,9 @@ PaperSection initial_position(const design::Settings& salient, const PaperOption
                   {.label = "error, deg", .curves = {exact.error, drive.error}}}});
   if (drive.worst > 3 || drive.flipped + drive.none > 0)
     s.failures.push_back("3 degrees and the right polarity from everywhere");
+  for (const Claim& refusal : {no_polarity, no_saliency}) {
+    if (refusal.ours != kFewPlaces) s.failures.push_back("refused from everywhere: " + refusal.quantity);
+  }
   return s;
 }
 
