@@ -62,8 +62,12 @@ class FrontEnd {
     FrontEndResult result;
     for (const auto& block : blocks_.order) {
       if (!block.has_module) continue;
-      result.design.modules.push_back(block.sample == nullptr ? module_of(block)
-                                                              : scheduled(block, result.schedules));
+      if (block.sample == nullptr) {
+        result.design.modules.push_back(module_of(block));
+      } else {
+        for (auto& module : scheduled(block, result.schedules))
+          result.design.modules.push_back(std::move(module));
+      }
     }
     result.read = program_.read;
     return result;
@@ -147,7 +151,7 @@ class FrontEnd {
     }
   }
 
-  Module scheduled(const Block& block, std::vector<ScheduleReport>& reports) {
+  std::vector<Module> scheduled(const Block& block, std::vector<ScheduleReport>& reports) {
     const auto& sample = blocks_.of(block.sample);
     const auto leaf = [](const Layout& ports, const char* name) {
       const auto named = [&](const LeafPlace& place) { return place.leaf.name == name; };
@@ -161,7 +165,12 @@ class FrontEnd {
         if (is_shown) frame.output_resets.push_back(block.reset[i]);
       }
     }
-    auto [module, report] = schedule(module_of(sample), block.budget, frame);
+    if (block.budget.program && !block.budget.held) {
+      throw Refusal(sample.source,
+                    "the program of " + sample.cpp_class + " reads its inputs when it needs them",
+                    "hold them from start to done and write .inputs = Inputs::kHeld");
+    }
+    auto [memories, module, report] = schedule(module_of(sample), block.budget, frame);
     if (report.clocks != block.budget.clocks && !any_clocks_) {
       throw Refusal(sample.source,
                     "a sample of " + sample.cpp_class + " takes " + std::to_string(report.clocks) +
@@ -169,7 +178,8 @@ class FrontEnd {
                     "write .clocks = " + std::to_string(report.clocks));
     }
     reports.push_back(std::move(report));
-    return std::move(module);
+    memories.push_back(std::move(module));
+    return std::move(memories);
   }
 
   // An index that proves goes bare, and equal ones become one value; that may prove the next.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "generator/machine/memory.hpp"
 #include "generator/passes/evaluate.hpp"
 
 namespace hlsgen {
@@ -28,12 +29,17 @@ class Interpreter::Cell {
   }
 
   void reset() {
+    if (is_memory(module_) && words_.empty()) {  // the words outlast a reset
+      words_ = module_.tables[0].entries;
+      read_ = words_[0];
+    }
     state_.clear();
     for (const auto& reg : module_.registers) state_.push_back(reg.reset);
     for (auto& child : children_) child->reset();
   }
 
   std::vector<llvm::APInt> clock(const std::vector<llvm::APInt>& inputs) {
+    if (is_memory(module_)) return {access(inputs)};
     inputs_ = &inputs;
     values_.assign(module_.nodes.size(), std::nullopt);
     child_outputs_.assign(children_.size(), std::nullopt);
@@ -47,6 +53,13 @@ class Interpreter::Cell {
   }
 
  private:
+  llvm::APInt access(const std::vector<llvm::APInt>& in) {
+    const llvm::APInt shown = read_;
+    read_ = words_[in[0].getZExtValue()];
+    if (in.size() > 1 && in[1].getBoolValue()) words_[in[2].getZExtValue()] = in[3];
+    return shown;
+  }
+
   // On demand, because the outputs of an instance wait for its inputs.
   const llvm::APInt& value(NodeId id) {
     auto& known = values_[id];
@@ -84,6 +97,8 @@ class Interpreter::Cell {
   const Module& module_;
   std::vector<std::unique_ptr<Cell>> children_;
   std::vector<llvm::APInt> state_;
+  std::vector<llvm::APInt> words_;  // of a memory
+  llvm::APInt read_;
   const std::vector<llvm::APInt>* inputs_ = nullptr;
   std::vector<std::optional<llvm::APInt>> values_;
   std::vector<std::optional<std::vector<llvm::APInt>>> child_outputs_;

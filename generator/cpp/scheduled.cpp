@@ -39,7 +39,8 @@ std::optional<ScheduledClass> scheduled_class(const llvm::DICompositeType* type)
   ScheduledClass found;
   found.sample = class_of(parameters[0]->getType());
   found.budget = {numbers["multipliers"], numbers["width"],  numbers["second_width"],
-                  numbers["clocks"],      numbers["levels"], numbers["inputs"] != 0};
+                  numbers["clocks"],      numbers["levels"], numbers["inputs"] != 0,
+                  numbers["form"] != 0};
   return found;
 }
 

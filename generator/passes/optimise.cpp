@@ -2,6 +2,7 @@
 // every rule makes a module smaller or a form more regular, and the bound is a guard, not a plan.
 
 #include "generator/backend.hpp"
+#include "generator/machine/memory.hpp"
 #include "generator/passes/constant_registers.hpp"
 #include "generator/passes/fold_constants.hpp"
 #include "generator/passes/narrow_widths.hpp"
@@ -36,7 +37,8 @@ void optimise(Module& module) {
 }  // namespace
 
 void optimise(Design& design) {
-  for (Module& m : design.modules) optimise(m);
+  for (Module& m : design.modules)
+    if (!is_memory(m)) optimise(m);
 }
 
 }  // namespace hlsgen

@@ -2,6 +2,7 @@
 // with the readable printer the names of ports, registers and instances, and nothing else.
 
 #include "generator/backend.hpp"
+#include "generator/machine/memory.hpp"
 #include "generator/print/identifiers.hpp"
 
 #include <fmt/format.h>
@@ -167,6 +168,7 @@ class Plain {
 }  // namespace
 
 std::string print_plain(const Design& design, const Module& module) {
+  if (is_memory(module)) return print_memory(module);
   return Plain(design, module).run();
 }
 

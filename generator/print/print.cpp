@@ -1,6 +1,7 @@
 // The two entry points for people; the plain printer lives apart.  See backend.hpp.
 
 #include "generator/backend.hpp"
+#include "generator/machine/memory.hpp"
 #include "generator/print/legalise.hpp"
 #include "generator/print/prettify.hpp"
 #include "generator/print/write_module.hpp"
@@ -8,6 +9,7 @@
 namespace hlsgen {
 
 std::string print_module(const Design& design, const Module& module) {
+  if (is_memory(module)) return print_memory(module);
   syntax::Text text = legalise(design, module);
   prettify(text);
   text.unused = find_unused(text);

@@ -12,6 +12,7 @@ struct Budget {
   unsigned clocks = 2;         // from start to done
   unsigned levels = 12;        // look-up tables in a row between two registers
   bool held = false;           // the inputs stand still from start to done
+  bool program = false;        // one datapath and a program, numbers in a memory
 };
 
 }  // namespace hlsgen

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/backend.hpp"
+#include "generator/machine/machine.hpp"
 #include "generator/passes/known_bits.hpp"
 #include "generator/schedule/split_products.hpp"
 
@@ -38,8 +39,20 @@ bool computes(const Node& n) {
 
 }  // namespace
 
+unsigned count_operations(const Module& module) {
+  return static_cast<unsigned>(
+      std::count_if(module.nodes.begin(), module.nodes.end(), [](const Node& n) { return computes(n); }));
+}
+
 std::vector<std::string> ScheduleReport::lines() const {
   const std::string tables = entries == 0 ? "" : fmt::format(", {} entries of tables", entries);
+  if (instructions != 0) {
+    return {fmt::format("A sample takes {} clocks, and in no order fewer than {}: {} operations, {} products{}",
+                        clocks, bound, operations, products, tables),
+            fmt::format("as {} instructions on 1 multiplier of {} x {} bits and one adder of {}; {} register bits,",
+                        instructions, budget.width, budget.second_width, word, registers),
+            fmt::format("{} words of memory.", cells)};
+  }
   return {
       fmt::format(
           "A sample takes {} clocks, and in no order fewer than {}: {} operations, {} products{}",
@@ -50,6 +63,7 @@ std::vector<std::string> ScheduleReport::lines() const {
 }
 
 Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame& frame) {
+  if (budget.program) return machine::schedule(std::move(sample), budget, frame);
   optimise(sample);
   if (split_products(sample, budget.width, budget.second_width)) optimise(sample);
 

@@ -25,15 +25,22 @@ struct ScheduleReport {
   unsigned bound = 0;       // no order takes fewer
   unsigned registers = 0;   // bits, all of them
   unsigned kept = 0;        // bits of these that keep values between steps
+  unsigned instructions = 0;  // of a program
+  unsigned word = 0;          // bits of its numbers
+  unsigned cells = 0;         // of the memory
   unsigned levels = 0;      // look-up tables in a row at most, estimated
 
   std::vector<std::string> lines() const;
 };
 
 struct Scheduled {
+  std::vector<Module> memories;  // that the module is made of
   Module module;
   ScheduleReport report;
 };
+
+// Nodes that compute: no wiring.
+unsigned count_operations(const Module& module);
 
 Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame& frame);
 

@@ -19,6 +19,9 @@
 // of other scheduled blocks, settings.  A caller that does not, gets a sample of old and new
 // numbers.
 //
+// With Form::kProgram the sample becomes a program on one datapath with its numbers in block RAM: more
+// clocks, far fewer logic cells.  Its inputs have to be held.
+//
 // Doc: docs/generator.md   Test: tests/hls/scheduled_test.cpp, tests/generator/schedule_test.cpp
 
 #pragma once
@@ -28,6 +31,7 @@
 namespace steplock {
 
 enum class Inputs : std::uint8_t { kTaken, kHeld };
+enum class Form : std::uint8_t { kSpread, kProgram };
 
 struct Budget {
   int multipliers = 1;
@@ -36,6 +40,7 @@ struct Budget {
   int clocks = 2;         // from start to done
   int levels = 12;        // look-up tables in a row; 8 bits of a carry count as one
   Inputs inputs = Inputs::kTaken;
+  Form form = Form::kSpread;
 };
 
 template <class Block, Budget budget>

@@ -11,13 +11,18 @@ add_library(random_harness OBJECT random/random_test.cpp)
 target_compile_definitions(random_harness PRIVATE HLSGEN_ROOT="${PROJECT_SOURCE_DIR}")
 target_link_libraries(random_harness PUBLIC hlsgen_lib GTest::gtest_main)
 
-# random_test(random|scheduled <first seed> <count>): hlsgen says how many clocks schedules take, and
+# random_test(random|scheduled|compiled <first seed> <count>): hlsgen says how many clocks schedules take, and
 # their C++ is written again with them.
 function(random_test kind first count)
   set(name ${kind}_${first})
   set(group RandomGroup${first})
+  set(pace 1)
   if(kind STREQUAL scheduled)
     set(group ScheduledGroup${first})
+    set(pace 6)
+  elseif(kind STREQUAL compiled)
+    set(group CompiledGroup${first})
+    set(pace 40)
   endif()
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/random)
   set(module ${kind}_group${first})
@@ -27,18 +32,18 @@ function(random_test kind first count)
   set(model ${directory}/V${name})
   file(MAKE_DIRECTORY ${model})
   set(numeric ${PROJECT_SOURCE_DIR}/hls/numeric)
-  if(kind STREQUAL scheduled)
+  if(NOT kind STREQUAL random)
     set(draft ${directory}/draft/${name})
     set(clocks ${draft}.clocks)
     file(MAKE_DIRECTORY ${directory}/draft)
     add_custom_command(OUTPUT ${clocks}
-      COMMAND random_programs ${first} ${count} ${draft} scheduled
+      COMMAND random_programs ${first} ${count} ${draft} ${kind}
       COMMAND hlsgen ${draft}.cpp -I ${PROJECT_SOURCE_DIR} -o ${directory}/rtl
               --ports ${directory}/ports --any-clocks --schedules > ${clocks}
       DEPENDS hlsgen random_programs ${numeric}/scheduled.hpp
       VERBATIM)
     add_custom_command(OUTPUT ${header} ${source} ${list}
-      COMMAND random_programs ${first} ${count} ${directory}/${name} scheduled ${clocks}
+      COMMAND random_programs ${first} ${count} ${directory}/${name} ${kind} ${clocks}
       COMMAND ${CMAKE_COMMAND} -E touch ${list}
       DEPENDS ${clocks}
       VERBATIM)
@@ -67,7 +72,7 @@ function(random_test kind first count)
   target_compile_definitions(${name}_test PRIVATE
     GROUP_HEADER="${header}" GROUP_SOURCE="${source}" GROUP=${group} MODULE=${module}
     PORTS_HEADER="${directory}/ports/${module}_ports.hpp" VERILATED_HEADER="${model}/V${name}.h"
-    VERILATED=V${name} SCHEDULED=$<STREQUAL:${kind},scheduled>)
+    VERILATED=V${name} PACE=${pace})
   target_include_directories(${name}_test SYSTEM PRIVATE ${model})
   target_compile_options(${name}_test PRIVATE -O0 -w)
   target_link_libraries(${name}_test PRIVATE random_harness ${library} verilated_runtime)
@@ -82,3 +87,4 @@ endforeach()
 foreach(first 81 161 241)
   random_test(scheduled ${first} 80)
 endforeach()
+random_test(compiled 81 12)

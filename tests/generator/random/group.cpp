@@ -1,4 +1,4 @@
-// One group, named by the build: GROUP, MODULE, VERILATED and their headers; SCHEDULED is 1 where
+// One group, named by the build: GROUP, MODULE, VERILATED and their headers; PACE is more than 1 where
 // its blocks take several clocks.
 
 #include "tests/generator/random/group.hpp"
@@ -50,6 +50,6 @@ class Compiled : public Forms {
 
 std::unique_ptr<Forms> make_forms() { return std::make_unique<Compiled>(); }
 const char* const kGroupSource = GROUP_SOURCE;
-const int kPace = SCHEDULED ? 6 : 1;
+const int kPace = PACE;
 
 }  // namespace hlsgen::test

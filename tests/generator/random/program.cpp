@@ -278,4 +278,44 @@ std::string scheduled_group_text(const std::string& name, int first,
                   {"done", "busy", "missed"});
 }
 
+std::string compiled_group_text(const std::string& name, int first,
+                                const std::vector<int>& clocks) {
+  // A program's inputs are to be held from start to done.
+  std::string blocks = R"(template <class Schedule, class Block>
+class Held {
+ public:
+  using In = typename Schedule::In;
+  using Out = typename Schedule::Out;
+  Out tick(const In& in) {
+    In given;
+    static_cast<typename Block::In&>(given) = sample_;
+    given.start = start_;
+    const Out out = schedule_.tick(given);
+    const bool taken = in.start && !out.busy && !start_;
+    if (taken) sample_ = in;
+    start_ = taken;
+    return out;
+  }
+
+ private:
+  Schedule schedule_;
+  typename Block::In sample_;
+  bool start_ = false;
+};
+
+)";
+  for (std::size_t i = 0; i < clocks.size(); ++i) {
+    const int seed = first + static_cast<int>(i);
+    const std::string n = std::to_string(seed);
+    Draw any(static_cast<std::uint64_t>(seed) + 3'000'000'000);
+    blocks += cat({"using Compiled", n, " = Held<Scheduled<Random", n, ", Budget{.width = ",
+                   any.of({"6", "16", "18", "35"}), ", .second_width = ",
+                   any.of({"7", "16", "18", "25"}), ", .clocks = ", std::to_string(clocks[i]),
+                   ", .inputs = Inputs::kHeld, .form = Form::kProgram}>, Random", n, ">;\n"});
+  }
+  return blocks + "\n" +
+         group_of(name, "Compiled", first, static_cast<int>(clocks.size()), {"start"},
+                  {"done", "busy", "missed"});
+}
+
 }  // namespace hlsgen::test

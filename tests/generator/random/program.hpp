@@ -53,4 +53,8 @@ std::string group_text(const std::string& name, int first, int count);
 std::string scheduled_group_text(const std::string& name, int first,
                                  const std::vector<int>& clocks);
 
+// The same as programs on a datapath each, Compiled<first> ..., with registers that hold the inputs.
+std::string compiled_group_text(const std::string& name, int first,
+                                const std::vector<int>& clocks);
+
 }  // namespace hlsgen::test

@@ -99,7 +99,7 @@ int print_differs(int clocks, int wrong_clock, std::string& where) {
 constexpr int kNever = -1;
 
 TEST(Random, NetlistsEqualTheirCpp) {
-  constexpr int kClocks = 100;
+  const int kClocks = 100 * kPace;
   std::string where;
   ASSERT_NO_THROW(check(as_read()));
   EXPECT_EQ(netlist_differs(as_read(), kClocks, kNever, where), kClocks) << where;

@@ -1,0 +1,68 @@
+#include "generator/machine/format_unit.hpp"
+
+#include <algorithm>
+
+namespace hlsgen::machine {
+
+NodeId FormatUnit::chosen(std::vector<NodeId> list, NodeId number) const {
+  for (unsigned bit = 0; list.size() > 1; ++bit) {
+    std::vector<NodeId> half;
+    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
+      half.push_back(nodes_.mux(nodes_.bit(number, bit), list[i + 1], list[i]));
+    if (list.size() % 2 == 1) half.push_back(list.back());
+    list = std::move(half);
+  }
+  return list[0];
+}
+
+NodeId FormatUnit::fits(const Format& format, NodeId shifted) const {
+  const unsigned width = nodes_.width(shifted);
+  if (format.form != Form::kClamp) return nodes_.constant(1, 1);
+  const unsigned low = format.width - (format.is_signed ? 1 : 0);
+  const NodeId top = nodes_.slice(shifted, width - low, low);
+  const NodeId zeros = nodes_.compare(Op::kEq, top, nodes_.constant(width - low, 0));
+  if (!format.is_signed) return zeros;
+  const NodeId ones =
+      nodes_.compare(Op::kEq, top, nodes_.constant(llvm::APInt::getAllOnes(width - low)));
+  return nodes_.binary(Op::kOr, zeros, ones);
+}
+
+NodeId FormatUnit::above(const Format& format, NodeId shifted) const {
+  if (format.form == Form::kWrap && format.is_signed)
+    return nodes_.bit(shifted, format.width - 1);
+  if (format.form == Form::kAll || (format.form == Form::kClamp && format.is_signed))
+    return nodes_.bit(shifted, nodes_.width(shifted) - 1);
+  return nodes_.constant(1, 0);
+}
+
+NodeId FormatUnit::make(NodeId sum, NodeId shifted, NodeId format, NodeId invert) const {
+  const unsigned width = nodes_.width(shifted);
+  const NodeId negative = nodes_.bit(sum, width - 1);
+  const NodeId zero = nodes_.compare(Op::kEq, sum, nodes_.constant(width, 0));
+  std::vector<NodeId> fit, sign, flag;
+  Table masks{"low_bits", width, {}};
+  for (const Format& f : formats_) {
+    fit.push_back(fits(f, shifted));
+    sign.push_back(above(f, shifted));
+    const NodeId is = f.form == Form::kZero ? zero : negative;
+    flag.push_back(f.is_flag() ? nodes_.binary(Op::kXor, is, invert) : nodes_.constant(1, 0));
+    unsigned low = f.width - (f.is_signed ? 1 : 0);
+    if (f.is_flag()) low = 0;
+    if (f.form == Form::kAll) low = width;
+    masks.entries.push_back(llvm::APInt::getLowBitsSet(width, std::min(low, width)));
+  }
+  // Whatever stands beyond is never asked for, but an address has to be within its table.
+  while ((masks.entries.size() & (masks.entries.size() - 1)) != 0 || masks.entries.size() < 2)
+    masks.entries.push_back(masks.entries.back());
+  tables_.push_back(masks);
+  const NodeId mask =
+      nodes_.table(width, format, static_cast<unsigned>(tables_.size() - 1));
+  const NodeId end = nodes_.sext(nodes_.unary_not(nodes_.bit(shifted, width - 1)), width);
+  const NodeId low = nodes_.mux(chosen(fit, format), shifted, end);
+  const NodeId high = nodes_.sext(chosen(sign, format), width);
+  const NodeId cut = nodes_.binary(Op::kOr, nodes_.binary(Op::kAnd, mask, low),
+                                   nodes_.binary(Op::kAnd, nodes_.unary_not(mask), high));
+  return nodes_.binary(Op::kOr, cut, nodes_.zext(chosen(flag, format), width));
+}
+
+}  // namespace hlsgen::machine

@@ -1,0 +1,63 @@
+#include "generator/machine/machine.hpp"
+
+#include <algorithm>
+
+#include "generator/machine/build.hpp"
+#include "generator/machine/fuse.hpp"
+#include "generator/machine/lower.hpp"
+#include "generator/passes/fold_constants.hpp"
+#include "generator/passes/remove_dead.hpp"
+#include "generator/passes/share_common.hpp"
+#include "generator/passes/simplify_muxes.hpp"
+#include "generator/passes/simplify_wiring.hpp"
+#include "generator/schedule/split_products.hpp"
+
+namespace hlsgen::machine {
+namespace {
+
+// Those passes that keep numbers in one piece: what is narrower or a slice is no gain here.
+void simplify(Module& sample) {
+  remove_dead(sample);
+  for (bool changed = true; changed;) {
+    changed = fold_constants(sample);
+    changed |= share_common(sample);
+    changed |= remove_dead(sample);
+  }
+}
+
+}  // namespace
+
+Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame& frame) {
+  simplify(sample);
+  expand_shifts(sample);
+  split_products(sample, budget.width, budget.second_width);
+  simplify(sample);
+  Program program = lower(sample, budget.width, budget.second_width);
+  fuse(program);
+  legalise(program);
+  const Order placed = order(program);
+  Built built = build(program, placed, frame);
+
+  Scheduled result;
+  result.memories = std::move(built.memories);
+  result.module = std::move(built.module);
+  ScheduleReport& report = result.report;
+  report.module = sample.name;
+  report.source = sample.source;
+  report.budget = budget;
+  report.operations = count_operations(sample);
+  report.instructions = static_cast<unsigned>(program.instructions.size());
+  for (const Instruction& i : program.instructions) {
+    report.products += i.has_product() ? 1 : 0;
+    report.entries += i.has_entry() ? 1 : 0;
+  }
+  report.clocks = placed.clocks;
+  report.bound = std::max(placed.bound, report.instructions + 5);
+  report.word = program.word;
+  report.cells = placed.cells;
+  for (const Register& r : result.module.registers) report.registers += r.leaf.width;
+  result.module.remarks = report.lines();
+  return result;
+}
+
+}  // namespace hlsgen::machine
