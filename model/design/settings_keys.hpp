@@ -43,7 +43,7 @@ constexpr auto enum_words(LoopForm) { return std::to_array({"per_second", "per_s
 
 // Sections that belong to one kind of drive alone; the others serve both.
 constexpr bool belongs(std::string_view section, DriveKind kind) {
-  for (const std::string_view s : {"loop", "start", "speed", "protection", "envelope"}) {
+  for (const std::string_view s : {"loop", "start", "speed", "protection"}) {
     if (section == s) return kind == DriveKind::kSixStep;
   }
   for (const std::string_view s :
@@ -51,6 +51,10 @@ constexpr bool belongs(std::string_view section, DriveKind kind) {
     if (section == s) return kind == DriveKind::kSinusoidal;
   }
   return true;
+}
+// And keys of a section that serves both.
+constexpr bool belongs(std::string_view section, std::string_view key, DriveKind kind) {
+  return section != "envelope" || key != "delay" || kind == DriveKind::kSixStep;
 }
 
 // S is Settings or const Settings.
@@ -301,11 +305,11 @@ void for_each_key(S& s, Visitor&& visit) {
   k("inertia", v.inertia, "", "factor of rotor and load together, drawn evenly by ratio", 0.01, 1e3);
   k("bus", v.bus, "", "factor of inverter.bus_v", 0.1, 3);
   k("resistance", v.resistance, "", "factor of motor.resistance_ohm", 0.1, 10);
-  k("inductance", v.inductance, "", "factor of motor.inductance_h and mutual_h", 0.1, 10);
+  k("inductance", v.inductance, "", "factor of motor.inductance_h and mutual_h, or inductance_d_h and inductance_q_h", 0.1, 10);
   k("flux", v.flux, "", "factor of motor.flux_vs, so of K_e and of K_t", 0.1, 3);
-  k("offset", v.offset, "", "factor of the file's greatest comparator offset, either sign", 0, 20);
-  k("noise", v.noise, "", "factor of sensors.comparator_noise_v", 0, 20);
-  k("delay", v.delay, "", "factor of sensors.comparator_delay_s", 0, 20);
+  k("offset", v.offset, "", "factor of the file's greatest comparator offset, either sign; sinusoidal: of a hundredth of adc.current_a", 0, 20);
+  k("noise", v.noise, "", "factor of sensors.comparator_noise_v; sinusoidal: of adc.current_noise_a", 0, 20);
+  k("delay", v.delay, "", "six-step: factor of sensors.comparator_delay_s", 0, 20);
   k("spinning", v.spinning, "", "part of the runs in which the rotor turns when they begin", 0, 1);
   k("speed", v.speed, "", "of that rotor, parts of the set speed; negative is reverse", -3, 3);
   k("weight", v.weight, "", "share of this drive in a sweep over several", 0.001, 1000);

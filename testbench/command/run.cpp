@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "model/design/sinusoidal/words.hpp"
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
 #include "testbench/compare/shadow.hpp"
@@ -50,7 +49,7 @@ void print_files(const ReportFiles& files, bool json) {
 void print_row(const Row& row, bool json) {
   nlohmann::ordered_json j;
   std::string text = csv_line(row);
-  for_each_column(row.matrix(), row, [&](const char* name, const auto&) {
+  for_each_column(row.table(), row, [&](const char* name, const auto&) {
     const std::size_t comma = text.find(',');
     j[name] = text.substr(0, comma);
     text.erase(0, comma == text.npos ? comma : comma + 1);
@@ -61,12 +60,22 @@ void print_row(const Row& row, bool json) {
   if (json) fmt::print("{}\n", j.dump(2));
 }
 
+[[noreturn]] void refuse(const DriveFile& file, const std::string& what) {
+  throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), what));
+}
+
 // One run of a sweep alone: once to know how long it takes, once with everything written down.
 int replay(const Arguments& arguments) {
   DriveFile file = open_drive_file(arguments.file);
-  require_kind(file, design::DriveKind::kSixStep, "--replay");
+  const RunSeed seed{*arguments.replay};
+  const bool is_sinusoidal = file.settings.drive.kind == design::DriveKind::kSinusoidal;
+  if (is_sinusoidal) {
+    if (arguments.engine != EngineKind::kFloat) check_words(file);
+    if (arguments.trace) refuse(file, "a sinusoidal drive writes no wave yet; leave out --trace");
+    if (seed.disturbed()) refuse(file, "this seed is of the disturbance matrix, which serves six-step drives");
+  }
   const fs::path out = make_folder(arguments);
-  DrawnRun run = drawn_run(file.settings, {*arguments.replay});
+  DrawnRun run = drawn_run(file.settings, seed);
   Interrupt interrupt;
   const auto go_on = [&] { return !interrupt.asked(); };
   DrawnResult result = simulate(run, {.engine = arguments.engine, .go_on = go_on});
@@ -78,19 +87,25 @@ int replay(const Arguments& arguments) {
   const double end_s = run.seed.disturbed() ? std::max(result.findings.end_s, result.after.end_s)
                                             : result.findings.end_s;
   Record record;
+  sinusoidal::Record sinusoidal_record;
   result = simulate(run, {.engine = arguments.engine, .trace = trace.get(), .record = &record,
-                          .record_s = end_s, .go_on = go_on});
+                          .sinusoidal_record = &sinusoidal_record, .record_s = end_s, .go_on = go_on});
   if (result.stopped) return kInterrupted;
   trace.reset();
   file.settings = run.settings;
   file.settings.scenario.duration_s = end_s;
   const RunOptions options{.engine = arguments.engine,
                            .angle_deg = run.settings.scenario.start_angle_deg};
-  const ReportFiles files = write_report(out, file, summarise(file.settings, options, record), record,
-                                         arguments.trace);
+  const ReportFiles files =
+      is_sinusoidal
+          ? sinusoidal::write_report(out, file.settings,
+                                     sinusoidal::summarise(file.settings, options, sinusoidal_record),
+                                     sinusoidal_record)
+          : write_report(out, file, summarise(file.settings, options, record), record, arguments.trace);
   print_row({.index = 0, .drive = stem(arguments), .seed = run.seed.value, .outside = run.seed.outside(),
              .rtl = "", .conditions = run.conditions, .findings = result.findings,
-             .disturbance = run.disturbance, .after = result.after}, arguments.json);
+             .disturbance = run.disturbance, .after = result.after, .kind = file.settings.drive.kind},
+            arguments.json);
   print_files(files, arguments.json);
   const bool well = run.seed.disturbed() ? ends_well(run.disturbance.kind, result.after.outcome)
                                          : result.findings.outcome == Outcome::kStarted;
@@ -98,16 +113,10 @@ int replay(const Arguments& arguments) {
 }
 
 int run_sinusoidal(const Arguments& arguments, const DriveFile& file) {
-  const auto refuse = [&](const std::string& what) {
-    throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), what));
-  };
-  if (arguments.engine != EngineKind::kFloat) {
-    const auto words = design::sinusoidal::quantise(file.settings);
-    if (!words.problems.empty()) refuse(words.problems.front());
-  }
-  if (arguments.trace) refuse("a sinusoidal drive writes no wave yet; leave out --trace");
+  if (arguments.engine != EngineKind::kFloat) check_words(file);
+  if (arguments.trace) refuse(file, "a sinusoidal drive writes no wave yet; leave out --trace");
   if (arguments.compare || arguments.lockstep) {
-    refuse("a sinusoidal drive is not compared yet; leave out --compare and --lockstep");
+    refuse(file, "a sinusoidal drive is not compared yet; leave out --compare and --lockstep");
   }
   const fs::path out = make_folder(arguments);
   RunOptions options{.engine = arguments.engine,

@@ -22,6 +22,7 @@ struct Arguments {
   std::vector<std::string> files;
   std::string out, page, shard = "0/1";
   SweepKind kind;
+  std::optional<design::DriveKind> drive_kind;
   std::uint64_t runs = 100;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool resume = false, json = false;
@@ -62,7 +63,16 @@ int run_sweep(const Arguments& arguments) {
   if (arguments.kind.matrix == Matrix::kDisturb && arguments.kind.outside > 0) {
     throw BadInput("--outside is for starts; leave it out with --matrix disturb");
   }
-  const std::vector<DriveFile> files = open_six_step_files(arguments.files, "a sweep");
+  const design::DriveKind drive_kind = arguments.drive_kind ? *arguments.drive_kind : kind_among(arguments.files);
+  const bool sinusoidal = drive_kind == design::DriveKind::kSinusoidal;
+  if (sinusoidal && arguments.kind.matrix == Matrix::kDisturb) {
+    throw BadInput("--matrix disturb serves six-step drives alone; leave it out for sinusoidal ones");
+  }
+  const std::vector<DriveFile> files = open_files_of(
+      drive_kind, arguments.files, sinusoidal ? "a sweep of sinusoidal drives" : "a sweep");
+  for (const DriveFile& file : files) {
+    if (sinusoidal) check_words(file);
+  }
   const SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
   const fs::path folder = arguments.out.empty() ? fs::path("out/sweep") : fs::path(arguments.out);
   SweepEnd end;
@@ -113,6 +123,10 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
                       "start (the default): a start alone; disturb: then one disturbance of the running drive")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Matrix>{{"start", Matrix::kStart}, {"disturb", Matrix::kDisturb}}));
+  command->add_option("--kind", a->drive_kind,
+                      "six_step or sinusoidal: the drives of the other kind are left out (default: six_step if there is one)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, design::DriveKind>{
+          {"six_step", design::DriveKind::kSixStep}, {"sinusoidal", design::DriveKind::kSinusoidal}}));
   command->add_option("--outside", a->kind.outside, "part of the runs drawn outside the envelope (default 0)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--rtl", a->kind.rtl, "part of the runs repeated on the RTL (default 0.01)")

@@ -241,6 +241,13 @@ class Loader {
       }
       if (!node.is_table()) continue;
       for (const auto& [key, value] : *node.as_table()) {
+        if (!design::belongs(section.str(), key.str(), file_.settings.drive.kind)) {
+          say_at(static_cast<int>(key.source().begin.line),
+                 fmt::format("{}.{} is not for drive.kind = \"{}\"; remove it", section.str(), key.str(),
+                             enum_words(design::DriveKind{})[static_cast<std::size_t>(
+                                 file_.settings.drive.kind)]));
+          continue;
+        }
         if (std::ranges::find(known->second, key.str()) != known->second.end()) continue;
         const std::string near = nearest(key.str(), known->second);
         say_at(static_cast<int>(key.source().begin.line),

@@ -6,6 +6,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
+#include "model/design/sinusoidal/words.hpp"
 
 namespace steplock {
 namespace {
@@ -38,6 +39,12 @@ void check_drive_file(const DriveFile& file) {
   throw BadInput(all);
 }
 
+void check_words(const DriveFile& file) {
+  const auto words = design::sinusoidal::quantise(file.settings);
+  if (words.problems.empty()) return;
+  throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), words.problems.front()));
+}
+
 void require_kind(const DriveFile& file, design::DriveKind kind, const std::string& what) {
   const design::DriveKind is = file.settings.drive.kind;
   if (is == kind) return;
@@ -50,20 +57,34 @@ void require_kind(const DriveFile& file, design::DriveKind kind, const std::stri
                              word(kind)));
 }
 
-std::vector<DriveFile> open_six_step_files(const std::vector<std::string>& paths,
-                                           const std::string& what) {
+std::vector<DriveFile> open_files_of(design::DriveKind kind, const std::vector<std::string>& paths,
+                                     const std::string& what) {
+  const bool six_step = kind == design::DriveKind::kSixStep;
   std::vector<DriveFile> files;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     DriveFile file = open_drive_file(paths[k]);
-    if (file.settings.drive.kind == design::DriveKind::kSixStep) {
+    if (file.settings.drive.kind == kind) {
       files.push_back(std::move(file));
     } else if (k + 1 == paths.size() && files.empty()) {
-      require_kind(file, design::DriveKind::kSixStep, what);
+      require_kind(file, kind, what);
     } else {
-      fmt::print(stderr, "steplock: {} is no six-step drive; {} leaves it out\n", paths[k], what);
+      fmt::print(stderr, "steplock: {} is no {} drive; {} leaves it out\n", paths[k],
+                 six_step ? "six-step" : "sinusoidal", what);
     }
   }
   return files;
+}
+
+std::vector<DriveFile> open_six_step_files(const std::vector<std::string>& paths,
+                                           const std::string& what) {
+  return open_files_of(design::DriveKind::kSixStep, paths, what);
+}
+
+design::DriveKind kind_among(const std::vector<std::string>& paths) {
+  const bool six_step = std::ranges::any_of(paths, [](const std::string& path) {
+    return load_drive_file(path).settings.drive.kind == design::DriveKind::kSixStep;
+  });
+  return six_step ? design::DriveKind::kSixStep : design::DriveKind::kSinusoidal;
 }
 
 DriveFile open_drive_file(const std::string& path) {

@@ -11,10 +11,16 @@ namespace steplock {
 void check_drive_file(const DriveFile&);      // throws BadInput with all lines
 DriveFile open_drive_file(const std::string& path);  // loads and checks
 
+// Of a sinusoidal drive: what the blocks of fixed point cannot do, as one line at its kind.
+void check_words(const DriveFile&);
 // For what serves one kind of drive alone: throws BadInput with one line that names `what` and the kind.
 void require_kind(const DriveFile&, design::DriveKind, const std::string& what);
-// The six-step drives among files; the others are named on standard error.  Throws if there is none.
+// The drives of one kind among files; the others are named on standard error.  Throws if there is none.
+std::vector<DriveFile> open_files_of(design::DriveKind, const std::vector<std::string>& paths,
+                                     const std::string& what);
 std::vector<DriveFile> open_six_step_files(const std::vector<std::string>& paths,
                                            const std::string& what);
+// The kind that a sweep over these files is of: six-step if there is one among them.
+design::DriveKind kind_among(const std::vector<std::string>& paths);
 
 }  // namespace steplock

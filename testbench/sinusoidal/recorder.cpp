@@ -12,6 +12,14 @@ double north_pole_deg(const plant::State& s) {
   return deg - 360 * std::floor(deg / 360);
 }
 
+std::optional<double> AngleError::at_sample(const plant::State& s, const View& view) {
+  std::optional<double> error;
+  if (view.estimating && sampled_) error = std::remainder(sampled_deg_ - view.angle_deg, 360);
+  sampled_deg_ = north_pole_deg(s);
+  sampled_ = view.estimating;
+  return error;
+}
+
 Recorder::Recorder(double duration_s, std::size_t samples)
     : interval_(duration_s / static_cast<double>(samples)) {}
 
@@ -31,14 +39,6 @@ void Recorder::integrate(const plant::State& s) {
   record_.greatest_angle_rad = std::max(record_.greatest_angle_rad, s.angle);
 }
 
-void Recorder::judge(const View& view) {
-  if (!view.estimating || !sampled_) return;
-  delta_deg_ = std::remainder(sampled_deg_ - view.angle_deg, 360);
-  totals_.angle_deg += delta_deg_;
-  totals_.angle_squared += delta_deg_ * delta_deg_;
-  ++totals_.angles;
-}
-
 void Recorder::changed(const plant::State& s, Watch was, Watch now, const View& view,
                        double load_nm) {
   integrate(s);
@@ -47,10 +47,12 @@ void Recorder::changed(const plant::State& s, Watch was, Watch now, const View& 
         {s.time, now.state(), now.reason(), north_pole_deg(s), s.angle, view});
   }
   if (now.sample() && !was.sample()) {
-    // The view still is the one of the sample before.
-    judge(view);
-    sampled_deg_ = north_pole_deg(s);
-    sampled_ = view.estimating;
+    if (const auto error = error_.at_sample(s, view)) {
+      delta_deg_ = *error;
+      totals_.angle_deg += delta_deg_;
+      totals_.angle_squared += delta_deg_ * delta_deg_;
+      ++totals_.angles;
+    }
   }
   if (s.time >= next_sample_) sample(s, now, view, load_nm);
 }

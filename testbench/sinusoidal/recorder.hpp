@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,19 @@ struct Record {
   bool interrupted = false;
 };
 
+// Delta theta at each sample: the true angle there less the drive's theta_c for that instant, which it
+// shows only when it has worked the sample through.
+class AngleError {
+ public:
+  // At the strobe of a sample; `view` still is the one of the sample before, and so is the result, in
+  // electrical degrees, -180 to 180.  Nothing while the drive does not estimate.
+  std::optional<double> at_sample(const plant::State&, const View& view);
+
+ private:
+  double sampled_deg_ = 0;
+  bool sampled_ = false;
+};
+
 class Recorder {
  public:
   Recorder(double duration_s, std::size_t samples);
@@ -66,15 +80,14 @@ class Recorder {
 
  private:
   void integrate(const plant::State&);
-  void judge(const View&);
 
   double interval_, next_sample_ = 0;
   Record record_;
   Totals totals_;
   double last_time_ = 0;
   std::array<double, 3> last_current_ = {};
-  double sampled_deg_ = 0, delta_deg_ = 0;
-  bool sampled_ = false;
+  AngleError error_;
+  double delta_deg_ = 0;
 };
 
 // The N pole from winding u, electrical degrees, in [0, 360).

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "model/design/design.hpp"
+#include "model/design/sinusoidal/design.hpp"
 
 namespace steplock {
 namespace {
@@ -26,11 +27,21 @@ constexpr Range kBeyondLoad = {1.5, 6};
 constexpr auto kLeaves = std::to_array<Quantity>(
     {kLoad, kInertia, kBus, kResistance, kInductance, kFlux, kOffset, kNoise, kSpeed});
 
+bool sinusoidal(const design::Settings& s) { return s.drive.kind == design::DriveKind::kSinusoidal; }
+
+// A sinusoidal drive whose envelope has no rotor that turns is not judged by one.
+Quantity what_leaves(const design::Settings& s, const Draw& draw) {
+  const std::size_t spared = sinusoidal(s) && s.envelope.spinning == 0;
+  return kLeaves[draw.below(kWhatBeyond, kLeaves.size() - spared)];
+}
+
+// Of a current converter, to which the envelope's factor applies: part of its range.
+constexpr double kConverterOffset = 0.01;
+
 class Drawing {
  public:
-  Drawing(const design::EnvelopeSection& e, RunSeed seed)
-      : envelope_(e), draw_(seed.value), outside_(seed.outside()),
-        leaves_(kLeaves[draw_.below(kWhatBeyond, kLeaves.size())]) {}
+  Drawing(const design::Settings& s, const design::EnvelopeSection& e, RunSeed seed)
+      : envelope_(e), draw_(seed.value), outside_(seed.outside()), leaves_(what_leaves(s, draw_)) {}
 
   double within(Quantity q, const Range& r) const { return draw_.uniform(q, r[0], r[1]); }
   bool leaves(Quantity q) const { return outside_ && leaves_ == q; }
@@ -76,6 +87,12 @@ class Drawing {
   Quantity leaves_;
 };
 
+// N m, of the current that the file rates.
+double rated_torque(const design::Settings& s) {
+  if (sinusoidal(s)) return design::sinusoidal::design_drive(s).rated_torque;
+  return design::motor_constants(s).k_e * s.motor.rated_current_a;
+}
+
 double greatest_offset(const design::SensorsSection& s) {
   double most = 0;
   for (const double o : s.comparator_offset_v) most = std::max(most, std::abs(o));
@@ -103,7 +120,7 @@ design::EnvelopeSection milder(const design::EnvelopeSection& e) {
 
 Conditions draw_conditions(const design::Settings& s, RunSeed seed) {
   const design::EnvelopeSection e = seed.disturbed() ? milder(s.envelope) : s.envelope;
-  const Drawing d(e, seed);
+  const Drawing d(s, e, seed);
   Conditions c;
   c.angle_deg = d.draw().uniform(kAngle, 0, 360);
   d.load(c);
@@ -112,23 +129,33 @@ Conditions draw_conditions(const design::Settings& s, RunSeed seed) {
   c.resistance = d.factor(kResistance, e.resistance);
   c.inductance = d.factor(kInductance, e.inductance);
   c.flux = d.factor(kFlux, e.flux);
+  c.speed = d.speed();
+  if (sinusoidal(s)) {
+    const double most = d.imperfection(kOffset, e.offset) * kConverterOffset * design::sinusoidal::current_range(s);
+    c.offset_u_a = d.draw().uniform(kOffsetU, -most, most);
+    c.offset_v_a = d.draw().uniform(kOffsetV, -most, most);
+    c.offset_w_a = d.draw().uniform(kOffsetW, -most, most);
+    c.noise_a = d.imperfection(kNoise, e.noise) * s.adc.current_noise_a;
+    return c;
+  }
   const double offset = d.imperfection(kOffset, e.offset) * greatest_offset(s.sensors);
   c.offset_u_v = d.draw().uniform(kOffsetU, -offset, offset);
   c.offset_v_v = d.draw().uniform(kOffsetV, -offset, offset);
   c.offset_w_v = d.draw().uniform(kOffsetW, -offset, offset);
   c.noise_v = d.imperfection(kNoise, e.noise) * s.sensors.comparator_noise_v;
   c.delay_s = d.within(kDelay, e.delay) * s.sensors.comparator_delay_s;
-  c.speed = d.speed();
   return c;
 }
 
 design::Settings settings_under(const design::Settings& file, const Conditions& c, RunSeed seed) {
   design::Settings s = file;
-  const double rated = design::motor_constants(file).k_e * file.motor.rated_current_a;
+  const double rated = rated_torque(file);
   const double set = file.scenario.speed_rpm * std::numbers::pi / 30;
   s.motor.resistance_ohm *= c.resistance;
   s.motor.inductance_h *= c.inductance;
   s.motor.mutual_h *= c.inductance;
+  if (s.motor.inductance_d_h) *s.motor.inductance_d_h *= c.inductance;
+  if (s.motor.inductance_q_h) *s.motor.inductance_q_h *= c.inductance;
   s.motor.flux_vs *= c.flux;
   s.motor.inertia_kgm2 *= c.inertia;
   s.load.inertia_kgm2 *= c.inertia;
@@ -138,6 +165,13 @@ design::Settings settings_under(const design::Settings& file, const Conditions& 
   s.sensors.comparator_offset_v = {c.offset_u_v, c.offset_v_v, c.offset_w_v};
   s.sensors.comparator_noise_v = c.noise_v;
   s.sensors.comparator_delay_s = c.delay_s;
+  if (sinusoidal(file)) {
+    // The converters' ranges are the drive's, whatever bus and motor it meets.
+    s.adc.current_a = design::sinusoidal::current_range(file);
+    s.adc.voltage_v = design::sinusoidal::voltage_range(file);
+    s.adc.current_offset_a = {c.offset_u_a, c.offset_v_a, c.offset_w_a};
+    s.adc.current_noise_a = c.noise_a;
+  }
   s.sensors.seed = static_cast<int>(Draw(seed.value).bits(kNoiseSeed) >> 33);
 
   design::ScenarioSection& n = s.scenario;

@@ -12,6 +12,8 @@
 #include "testbench/engine/rtl.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/drive_loop.hpp"
+#include "testbench/sweep/run_until.hpp"
+#include "testbench/sweep/sinusoidal_start.hpp"
 
 namespace steplock {
 namespace {
@@ -24,34 +26,6 @@ double longest(const design::Settings& s, const design::Parameters& p) {
   const double once = t.observe + t.settle + t.reset + ramp + t.pull_in + t.rest;
   const double brakes = t.slow_down + 20 * (t.brake + t.observe);
   return s.scenario.run_s + 2 * ((1 + t.retries) * once + brakes + 10 * p.speed.target / p.speed.slew);
-}
-
-Timeline start_timeline(const design::Settings& s, double limit_s) {
-  design::Settings only_start = s;
-  only_start.scenario.duration_s = limit_s;
-  return timeline(only_start);
-}
-
-WitnessSettings witness_settings(const DrawnRun& run) {
-  const design::Settings& s = run.settings;
-  const design::ScenarioSection& n = s.scenario;
-  const double part = run.seed.disturbed() ? run.disturbance.set_speed : 1;
-  return {.run_s = n.run_s,
-          .set_rpm = part * n.speed_rpm * (n.reverse ? -1 : 1),
-          .pole_pairs = s.motor.pole_pairs,
-          .advance_deg = s.loop.advance_deg,
-          .at_rest = n.start_speed_rpm == 0};
-}
-
-// Whole tenths of a millisecond at a time, so that a run ends at the same clock whoever watches it.
-template <class Simulation, class Decided>
-void run_until(Simulation& simulation, std::uint64_t end, double clock_hz, DrawnResult& result,
-               const SimulateOptions& options, const Decided& decided) {
-  const auto chunk = static_cast<std::uint64_t>(1e-4 * clock_hz);
-  while (simulation.clock() < end && !decided() && !result.stopped) {
-    simulation.run_until(std::min(end, simulation.clock() + chunk));
-    result.stopped = options.go_on && !options.go_on();
-  }
 }
 
 // From a settled start on.
@@ -119,6 +93,23 @@ DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOpt
 
 }  // namespace
 
+Timeline start_timeline(const design::Settings& s, double limit_s) {
+  design::Settings only_start = s;
+  only_start.scenario.duration_s = limit_s;
+  return timeline(only_start);
+}
+
+WitnessSettings witness_settings(const DrawnRun& run) {
+  const design::Settings& s = run.settings;
+  const design::ScenarioSection& n = s.scenario;
+  const double part = run.seed.disturbed() ? run.disturbance.set_speed : 1;
+  return {.run_s = n.run_s,
+          .set_rpm = part * n.speed_rpm * (n.reverse ? -1 : 1),
+          .pole_pairs = s.motor.pole_pairs,
+          .advance_deg = s.loop.advance_deg,
+          .at_rest = n.start_speed_rpm == 0};
+}
+
 DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
   DrawnRun run;
   run.seed = seed;
@@ -131,6 +122,10 @@ DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
     run.conditions.inductance = inductance_for(file, run.disturbance);
   }
   run.settings = settings_under(file, run.conditions, seed);
+  if (file.drive.kind == design::DriveKind::kSinusoidal) {
+    run.limit_s = sinusoidal::longest_start(file);
+    return run;
+  }
   run.parameters = design::design_drive(file).parameters;
   run.words = hls_words(design::quantise(run.parameters, file.control.clock_hz).words);
   run.limit_s = longest(file, run.parameters);
@@ -138,6 +133,9 @@ DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
 }
 
 DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) {
+  if (run.file.drive.kind == design::DriveKind::kSinusoidal) {
+    return sinusoidal::simulate_start(run, options);
+  }
   const double clock_hz = run.settings.control.clock_hz;
   if (options.rtl_beside) {
     LockstepEngine engine(run.words, clock_hz);

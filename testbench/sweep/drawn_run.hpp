@@ -11,6 +11,7 @@
 #include "hls/six_step/words.hpp"
 #include "model/design/parameters.hpp"
 #include "testbench/run/run_drive.hpp"
+#include "testbench/sinusoidal/recorder.hpp"
 #include "testbench/sweep/aftermath.hpp"
 #include "testbench/sweep/conditions.hpp"
 #include "testbench/sweep/disturbance.hpp"
@@ -23,8 +24,8 @@ struct DrawnRun {
   design::Settings file;
   Conditions conditions;
   design::Settings settings;        // of the plant: the drawn ones
-  design::Parameters parameters;    // of the drive: the file's
-  Words words;                      // of the drive: the file's
+  design::Parameters parameters;    // of a six-step drive: the file's
+  Words words;                      // of a six-step drive: the file's
   double limit_s = 0;               // the start is over then, whatever became of it
   Disturbance disturbance;          // if the seed says so; its aftermath has limit_s anew
 };
@@ -44,8 +45,11 @@ struct SimulateOptions {
   bool rtl_beside = false;                    // kFixed only
   TraceWriter* trace = nullptr;
   Record* record = nullptr;                   // filled if given
+  sinusoidal::Record* sinusoidal_record = nullptr;  // the same for the other kind of drive
   double record_s = 0;                        // length of the record, if known
   std::function<bool()> go_on = {};           // asked now and then
+  // A negative control of rtl_beside, of a sinusoidal drive: one wrong bit in this clock.
+  std::uint64_t spoil_clock = ~std::uint64_t{0};
 };
 
 DrawnResult simulate(const DrawnRun&, const SimulateOptions& = {});

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -10,6 +12,9 @@
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock {
+
+using sinusoidal::name_of;
+
 namespace {
 
 std::string cell(double x) { return fmt::format("{:.7g}", x); }
@@ -20,6 +25,7 @@ std::string cell(std::uint64_t x) { return fmt::format("{}", x); }
 std::string cell(const std::string& x) { return x; }
 std::string cell(Outcome x) { return name_of(x); }
 std::string cell(Reason x) { return name_of(x); }
+std::string cell(sinusoidal::Reason x) { return name_of(x); }
 std::string cell(Trouble x) { return name_of(x); }
 std::string cell(After x) { return name_of(x); }
 
@@ -59,6 +65,9 @@ bool parse(const std::string& t, Reason& x) {
   return parse(t, x, static_cast<int>(Reason::kHallCode) + 1);
 }
 
+bool parse(const std::string& t, sinusoidal::Reason& x) {
+  return parse(t, x, static_cast<int>(sinusoidal::Reason::kNoPolarity) + 1);
+}
 bool parse(const std::string& t, Trouble& x) { return parse(t, x, kTroubles); }
 bool parse(const std::string& t, After& x) { return parse(t, x, kAfters); }
 
@@ -75,10 +84,14 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-std::string csv_header(Matrix matrix) {
+const char* start_reason(const Row& row) {
+  return row.table().sinusoidal() ? name_of(row.findings.sinusoidal_reason) : name_of(row.findings.reason);
+}
+
+std::string csv_header(const Table& table) {
   std::string text;
   Row row;
-  for_each_column(matrix, row, [&](const char* name, auto&) {
+  for_each_column(table, row, [&](const char* name, auto&) {
     text += fmt::format("{}{}", text.empty() ? "" : ",", name);
   });
   return text;
@@ -87,18 +100,19 @@ std::string csv_header(Matrix matrix) {
 std::string csv_line(const Row& row) {
   std::string text;
   bool first = true;
-  for_each_column(row.matrix(), row, [&](const char*, const auto& value) {
+  for_each_column(row.table(), row, [&](const char*, const auto& value) {
     text += (first ? "" : ",") + cell(value);
     first = false;
   });
   return text;
 }
 
-Row parse_csv_line(Matrix matrix, const std::string& text, const std::string& path, int line) {
+Row parse_csv_line(const Table& table, const std::string& text, const std::string& path, int line) {
   const std::vector<std::string> cells = split(text);
   Row row;
+  row.kind = table.drive;
   std::size_t k = 0;
-  for_each_column(matrix, row, [&](const char* name, auto& value) {
+  for_each_column(table, row, [&](const char* name, auto& value) {
     if (k >= cells.size() || !parse(cells[k], value)) {
       throw BadInput(fmt::format("{}:{}: {} is \"{}\"; remove this line and go on with --resume", path,
                                  line, name, k < cells.size() ? cells[k] : ""));
@@ -117,12 +131,14 @@ std::vector<Row> read_rows(const std::string& path) {
   if (!in) throw BadInput(fmt::format("{}:1: cannot read this file; check the name", path));
   std::vector<Row> rows;
   std::string text;
-  Matrix matrix = Matrix::kStart;
+  const std::array tables = {Table(Matrix::kStart), Table(Matrix::kDisturb),
+                             Table(Matrix::kStart, design::DriveKind::kSinusoidal)};
+  auto table = tables.end();
   for (int line = 1; std::getline(in, text) && !in.eof(); ++line) {
     if (line > 1) {
-      rows.push_back(parse_csv_line(matrix, text, path, line));
-    } else if (matrix = text == csv_header(Matrix::kDisturb) ? Matrix::kDisturb : Matrix::kStart;
-               text != csv_header(matrix)) {
+      rows.push_back(parse_csv_line(*table, text, path, line));
+    } else if (table = std::ranges::find_if(tables, [&](const Table& t) { return csv_header(t) == text; });
+               table == tables.end()) {
       throw BadInput(fmt::format("{}:1: these are not the columns of this version; begin anew in "
                                  "another folder", path));
     }

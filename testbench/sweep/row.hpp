@@ -14,6 +14,14 @@
 
 namespace steplock {
 
+// Which columns a line has.
+struct Table {
+  Table(Matrix m, design::DriveKind d = design::DriveKind::kSixStep) : matrix(m), drive(d) {}
+  bool sinusoidal() const { return drive == design::DriveKind::kSinusoidal; }
+  Matrix matrix;
+  design::DriveKind drive;
+};
+
 struct Row {
   std::uint64_t index = 0;   // in the sweep
   std::string drive;         // the file's name without folder and ending
@@ -24,17 +32,25 @@ struct Row {
   Findings findings;         // of the start
   Disturbance disturbance;   // of a seed that says so
   AfterFindings after;
+  design::DriveKind kind = design::DriveKind::kSixStep;  // of the drive; every row of a sweep has the same
 
   Matrix matrix() const { return RunSeed{seed}.disturbed() ? Matrix::kDisturb : Matrix::kStart; }
+  Table table() const { return {matrix(), kind}; }
 };
+
+const char* start_reason(const Row&);  // of the latched fault, or of the last failed try
 
 // visit(name, value) for each column of a start or of a disturbance, in order.
 template <class R, class Visitor>
-void for_each_start_column(R& r, Visitor&& visit) {
+void for_each_start_column(const Table& table, R& r, Visitor&& visit) {
   auto& f = r.findings;
   visit("outside", r.outside);
   visit("outcome", f.outcome);
-  visit("reason", f.reason);
+  if (table.sinusoidal()) {
+    visit("reason", f.sinusoidal_reason);
+  } else {
+    visit("reason", f.reason);
+  }
   visit("lock_time_s", f.lock_time_s);
   visit("speed_time_s", f.speed_time_s);
   visit("kick_deg", f.kick_deg);
@@ -71,13 +87,13 @@ void for_each_disturbance_column(R& r, Visitor&& visit) {
 }
 
 template <class R, class Visitor>
-void for_each_column(Matrix matrix, R& r, Visitor&& visit) {
+void for_each_column(const Table& table, R& r, Visitor&& visit) {
   auto& c = r.conditions;
   visit("index", r.index);
   visit("drive", r.drive);
   visit("seed", r.seed);
-  if (matrix == Matrix::kStart) {
-    for_each_start_column(r, visit);
+  if (table.matrix == Matrix::kStart) {
+    for_each_start_column(table, r, visit);
   } else {
     for_each_disturbance_column(r, visit);
   }
@@ -89,19 +105,26 @@ void for_each_column(Matrix matrix, R& r, Visitor&& visit) {
   visit("resistance", c.resistance);
   visit("inductance", c.inductance);
   visit("flux", c.flux);
-  visit("offset_u_v", c.offset_u_v);
-  visit("offset_v_v", c.offset_v_v);
-  visit("offset_w_v", c.offset_w_v);
-  visit("noise_v", c.noise_v);
-  visit("delay_s", c.delay_s);
+  if (table.sinusoidal()) {
+    visit("offset_u_a", c.offset_u_a);
+    visit("offset_v_a", c.offset_v_a);
+    visit("offset_w_a", c.offset_w_a);
+    visit("noise_a", c.noise_a);
+  } else {
+    visit("offset_u_v", c.offset_u_v);
+    visit("offset_v_v", c.offset_v_v);
+    visit("offset_w_v", c.offset_w_v);
+    visit("noise_v", c.noise_v);
+    visit("delay_s", c.delay_s);
+  }
   visit("speed", c.speed);
   visit("rtl", r.rtl);
 }
 
-std::string csv_header(Matrix);
+std::string csv_header(const Table&);
 std::string csv_line(const Row&);  // without the newline
 // Throws BadInput, `file:line: what; how to mend`.
-Row parse_csv_line(Matrix, const std::string& text, const std::string& path, int line);
+Row parse_csv_line(const Table&, const std::string& text, const std::string& path, int line);
 // Rows of a whole file; a last line without its newline, left by a machine that stopped, is dropped.
 std::vector<Row> read_rows(const std::string& path);
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "model/design/design.hpp"
+#include "model/design/sinusoidal/words.hpp"
 #include "model/design/words.hpp"
 
 namespace steplock {
@@ -21,8 +22,13 @@ std::string fingerprint(const DriveFile& file) {
   std::ostringstream text;
   text << std::ifstream(file.path, std::ios::binary).rdbuf();
   const design::Settings& s = file.settings;
-  for (const auto& word : design::quantise(design::design_drive(s).parameters, s.control.clock_hz).rows) {
-    text << ' ' << word.word;
+  const auto add = [&](const auto& quantised) {
+    for (const auto& word : quantised.rows) text << ' ' << word.word;
+  };
+  if (s.drive.kind == design::DriveKind::kSinusoidal) {
+    add(design::sinusoidal::quantise(s));
+  } else {
+    add(design::quantise(design::design_drive(s).parameters, s.control.clock_hz));
   }
   return digest(text.str());
 }
@@ -37,12 +43,17 @@ std::string digest(const std::string& text) {
 
 SweepSetup sweep_setup(const SweepKind& kind, std::uint64_t runs, const std::vector<DriveFile>& files) {
   SweepSetup setup{.kind = kind, .runs = runs, .drives = {}};
+  if (!files.empty()) setup.drive_kind = files.front().settings.drive.kind;
   std::set<std::string> names;
   for (const DriveFile& file : files) {
     const std::string name = std::filesystem::path(file.path).stem().string();
     if (!names.insert(name).second) {
       throw BadInput(fmt::format("{}:1: a second drive of the name {}; name each file once", file.path,
                                  name));
+    }
+    if (file.settings.drive.kind != setup.drive_kind) {
+      throw BadInput(fmt::format("{}:1: drive.kind is another than that of {}; sweep each kind by itself",
+                                 file.path, files.front().path));
     }
     setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight});
   }
@@ -72,6 +83,8 @@ std::vector<std::size_t> drives_of_runs(const SweepSetup& setup) {
 
 std::string setup_text(const SweepSetup& s) {
   Json j;
+  const bool sinusoidal = s.drive_kind == design::DriveKind::kSinusoidal;
+  if (sinusoidal) j["drive_kind"] = "sinusoidal";  // what says nothing is of six-step drives
   j["seed"] = s.kind.seed;
   j["matrix"] = s.kind.matrix == Matrix::kDisturb ? "disturb" : "start";
   j["outside"] = s.kind.outside;
@@ -93,6 +106,7 @@ SweepSetup read_setup(const std::string& path) {
               .seed = j.at("seed"),
               .outside = j.at("outside"),
               .rtl = j.at("rtl")};
+    if (j.value("drive_kind", "six_step") == "sinusoidal") s.drive_kind = design::DriveKind::kSinusoidal;
     s.runs = j.at("runs");
     for (const Json& d : j.at("drives")) {
       s.drives.push_back({d.at("name"), d.at("fingerprint"), d.at("weight")});
@@ -111,6 +125,7 @@ void check_same_sweep(const SweepSetup& mine, const SweepSetup& other, const std
     }
   };
   const SweepKind &a = mine.kind, &b = other.kind;
+  need(mine.drive_kind == other.drive_kind, "the drives are of the other kind");
   need(a.matrix == b.matrix, "this is the other matrix");
   need(a.seed == b.seed, fmt::format("the seed is {}, not {}", b.seed, a.seed));
   need(a.outside == b.outside, fmt::format("outside is {:g}, not {:g}", b.outside, a.outside));

@@ -29,11 +29,12 @@ struct SweepDrive {
 
 struct SweepSetup {
   SweepKind kind;
+  design::DriveKind drive_kind = design::DriveKind::kSixStep;  // of all the drives
   std::uint64_t runs = 0;
   std::vector<SweepDrive> drives;
 };
 
-// Throws BadInput if two files have the same name.
+// Throws BadInput if two files have the same name, or are of two kinds of drive.
 SweepSetup sweep_setup(const SweepKind&, std::uint64_t runs, const std::vector<DriveFile>&);
 
 // The drive of each run, as an index into setup.drives.

@@ -1,4 +1,4 @@
-// docs/starts.md: the statistics of drawn starts.
+// docs/starts.md and docs/sinusoidal_starts.md: the statistics of drawn starts.
 #include <fmt/format.h>
 
 #include "testbench/sweep/statistics.hpp"
@@ -25,11 +25,7 @@ std::string line(const std::string& name, const Json& part, const Json& spreads)
   return t + " |\n";
 }
 
-}  // namespace
-
-std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
-  const Json j = sweep_json(setup, rows);
-  const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
+std::string six_step_head(const SweepSetup& setup, const std::string& outside) {
   std::string t = fmt::format(
       "# Starts\n\nPrinted by `steplock sweep drives/*.toml --runs {} --seed {}{} --page docs/starts.md`; the test "
       "`all_of_300_drawn_starts_succeed_and_rtl_agrees` repeats its first runs and fails when they are not the page's.\n\n",
@@ -39,6 +35,31 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
        "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, "
        "at the set speed; *silent* is a rotor out of step for half a second while the drive claims a lock "
        "([how it is judged](sweep.md#a-run)).\n\n";
+  return t;
+}
+
+std::string sinusoidal_head(const SweepSetup& setup, const std::string& outside) {
+  std::string t = fmt::format(
+      "# Starts of the sinusoidal drives\n\nPrinted by `steplock sweep drives/*.toml --kind sinusoidal --runs {} --seed {}{} "
+      "--page docs/sinusoidal_starts.md`; the test `the_page_of_sinusoidal_starts_is_current` repeats its first runs and fails "
+      "when they are not the page's.\n\n",
+      setup.runs, setup.kind.seed, outside);
+  t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
+       "resistance, inductance, flux, and the current converters' offsets and noise. The drive's words stay those of the file. "
+       "*Started* is in lock by the rotor's true angle, the estimate never 90 electrical degrees from it, for 24 electrical "
+       "turns, at the set speed; *silent* is an angle lost for half a second while the drive claims a lock "
+       "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first: that is the kick, half a "
+       "turn and its swing at worst.\n\n";
+  return t;
+}
+
+}  // namespace
+
+std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const Json j = sweep_json(setup, rows);
+  const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
+  const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
+  std::string t = sinusoidal ? sinusoidal_head(setup, outside) : six_step_head(setup, outside);
   t += fmt::format("{} runs; engine `fixed`, {} runs repeated on the RTL, {} of them differ on any clock.\n\n", rows.size(),
                    j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
   t += "Times from `run`, kicks backwards from rest in electrical degrees, peaks of any phase; each as min / median / max.\n\n"
@@ -51,13 +72,14 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
                      o["started"].get<int>(), o["latched"].get<int>(), o["silent_step_outs"].get<int>(),
                      o["unfinished"].get<int>());
   }
-  t += "\n![Time to lock](figures/starts_lock_time.svg)\n\n![Peak current](figures/starts_peak_current.svg)\n";
+  t += fmt::format("\n![Time to lock](figures/{0}_lock_time.svg)\n\n![Peak current](figures/{0}_peak_current.svg)\n",
+                   sinusoidal ? "sinusoidal_starts" : "starts");
   const auto failed = failures(rows);
   if (failed.empty()) return t;
   t += "\n## Failed\n\n| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
   for (const Row* r : failed) {
     t += fmt::format("| `steplock run drives/{}.toml --replay {}` | {} | {} | {} |\n", r->drive, r->seed,
-                     name_of(r->findings.outcome), name_of(r->findings.reason), r->outside ? "outside" : "inside");
+                     name_of(r->findings.outcome), start_reason(*r), r->outside ? "outside" : "inside");
   }
   return t;
 }

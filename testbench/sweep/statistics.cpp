@@ -122,7 +122,7 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
   for (const Row* r : failures(rows)) {
     j["failures"].push_back({{"drive", r->drive}, {"seed", r->seed}, {"outside", r->outside},
                              {"outcome", name_of(r->findings.outcome)},
-                             {"reason", name_of(r->findings.reason)}});
+                             {"reason", start_reason(*r)}});
   }
   return j;
 }
@@ -156,7 +156,7 @@ std::string sweep_text(const SweepSetup& setup, const std::vector<Row>& rows) {
   for (std::size_t k = 0; k < std::min(kMost, failed.size()); ++k) {
     const Row& r = *failed[k];
     t += fmt::format("  FAILED: {} --replay {}: {} ({})\n", r.drive, r.seed, name_of(r.findings.outcome),
-                     name_of(r.findings.reason));
+                     start_reason(r));
   }
   if (failed.size() > kMost) t += fmt::format("  and {} more, in sweep.json\n", failed.size() - kMost);
   return t;

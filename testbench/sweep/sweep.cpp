@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_of(const SweepSetup& setup, const std::vector<Row>& rows) {
-  std::string text = csv_header(setup.kind.matrix) + "\n";
+  std::string text = csv_header({setup.kind.matrix, setup.drive_kind}) + "\n";
   for (const Row& row : rows) text += csv_line(row) + "\n";
   return text;
 }
@@ -56,7 +56,7 @@ std::optional<Row> make_row(std::uint64_t index, const std::string& drive, const
   if (result.stopped) return std::nullopt;
   Row row{.index = index, .drive = drive, .seed = seed.value, .outside = seed.outside(), .rtl = "",
           .conditions = run.conditions, .findings = result.findings, .disturbance = run.disturbance,
-          .after = result.after};
+          .after = result.after, .kind = s.drive.kind};
   if (!seed.on_rtl()) return row;
   const DrawnResult again = simulate(run, {.rtl_beside = true, .go_on = go_on});
   if (again.stopped) return std::nullopt;
@@ -98,7 +98,7 @@ SweepEnd sweep(const SweepSetup& setup, const std::vector<DriveFile>& files,
   };
   tasks.take = [&](const std::string& line) {
     if (!(out << line + '\n' << std::flush)) throw std::runtime_error(csv + ": cannot write this file");
-    end.rows.push_back(parse_csv_line(setup.kind.matrix, line, csv, static_cast<int>(end.rows.size()) + 2));
+    end.rows.push_back(parse_csv_line({setup.kind.matrix, setup.drive_kind}, line, csv, static_cast<int>(end.rows.size()) + 2));
     ++end.done;
   };
   tasks.go_on = [&] {

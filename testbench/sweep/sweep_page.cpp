@@ -146,7 +146,7 @@ std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
           "<th>envelope</th></tr>\n";
   for (const Row* r : failed) {
     page += fmt::format("<tr><td>steplock run {}.toml --replay {}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        escaped(r->drive), r->seed, name_of(r->findings.outcome), name_of(r->findings.reason),
+                        escaped(r->drive), r->seed, name_of(r->findings.outcome), start_reason(*r),
                         r->outside ? "outside" : "inside");
   }
   return html_page("Sweep", page + "</table></div>\n");
@@ -172,11 +172,13 @@ std::vector<std::string> write_sweep_report(const SweepSetup& setup, const std::
 
 void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {
   const bool disturb = setup.kind.matrix == Matrix::kDisturb;
-  const std::uint64_t most = disturb ? 50 : 300;
+  const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
+  // As many as the tests may repeat.
+  const std::uint64_t most = disturb ? 50 : sinusoidal ? 12 : 300;
   std::vector<Figure> figures = sweep_figures(setup, rows);
   if (!disturb) {  // those that do not grow with every run
     std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });
-    for (Figure& f : figures) f.name = "starts_" + f.name;
+    for (Figure& f : figures) f.name = (sinusoidal ? "sinusoidal_starts_" : "starts_") + f.name;
   }
   draw_all(figures, page.parent_path() / "figures");
   Json j = sweep_json(setup, rows);

@@ -3,7 +3,7 @@
 
 #include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/run.hpp"
-#include "tests/testbench/sinusoidal_lockstep.hpp"
+#include "testbench/sinusoidal/lockstep_engine.hpp"
 
 namespace steplock::sinusoidal {
 namespace {

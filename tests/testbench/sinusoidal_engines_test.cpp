@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "testbench/run/check.hpp"
-#include "tests/testbench/sinusoidal_lockstep.hpp"
+#include "testbench/sinusoidal/lockstep_engine.hpp"
 #include "testbench/sinusoidal/run.hpp"
 
 namespace steplock::sinusoidal {

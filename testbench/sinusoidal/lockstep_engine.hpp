@@ -1,5 +1,7 @@
 // The RTL of the sinusoidal drive with its source beside it: the same inputs, and every output in
 // every clock.
+//
+// Test: tests/testbench/sinusoidal_engines_test.cpp
 #pragma once
 
 #include "testbench/sinusoidal/rtl_engine.hpp"
@@ -29,7 +31,8 @@ class Lockstep {
   View view() const { return rtl_.view(); }
 
   const char* first = nullptr;  // the first port that differed
-  std::uint64_t clocks = 0, at = 0, spoil = ~std::uint64_t{0};
+  std::uint64_t clocks = 0, at = 0;
+  std::uint64_t spoil = ~std::uint64_t{0};  // a negative control: one wrong bit in this clock
 
  private:
   RtlEngine rtl_;

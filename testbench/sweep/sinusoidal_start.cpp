@@ -1,0 +1,82 @@
+#include "testbench/sweep/sinusoidal_start.hpp"
+
+#include <fmt/format.h>
+
+#include "model/design/sinusoidal/design.hpp"
+#include "testbench/run/cosimulation.hpp"
+#include "testbench/sinusoidal/float_engine.hpp"
+#include "testbench/sinusoidal/lockstep_engine.hpp"
+#include "testbench/sweep/run_until.hpp"
+#include "testbench/sweep/sinusoidal_witness.hpp"
+
+namespace steplock::sinusoidal {
+namespace {
+
+template <class Engine>
+DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOptions& options) {
+  const design::Settings& s = run.settings;
+  const double clock_hz = s.control.clock_hz;
+  const Timeline events = start_timeline(s, run.limit_s);
+  plant::Plant plant(plant_parameters(s), initial_state(s, s.scenario.start_angle_deg));
+  std::optional<Recorder> recorder;
+  if (options.sinusoidal_record != nullptr) {
+    recorder.emplace(options.record_s > 0 ? options.record_s : run.limit_s, 4000);
+  }
+  Witness witness(witness_settings(run), recorder ? &*recorder : nullptr);
+  Cosimulation<Engine, Witness> simulation(engine, plant, events, witness, clock_hz);
+  DrawnResult result;
+  run_until(simulation, events.clocks, clock_hz, result, options, [&] { return witness.decided(); });
+  result.findings = witness.findings();
+  if (recorder) {
+    *options.sinusoidal_record = recorder->take();
+    options.sinusoidal_record->clocks = simulation.clock();
+    options.sinusoidal_record->simulated_s = static_cast<double>(simulation.clock()) / clock_hz;
+    options.sinusoidal_record->shoot_throughs = plant.shoot_throughs();
+  }
+  return result;
+}
+
+}  // namespace
+
+double longest_start(const design::Settings& s) {
+  const auto p = design::sinusoidal::design_drive(s).parameters;
+  const auto& t = p.start;
+  // A lock may be found false only at the end of the way to set speed.
+  const double find = t.by == design::StartBy::kPilot     ? p.pilot.decay_s
+                      : t.by == design::StartBy::kPattern ? t.pattern_s
+                                                          : 0;
+  const double notice = p.protection.saturated_s + p.protection.slow_s + p.protection.emf_s;
+  const double once = find + t.give_up_s + p.speed.target / p.speed.slew + notice + t.rest_s;
+  return s.scenario.run_s + 2 * (1 + t.retries) * once;
+}
+
+// The engine is the file's; converters belong to the plant, and are drawn.
+DrawnResult simulate_start(const DrawnRun& run, const SimulateOptions& options) {
+  const plant::AdcParameters adc = adc_parameters(run.settings);
+  if (options.rtl_beside) {
+    Lockstep engine(run.file, adc);
+    engine.spoil = options.spoil_clock;
+    DrawnResult result = simulate_with(engine, run, options);
+    result.rtl_agrees = engine.first == nullptr;
+    if (!result.rtl_agrees) {
+      result.rtl_difference = fmt::format("{} at clock {}", engine.first, engine.at);
+    }
+    return result;
+  }
+  switch (options.engine) {
+    case EngineKind::kFloat: {
+      FloatEngine engine(run.file, adc);
+      return simulate_with(engine, run, options);
+    }
+    case EngineKind::kRtl: {
+      RtlEngine engine(run.file, adc);
+      return simulate_with(engine, run, options);
+    }
+    default: {
+      FixedEngine engine(run.file, adc);
+      return simulate_with(engine, run, options);
+    }
+  }
+}
+
+}  // namespace steplock::sinusoidal

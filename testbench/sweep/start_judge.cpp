@@ -1,0 +1,96 @@
+#include "testbench/sweep/start_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "testbench/run/units.hpp"
+
+namespace steplock {
+
+const char* name_of(Outcome o) {
+  constexpr const char* kNames[] = {"started", "latched", "silent_step_out", "unfinished"};
+  return kNames[static_cast<int>(o)];
+}
+
+double WitnessSettings::electrical_turn_s() const { return 60 / (std::abs(set_rpm) * pole_pairs); }
+
+void StartJudge::look(const plant::State& s) {
+  for (const double i : s.current) {
+    findings_.peak_current_a = std::max(findings_.peak_current_a, std::abs(i));
+  }
+  if (!first_angle_) {
+    first_angle_ = s.electrical_angle;
+    if (settings_.at_rest) findings_.kick_deg = 0;
+  }
+  if (!findings_.kick_deg) return;
+  const double back = (*first_angle_ - s.electrical_angle) * way();
+  findings_.kick_deg = std::max(*findings_.kick_deg, degrees(back));
+}
+
+void StartJudge::failed(bool claimed_lock, bool for_good, double time) {
+  ++findings_.retries;
+  findings_.lost_locks += claimed_lock;
+  if (!for_good) return;
+  findings_.outcome = Outcome::kLatched;
+  findings_.end_s = time;
+}
+
+void StartJudge::claims(bool lock, double time) {
+  lock_at_ = slipped_at_ = astray_at_ = findings_.speed_time_s = std::nullopt;
+  slips_before_ = findings_.slips;
+  if (lock) {
+    lock_at_ = time;
+    findings_.lock_time_s = time - settings_.run_s;
+  }
+}
+
+void StartJudge::slipped(std::uint64_t in_total, double time) {
+  findings_.slips = in_total;
+  if (findings_.slips > slips_before_ && !slipped_at_) slipped_at_ = time;
+}
+
+void StartJudge::turn(const plant::State& s, double drive_rpm) {
+  next_look_ = s.time + settings_.electrical_turn_s();
+  marks_.push_back({s.time, s.electrical_angle});
+  if (marks_.size() > kAtSpeedTurns + 1) marks_.pop_front();
+  judge(s.time, drive_rpm);
+}
+
+double StartJudge::mean_rpm(std::size_t turns) const {
+  const Mark &last = marks_.back(), &first = marks_[marks_.size() - 1 - turns];
+  return rpm((last.angle - first.angle) / (last.time - first.time) / settings_.pole_pairs);
+}
+
+// A rotor that stands, or turns the other way, is in no lock even if the drive says that it is slow.
+bool StartJudge::other_speed(double drive_rpm) const {
+  if (marks_.size() < 2) return false;
+  const double set = std::abs(settings_.set_rpm);
+  const double rotor = mean_rpm(1) * way();
+  if (rotor < kStandStill * set) return true;
+  return std::abs(rotor - drive_rpm) > kOtherSpeed * std::max({rotor, drive_rpm, 0.1 * set});
+}
+
+void StartJudge::judge(double time, double drive_rpm) {
+  findings_.end_s = time;
+  if (!lock_at_ || decided()) return;
+  if (!slipped_at_ && !other_speed(drive_rpm)) {
+    astray_at_ = std::nullopt;
+  } else if (!astray_at_) {
+    astray_at_ = slipped_at_.value_or(time);
+  }
+  if (astray_at_) {
+    if (time - *astray_at_ >= kNoticeTime) findings_.outcome = Outcome::kSilentStepOut;
+    return;
+  }
+  const double set = settings_.set_rpm;
+  if (marks_.size() <= kAtSpeedTurns ||
+      std::abs(mean_rpm(kAtSpeedTurns) - set) > kAtSpeed * std::abs(set)) {
+    return;
+  }
+  if (!findings_.speed_time_s) findings_.speed_time_s = time - settings_.run_s;
+  if (time - *lock_at_ >= kHeldTurns * settings_.electrical_turn_s()) {
+    findings_.outcome = Outcome::kStarted;
+  }
+}
+
+}  // namespace steplock

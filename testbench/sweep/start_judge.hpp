@@ -1,0 +1,93 @@
+// What came of one start, told from the rotor's true angle and from what the drive claims: the part of
+// a witness that is the same for every kind of drive.
+//
+//     started          locked, without a slip since, for kHeldTurns electrical turns (of the set speed),
+//                      the last kAtSpeedTurns of them within kAtSpeed of the set speed
+//     latched          the fault is latched
+//     silent_step_out  a slip, or the rotor stands, or the drive's speed is not the rotor's (by a quarter),
+//                      and kNoticeTime later the drive still claims that lock
+//     unfinished       none of these when the time was over
+//
+// What a slip is, the witness of each kind says.  One that the drive notices ends the try, not the run:
+// it may start again.
+//
+// Doc: docs/sweep.md   Test: tests/testbench/witness_test.cpp
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "model/plant/plant.hpp"
+#include "testbench/engine/watch.hpp"
+#include "testbench/sinusoidal/watch.hpp"
+
+namespace steplock {
+
+enum class Outcome { kStarted, kLatched, kSilentStepOut, kUnfinished };
+const char* name_of(Outcome);
+
+struct WitnessSettings {
+  double run_s = 0;             // when `run` rises
+  double set_rpm = 0;           // signed
+  int pole_pairs = 1;
+  double advance_deg = 0;
+  bool at_rest = true;          // at t = 0: only then there is a kick
+  double electrical_turn_s() const;
+};
+
+struct Findings {
+  Outcome outcome = Outcome::kUnfinished;
+  // Of the latched fault, or of the last failed try; the one of the drive's kind.
+  Reason reason = Reason::kNone;
+  sinusoidal::Reason sinusoidal_reason = sinusoidal::Reason::kNone;
+  std::optional<double> lock_time_s;   // from `run` to the lock that held, or to the last one
+  std::optional<double> speed_time_s;  // from `run` to set speed
+  std::optional<double> kick_deg;      // electrical, backwards, from where the rotor stood
+  double peak_current_a = 0;
+  int retries = 0;                     // failed tries
+  int lost_locks = 0;                  // of them, after a claim of lock
+  std::uint64_t slips = 0;             // six-step: steps; sinusoidal: times that the angle was lost
+  double end_s = 0;
+};
+
+class StartJudge {
+ public:
+  static constexpr double kHeldTurns = 24, kAtSpeed = 0.03, kNoticeTime = 0.5,
+                          kOtherSpeed = 0.25, kStandStill = 0.01;
+  static constexpr std::size_t kAtSpeedTurns = 6;
+
+  explicit StartJudge(const WitnessSettings& settings) : settings_(settings) {}
+
+  // At every gate edge, where the current of a chopped motor has its peaks.
+  void look(const plant::State&);
+  void failed(bool claimed_lock, bool for_good, double time);  // a try; its reason is the caller's
+  void claims(bool lock, double time);                         // from now on
+  void slipped(std::uint64_t in_total, double time);
+  // Once per electrical turn of set speed, from next_look() on.  `drive_rpm`: what the drive takes for
+  // the speed, positive the wanted way.
+  void turn(const plant::State&, double drive_rpm);
+  double next_look() const { return next_look_; }
+
+  bool decided() const { return findings_.outcome != Outcome::kUnfinished; }
+  const Findings& findings() const { return findings_; }
+  Findings& findings() { return findings_; }
+
+ private:
+  struct Mark {
+    double time, angle;  // angle electrical, rad
+  };
+  void judge(double time, double drive_rpm);
+  double mean_rpm(std::size_t turns) const;  // over the last ones
+  bool other_speed(double drive_rpm) const;
+  double way() const { return settings_.set_rpm < 0 ? -1 : 1; }
+
+  WitnessSettings settings_;
+  Findings findings_;
+  std::optional<double> first_angle_;
+  std::optional<double> lock_at_, slipped_at_, astray_at_;  // of the present claim of lock
+  std::uint64_t slips_before_ = 0;  // of earlier claims
+  double next_look_ = 0;
+  std::deque<Mark> marks_;  // one per electrical turn of set speed, the last kAtSpeedTurns
+};
+
+}  // namespace steplock
