@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "generator/cpp/blocks.hpp"
+#include "generator/cpp/memory_class.hpp"
 #include "generator/dataflow/convert.hpp"
 #include "generator/ir/callees.hpp"
 #include "generator/ir/expand.hpp"
@@ -62,7 +63,9 @@ class FrontEnd {
     FrontEndResult result;
     for (const auto& block : blocks_.order) {
       if (!block.has_module) continue;
-      if (block.sample == nullptr) {
+      if (contents_of(block.type) != nullptr) {
+        result.design.modules.push_back(memory_of(block));
+      } else if (block.sample == nullptr) {
         result.design.modules.push_back(module_of(block));
       } else {
         for (auto& module : scheduled(block, result.schedules))

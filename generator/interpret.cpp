@@ -31,7 +31,9 @@ class Interpreter::Cell {
   void reset() {
     if (is_memory(module_) && words_.empty()) {  // the words outlast a reset
       words_ = module_.tables[0].entries;
+      ports_ = memory_ports(module_);
       read_ = words_[0];
+      if (ports_.read) read_.flipAllBits();  // before the first read it is anybody's guess
     }
     state_.clear();
     for (const auto& reg : module_.registers) state_.push_back(reg.reset);
@@ -55,9 +57,20 @@ class Interpreter::Cell {
  private:
   llvm::APInt access(const std::vector<llvm::APInt>& in) {
     const llvm::APInt shown = read_;
-    read_ = words_[in[0].getZExtValue()];
-    if (in.size() > 1 && in[1].getBoolValue()) words_[in[2].getZExtValue()] = in[3];
+    if (!ports_.read || in[*ports_.read].getBoolValue()) {
+      read_ = words_[in[ports_.address].getZExtValue()];
+    }
+    if (ports_.write) write(words_[in[*ports_.write_address].getZExtValue()], in);
     return shown;
+  }
+
+  void write(llvm::APInt& word, const std::vector<llvm::APInt>& in) const {
+    const llvm::APInt& lanes = in[*ports_.write];
+    const unsigned width = word.getBitWidth() / lanes.getBitWidth();
+    for (unsigned lane = 0; lane < lanes.getBitWidth(); ++lane) {
+      if (!lanes[lane]) continue;
+      word.insertBits(in[*ports_.write_data].extractBits(width, lane * width), lane * width);
+    }
   }
 
   // On demand, because the outputs of an instance wait for its inputs.
@@ -98,6 +111,7 @@ class Interpreter::Cell {
   std::vector<std::unique_ptr<Cell>> children_;
   std::vector<llvm::APInt> state_;
   std::vector<llvm::APInt> words_;  // of a memory
+  MemoryPorts ports_;
   llvm::APInt read_;
   const std::vector<llvm::APInt>* inputs_ = nullptr;
   std::vector<std::optional<llvm::APInt>> values_;

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "generator/cpp/memory_class.hpp"
 #include "generator/cpp/scheduled.hpp"
 #include "generator/names.hpp"
 #include "generator/refusal.hpp"
@@ -59,8 +60,9 @@ std::string module_name(const llvm::DICompositeType* type) {
   return name;
 }
 
-// A schedule is called after what it spreads over clocks.
+// A schedule is called after what it spreads over clocks, a memory after what it holds.
 std::string module_of(const llvm::DICompositeType* type) {
+  if (const auto* contents = contents_of(type)) return module_name(contents);
   const auto scheduled = scheduled_class(type);
   return module_name(scheduled ? scheduled->sample : type);
 }

@@ -14,6 +14,7 @@ frontend_test(names)
 frontend_test(reach)
 frontend_test(layout)
 frontend_test(program)
+frontend_test(memory)
 
 # Headers as the lockstep tests get them, for the test blocks.
 set(ports_list "")

@@ -6,6 +6,7 @@
 #include "tests/generator/frontend/blocks/calls.hpp"
 #include "tests/generator/frontend/blocks/control.hpp"
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
+#include "tests/generator/frontend/blocks/memory.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
 #include "tests/generator/frontend/blocks/scheduled.hpp"
@@ -33,5 +34,7 @@ template struct Synthesize<test::LimitedIndex>;
 template struct Synthesize<test::ScheduledFilter>;
 template struct Synthesize<test::ScheduledCascade>;
 template struct Synthesize<test::Sampled>;
+template struct Synthesize<test::Notebook>;
+template struct Synthesize<test::Elephant>;
 
 }  // namespace steplock
