@@ -76,7 +76,9 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
                    sinusoidal ? "sinusoidal_starts" : "starts");
   const auto failed = failures(rows);
   if (failed.empty()) return t;
-  t += "\n## Failed\n\n| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
+  t += "\n## Failed\n\n";
+  if (sinusoidal) t += "Why, as far as it is known: [causes](sweep.md#why-sinusoidal-starts-are-lost).\n\n";
+  t += "| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
   for (const Row* r : failed) {
     t += fmt::format("| `steplock run drives/{}.toml --replay {}` | {} | {} | {} |\n", r->drive, r->seed,
                      name_of(r->findings.outcome), start_reason(*r), r->outside ? "outside" : "inside");
