@@ -161,8 +161,10 @@ class FrontEnd {
       return std::find_if(ports.leaves.begin(), ports.leaves.end(), named)->leaf;
     };
     scheduling::Frame frame{leaf(block.in, "start"), leaf(block.out, "done"),
-                            leaf(block.out, "busy"), leaf(block.out, "missed"), {}};
+                            leaf(block.out, "busy"), leaf(block.out, "missed"), {}, {}};
     for (const auto& place : sample.out.leaves) {
+      const bool is_early = place.leaf.name.rfind("early.", 0) == 0;
+      frame.early.push_back(block.budget.early != 0 && is_early);
       for (std::size_t i = 0; i < block.reset.size(); ++i) {
         const bool is_shown = block.state.leaves[i].leaf.name == "shown_." + place.leaf.name;
         if (is_shown) frame.output_resets.push_back(block.reset[i]);
@@ -179,6 +181,13 @@ class FrontEnd {
                     "a sample of " + sample.cpp_class + " takes " + std::to_string(report.clocks) +
                         " clocks under its budget, not " + std::to_string(block.budget.clocks),
                     "write .clocks = " + std::to_string(report.clocks));
+    }
+    if (report.early != block.budget.early && !any_clocks_) {
+      throw Refusal(sample.source,
+                    "the early outputs of " + sample.cpp_class + " take " +
+                        std::to_string(report.early) + " clocks, not " +
+                        std::to_string(block.budget.early),
+                    "write .early = " + std::to_string(report.early));
     }
     reports.push_back(std::move(report));
     memories.push_back(std::move(module));

@@ -40,7 +40,7 @@ std::optional<ScheduledClass> scheduled_class(const llvm::DICompositeType* type)
   found.sample = class_of(parameters[0]->getType());
   found.budget = {numbers["multipliers"], numbers["width"],  numbers["second_width"],
                   numbers["clocks"],      numbers["levels"], numbers["inputs"] != 0,
-                  numbers["form"] != 0};
+                  numbers["form"] != 0,   numbers["early"]};
   return found;
 }
 

@@ -184,4 +184,15 @@ NodeId NodeBuilder::shift_by(Op op, NodeId a, std::uint64_t amount) {
   return concat({slice(a, total - by, 0), constant(by, 0)});
 }
 
+NodeId NodeBuilder::choice(std::vector<NodeId> list, NodeId number) {
+  for (unsigned place = 0; list.size() > 1; ++place) {
+    std::vector<NodeId> half;
+    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
+      half.push_back(mux(bit(number, place), list[i + 1], list[i]));
+    if (list.size() % 2 == 1) half.push_back(list.back());
+    list = std::move(half);
+  }
+  return list[0];
+}
+
 }  // namespace hlsgen

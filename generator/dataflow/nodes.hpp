@@ -42,6 +42,7 @@ class NodeBuilder {
 
   NodeId bit(NodeId a, unsigned i) { return slice(a, 1, i); }
   NodeId shift(Op op, NodeId a, NodeId amount);  // wires only when the amount is constant
+  NodeId choice(std::vector<NodeId> list, NodeId number);  // which of the list: a tree of choices
 
   unsigned width(NodeId a) const { return nodes_[a].width; }
   bool is_constant(NodeId a) const { return nodes_[a].op == Op::kConstant; }

@@ -61,17 +61,6 @@ class Builder {
     return nodes_.width(a) >= bits ? nodes_.slice(a, bits, 0) : nodes_.sext(a, bits);
   }
   NodeId field(unsigned f) { return code_.fields.read(nodes_, word_, f); }
-  // `number` of the list: a tree of choices.
-  NodeId choose(std::vector<NodeId> list, NodeId number) {
-    for (unsigned bit = 0; list.size() > 1; ++bit) {
-      std::vector<NodeId> half;
-      for (std::size_t i = 0; i + 1 < list.size(); i += 2)
-        half.push_back(nodes_.mux(nodes_.bit(number, bit), list[i + 1], list[i]));
-      if (list.size() % 2 == 1) half.push_back(list.back());
-      list = std::move(half);
-    }
-    return list[0];
-  }
 
   void make_control() {
     start_ = nodes_.source_node(Op::kInput, 1, static_cast<unsigned>(out_.inputs.size()));
@@ -83,6 +72,7 @@ class Builder {
     const auto at = [&](unsigned n) { return nodes_.compare(Op::kEq, step, nodes_.constant(bits, n)); };
     const NodeId waiting = at(0);
     ends_ = at(last);
+    if (order_.early != 0) ready_ = at(order_.early - 1);
     const NodeId counted = nodes_.binary(Op::kAdd, step, nodes_.constant(bits, 1));
     const NodeId following = nodes_.mux(ends_, nodes_.constant(bits, 0), counted);
     out_.registers[step_].next = nodes_.mux(waiting, nodes_.zext(start_, bits), following);
@@ -141,7 +131,6 @@ class Builder {
     std::vector<llvm::APInt> entries;
     for (const Number& x : p_.table) entries.push_back(x.trunc(entry));
     entry_ = memory("table", "table", entry, entries, {resized(present(result_), bits)});
-    entry_ = nodes_.zext(entry_, width());
   }
 
   // Product, port and the early condition: what is made a clock before the sum.
@@ -157,7 +146,7 @@ class Builder {
         list.push_back(leaf.is_signed ? nodes_.sext(input, bits) : nodes_.zext(input, bits));
       }
       port_read_ = new_register("port", bits, "an input, held from start to done");
-      out_.registers[port_read_].next = choose(list, field(code_.port));
+      out_.registers[port_read_].next = nodes_.choice(list, field(code_.port));
     }
     if (code_.has_bank(kC)) {
       const NodeId first = nodes_.mux(field(code_.factor_result), present(result_), bank_[kC]);
@@ -175,44 +164,46 @@ class Builder {
   }
 
   void make_sum() {
-    sum_ = new_register("sum", width(), "of two numbers");
+    sum_ = new_register("sum", p_.sum, "of two numbers");
     NodeId a_gate = field(code_.a_on), b_gate = field(code_.b_on);
     if (code_.has_conditions) {
-      const NodeId test = choose({present(early_), nodes_.bit(present(result_), 0),
-                                  nodes_.bit(present(sum_), width() - 1)}, field(code_.test));
+      const NodeId read = code_.inputs.empty() ? present(early_) : nodes_.bit(present(port_read_), 0);
+      const NodeId found = nodes_.choice({present(early_), nodes_.bit(present(result_), 0),
+                                   nodes_.bit(present(sum_), p_.sum - 1), read}, field(code_.test));
+      const NodeId test = nodes_.binary(Op::kXor, found, field(code_.unless));
       const NodeId always = nodes_.unary_not(field(code_.test_on));
       a_gate = nodes_.binary(Op::kAnd, a_gate, nodes_.binary(Op::kOr, always, test));
       b_gate = nodes_.binary(Op::kAnd, b_gate,
                              nodes_.binary(Op::kOr, always, nodes_.unary_not(test)));
     }
-    const NodeId a_late = nodes_.mux(field(code_.a_sum), present(sum_), present(result_));
-    NodeId a = nodes_.mux(field(code_.a_new), a_late, bank_[kA]);
-    const NodeId none = nodes_.constant(width(), 0);
-    NodeId b_late = choose({code_.has_products ? resized(present(product_), width()) : none,
-                            present(result_),
-                            code_.inputs.empty() ? none : resized(present(port_read_), width()),
-                            code_.has_entries ? entry_ : none}, field(code_.b_from));
-    NodeId b = nodes_.mux(field(code_.b_new), b_late, bank_[kB]);
+    const NodeId a_late = nodes_.mux(field(code_.a_sum), resized(present(sum_), p_.word), present(result_));
+    NodeId a = resized(nodes_.mux(field(code_.a_new), a_late, bank_[kA]), p_.sum);
+    const NodeId none = nodes_.constant(p_.sum, 0);
+    NodeId b_late = nodes_.choice({code_.has_products ? resized(present(product_), p_.sum) : none,
+                            resized(present(result_), p_.sum),
+                            code_.inputs.empty() ? none : resized(present(port_read_), p_.sum),
+                            code_.has_entries ? nodes_.zext(entry_, p_.sum) : none}, field(code_.b_from));
+    NodeId b = nodes_.mux(field(code_.b_new), b_late, resized(bank_[kB], p_.sum));
     a = nodes_.binary(Op::kAnd, a, spread(a_gate));
     b = nodes_.binary(Op::kXor, nodes_.binary(Op::kAnd, b, spread(b_gate)), spread(field(code_.negate)));
     // The carry as a place below: adders have no other way in.
     const NodeId wide = nodes_.binary(Op::kAdd, nodes_.concat({a, nodes_.constant(1, 1)}),
                                       nodes_.concat({b, field(code_.carry)}));
-    NodeId sum = nodes_.slice(wide, width(), 1);
+    NodeId sum = nodes_.slice(wide, p_.sum, 1);
     if (code_.has_logic) {
-      sum = choose({sum, nodes_.binary(Op::kAnd, a, b), nodes_.binary(Op::kOr, a, b),
+      sum = nodes_.choice({sum, nodes_.binary(Op::kAnd, a, b), nodes_.binary(Op::kOr, a, b),
                     nodes_.binary(Op::kXor, a, b)}, field(code_.logic));
     }
     out_.registers[sum_].next = sum;
   }
-  NodeId spread(NodeId bit) { return nodes_.sext(bit, width()); }
+  NodeId spread(NodeId bit) { return nodes_.sext(bit, p_.sum); }
 
   void make_result() {
     const FormatUnit unit(nodes_, code_.formats, out_.tables);
     const NodeId shifted = code_.most_shift == 0 ? present(sum_)
         : nodes_.shift(Op::kAshr, present(sum_), field(code_.shift));
     out_.registers[result_].next =
-        unit.make(present(sum_), shifted, field(code_.format), field(code_.invert));
+        unit.make(present(sum_), shifted, width(), field(code_.format), field(code_.invert));
   }
 
   void make_outputs() {
@@ -240,7 +231,8 @@ class Builder {
       out_.registers[reg].leaf.enumeration = output.leaf.enumeration;
       const unsigned group = static_cast<unsigned>(code_.group_of.at(p_.outputs[o])) - 1;
       out_.registers[reg].next =
-          nodes_.mux(ends_, resized(present(gathered[group]), output.leaf.width), present(reg));
+          nodes_.mux(p_.early[o] ? ready_ : ends_,
+                     resized(present(gathered[group]), output.leaf.width), present(reg));
       out_.outputs.push_back({output.leaf, present(reg)});
     }
     const unsigned done = new_register("done", 1, "");
@@ -261,7 +253,7 @@ class Builder {
   Code code_;
   std::vector<Module> memories_;
 
-  NodeId start_ = kNone, word_ = kNone, ends_ = kNone, busy_ = kNone, entry_ = kNone;
+  NodeId start_ = kNone, word_ = kNone, ends_ = kNone, ready_ = kNone, busy_ = kNone, entry_ = kNone;
   NodeId bank_[kBanks] = {kNone, kNone, kNone, kNone};
   unsigned step_ = 0, active_ = 0, fresh_ = 0, port_read_ = 0, early_ = 0, product_ = 0;
   unsigned sum_ = 0, result_ = 0;

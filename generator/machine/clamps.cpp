@@ -19,21 +19,26 @@ struct Less {
 // One node as a choice between ends and bits of a number.
 class Candidate {
  public:
-  Candidate(const Module& m, const std::vector<Known>& known) : m_(m), known_(known) {}
+  Candidate(const Module& m, const std::vector<Known>& known, const Clamps::RangeOf& range)
+      : m_(m), known_(known), range_(range) {}
 
   std::optional<Clamp> look(NodeId choice) {
     if (!follow(choice) || bits_ == kNone) return std::nullopt;
     number_ = bits_;
-    if (node(bits_).op == Op::kSlice) {
+    const bool extends = node(bits_).op == Op::kZext || node(bits_).op == Op::kSext;
+    if (extends && node(node(bits_).in[0]).op == Op::kSlice) {
       number_ = node(bits_).in[0];
-      shift_ = node(bits_).low;
+      shown_ = Range::of(node(number_).width, node(bits_).op == Op::kSext);
+    }
+    if (node(number_).op == Op::kSlice) {
+      shift_ = node(number_).low;
+      number_ = node(number_).in[0];
     }
     base_ = number_;
     while (step_down(base_, {})) {
     }
     for (const NodeId condition : conditions_)
       if (!divide(condition)) return std::nullopt;
-    if (!divide_number()) return std::nullopt;
 
     const unsigned width = node(choice).width;
     std::set<unsigned> widths{width};
@@ -66,8 +71,15 @@ class Candidate {
     return true;
   }
 
-  // Through one node that does not decrease with the number below it; `at` is where it reaches a
-  // value, and becomes where the number below does.
+  bool keeps_in(NodeId id, const Number& constant) const {  // its sum cannot wrap
+    const unsigned width = node(id).width;
+    for (const NodeId in : node(id).in)
+      if (node(in).op != Op::kConstant && known_[in].signed_width() >= width) return false;
+    return bits_of(constant) < width;
+  }
+
+  // Through one node that only rises or only falls with the number below it.  `at` are the first of
+  // those integers from which on something else holds, and become the same of the number below.
   bool step_down(NodeId& id, std::vector<Number*> at) const {
     const Node& n = node(id);
     if (n.op == Op::kSext) {
@@ -79,15 +91,22 @@ class Candidate {
       id = n.in[0];
       return true;
     }
-    if (n.op != Op::kAdd) return false;
+    if (n.op != Op::kAdd && n.op != Op::kSub && n.op != Op::kMul) return false;
     for (unsigned k = 0; k < 2; ++k) {
-      const Node& constant = node(n.in[k]);
-      if (constant.op != Op::kConstant) continue;
+      if (node(n.in[k]).op != Op::kConstant) continue;
+      const Number constant = node(n.in[k]).value.sext(kNumberBits);
       const NodeId other = n.in[1 - k];
-      const bool wraps = known_[other].signed_width() >= n.width ||
-                         constant.value.getSignificantBits() >= n.width;
-      if (wraps) return false;
-      for (Number* x : at) *x = *x - constant.value.sext(kNumberBits);
+      if (n.op == Op::kMul) {
+        const bool wraps = known_[other].signed_width() + bits_of(constant) > n.width;
+        if (wraps || !constant.isStrictlyPositive()) return false;
+        for (Number* x : at)  // rounded up
+          *x = llvm::APIntOps::RoundingSDiv(*x, constant, llvm::APInt::Rounding::UP);
+      } else {
+        if (!keeps_in(id, constant)) return false;
+        const bool falls = n.op == Op::kSub && k == 0;
+        for (Number* x : at)
+          *x = falls ? constant - *x + 1 : n.op == Op::kSub ? *x + constant : *x - constant;
+      }
       id = other;
       return true;
     }
@@ -108,12 +127,29 @@ class Candidate {
         const bool left = node(n.in[0]).op == Op::kConstant;
         const Node& constant = node(n.in[left ? 0 : 1]);
         if (constant.op != Op::kConstant) return false;
+        const NodeId number = n.in[left ? 1 : 0];
+        if (is_extended(number) && n.op != Op::kSlt && n.op != Op::kSle) {
+          const Number end = constant.value.zext(kNumberBits);
+          starts_.insert({end, end + 1});
+          return true;
+        }
         const Number end = constant.value.sext(kNumberBits);
-        return divide_at(n.in[left ? 1 : 0], {end, end + 1, number(0)});
+        return divide_at(number, {end, end + 1, machine::number(0)});
       }
       default:
         return false;
     }
+  }
+
+  // The base is this with zeros on top.
+  bool is_extended(NodeId id) const {
+    return node(base_).op == Op::kZext && node(base_).in[0] == id;
+  }
+  std::map<NodeId, llvm::APInt> values_at(const Number& base) const {
+    std::map<NodeId, llvm::APInt> values{{base_, base.trunc(node(base_).width)}};
+    if (node(base_).op == Op::kZext)
+      values.emplace(node(base_).in[0], base.trunc(node(node(base_).in[0]).width));
+    return values;
   }
 
   bool divide_at(NodeId id, std::vector<Number> at) {
@@ -123,17 +159,6 @@ class Candidate {
     }
     if (id != base_) return false;
     starts_.insert(at.begin(), at.end());
-    return true;
-  }
-
-  // What is added between base and number.
-  bool divide_number() {
-    Number zero = number(0);
-    NodeId id = number_;
-    while (id != base_) {
-      if (node(id).op == Op::kSlice || !step_down(id, {&zero})) return false;
-    }
-    offset_ = -zero;
     return true;
   }
 
@@ -158,8 +183,7 @@ class Candidate {
   }
 
   bool agrees(NodeId choice, const Clamp& clamp) {
-    const unsigned base_width = node(base_).width;
-    const Range all = Range::of(base_width, true), fits = Range::of(clamp.width, clamp.is_signed);
+    const Range all = range_(base_), fits = Range::of(clamp.width, clamp.is_signed);
     if (clamp.width > node(choice).width) return false;
     std::set<Number, Less> starts = starts_;
     starts.insert(all.low);
@@ -167,9 +191,10 @@ class Candidate {
       if (start->slt(all.low) || start->sgt(all.high)) continue;
       const auto after = std::next(start);
       const Number last = after == starts.end() || after->sgt(all.high) ? all.high : *after - 1;
-      const Number low = (*start + offset_).ashr(clamp.shift);
-      const Number high = (last + offset_).ashr(clamp.shift);
-      std::map<NodeId, llvm::APInt> values{{base_, start->trunc(base_width)}};
+      auto values = values_at(*start), values_at_last = values_at(last);
+      Number low = value(number_, values).sext(kNumberBits).ashr(clamp.shift);
+      Number high = value(number_, values_at_last).sext(kNumberBits).ashr(clamp.shift);
+      if (low.sgt(high)) std::swap(low, high);
       const NodeId leaf = chosen(choice, values);
       if (node(leaf).op == Op::kConstant) {
         const auto& end = node(leaf).value;
@@ -179,6 +204,8 @@ class Candidate {
         if (!below && !above) return false;
       } else if (low.slt(fits.low) || high.sgt(fits.high)) {
         return false;
+      } else if (shown_ && !Range{low, high}.within(*shown_)) {
+        return false;
       }
     }
     found_ = clamp;
@@ -187,11 +214,12 @@ class Candidate {
 
   const Module& m_;
   const std::vector<Known>& known_;
+  const Clamps::RangeOf& range_;
   std::vector<NodeId> conditions_;
   std::set<NodeId> ends_;
   NodeId bits_ = kNone, number_ = kNone, base_ = kNone;
   unsigned shift_ = 0;
-  Number offset_ = number(0);
+  std::optional<Range> shown_;  // what the bits can say, extended
   std::set<Number, Less> starts_;  // of stretches, in the base
   std::optional<Clamp> found_;
 };
@@ -200,7 +228,7 @@ class Candidate {
 
 std::optional<Clamp> Clamps::find(NodeId choice) const {
   if (m_.nodes[choice].op != Op::kMux || m_.nodes[choice].width == 1) return std::nullopt;
-  return Candidate(m_, known_).look(choice);
+  return Candidate(m_, known_, range_).look(choice);
 }
 
 }  // namespace hlsgen::machine

@@ -4,12 +4,14 @@
 //
 // The choices are followed down to constants and bits of one number; its conditions divide the
 // integers into stretches, and each stretch is looked at: whatever form the conditions have, what is
-// found is a clamp for every integer.
+// found is a clamp for every integer that the number can be.  Conditions may ask what the number was
+// made of instead, through sums with constants and products with positive ones: x * 3 < 0 for x < 0.
 //
 // Test: tests/generator/machine_test.cpp
 
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "generator/machine/program.hpp"
@@ -27,12 +29,16 @@ struct Clamp {
 
 class Clamps {
  public:
-  Clamps(const Module& sample, const std::vector<Known>& known) : m_(sample), known_(known) {}
+  using RangeOf = std::function<Range(NodeId)>;  // of a node as a signed integer
+
+  Clamps(const Module& sample, const std::vector<Known>& known, RangeOf range)
+      : m_(sample), known_(known), range_(std::move(range)) {}
   std::optional<Clamp> find(NodeId choice) const;
 
  private:
   const Module& m_;
   const std::vector<Known>& known_;
+  RangeOf range_;
 };
 
 }  // namespace hlsgen::machine

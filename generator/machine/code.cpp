@@ -7,12 +7,6 @@
 
 namespace hlsgen::machine {
 
-unsigned bits_for(std::size_t count) {
-  unsigned bits = 1;
-  while ((std::size_t{1} << bits) < count) ++bits;
-  return bits;
-}
-
 Code::Code(const Program& p, const Order& order) : fields(order.clocks), p_(p), order_(order) {
   look();
   make_fields();
@@ -30,7 +24,7 @@ void Code::look() {
     most_shift = std::max(most_shift, i.shift);
     if (std::find(formats.begin(), formats.end(), i.format) == formats.end())
       formats.push_back(i.format);
-    for (const ValueId v : {i.b, i.d})
+    for (const ValueId v : {i.b, i.d, i.condition})
       if (v != kNothing && value(v).source == Source::kInput) used.insert(value(v).index);
   }
   std::sort(formats.begin(), formats.end());
@@ -58,7 +52,8 @@ void Code::make_fields() {
   carry = fields.add("carry", 1);
   test_on = fields.add("test_on", 1);
   test = fields.add("test", 2);
-  logic = fields.add("logic", 2);
+  unless = fields.add("unless", 1);
+  if (has_logic) logic = fields.add("logic", 2);
   shift = fields.add("shift", bits_for(most_shift + 1));
   format = fields.add("format", bits_for(formats.size()));
   invert = fields.add("invert", 1);
@@ -92,7 +87,7 @@ void Code::encode() {
     if (i.negate) fields.set(sum, negate, 1);
     if (i.carry) fields.set(sum, carry, 1);
     if (i.condition != kNothing) encode_condition(i, place, sum);
-    fields.set(sum, logic, static_cast<unsigned>(i.logic));
+    if (i.logic != Logic::kSum) fields.set(sum, logic, static_cast<unsigned>(i.logic));
     fields.set(sum + 1, shift, i.shift);
     const auto which = std::lower_bound(formats.begin(), formats.end(), i.format);
     fields.set(sum + 1, format, static_cast<std::uint64_t>(which - formats.begin()));
@@ -136,13 +131,21 @@ void Code::encode_second(const Instruction& i, const Place& place, unsigned sum)
 
 void Code::encode_condition(const Instruction& i, const Place& place, unsigned sum) {
   fields.set(sum, test_on, 1);
+  bool turned = i.unless;
   if (place.condition_early) {
     fields.set(sum, test, kEarly);
     if (place.condition == Way::kMemory) read_number(sum - 2, kC, i.condition);
     if (place.condition == Way::kResult) fields.set(sum - 1, factor_result, 1);
+  } else if (place.condition == Way::kPort) {
+    fields.set(sum, test, kPortBit);
+    read_port(sum - 1, i.condition);
+  } else if (place.condition == Way::kSum) {
+    fields.set(sum, test, kSumSign);
+    turned = turned != p_.maker(i.condition)->invert;
   } else {
-    fields.set(sum, test, place.condition == Way::kSum ? kSumSign : kResultBit);
+    fields.set(sum, test, kResultBit);
   }
+  if (turned) fields.set(sum, unless, 1);
 }
 
 }  // namespace hlsgen::machine

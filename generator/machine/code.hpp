@@ -14,7 +14,7 @@ namespace hlsgen::machine {
 
 enum Bank : unsigned { kA, kB, kC, kD, kBanks };                          // copies of the numbers
 enum Second : unsigned { kProduct, kOfResult, kOfPort, kOfTable };        // field b_from
-enum Test : unsigned { kEarly, kResultBit, kSumSign };                    // field test
+enum Test : unsigned { kEarly, kResultBit, kSumSign, kPortBit };          // field test
 
 class Code {
  public:
@@ -36,7 +36,7 @@ class Code {
   Fields fields;
   unsigned read[kBanks] = {}, old[kBanks] = {};
   unsigned port = 0, factor_result = 0, factor_port = 0, a_on = 0, a_new = 0, a_sum = 0;
-  unsigned b_on = 0, b_new = 0, b_from = 0, negate = 0, carry = 0, test_on = 0, test = 0;
+  unsigned b_on = 0, b_new = 0, b_from = 0, negate = 0, carry = 0, test_on = 0, test = 0, unless = 0;
   unsigned logic = 0, shift = 0, format = 0, invert = 0, write = 0, to = 0, show = 0;
 
  private:

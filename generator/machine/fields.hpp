@@ -6,12 +6,15 @@
 
 #include "generator/dataflow/nodes.hpp"
 
+#include <llvm/Support/MathExtras.h>
+
 #include <string>
 #include <vector>
 
 namespace hlsgen::machine {
 
-unsigned bits_for(std::size_t count);  // to tell so many apart, at least one
+// To tell so many apart, at least one.
+inline unsigned bits_for(std::size_t count) { return count < 3 ? 1 : llvm::Log2_64_Ceil(count); }
 
 class Fields {
  public:

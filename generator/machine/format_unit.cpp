@@ -4,17 +4,6 @@
 
 namespace hlsgen::machine {
 
-NodeId FormatUnit::chosen(std::vector<NodeId> list, NodeId number) const {
-  for (unsigned bit = 0; list.size() > 1; ++bit) {
-    std::vector<NodeId> half;
-    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
-      half.push_back(nodes_.mux(nodes_.bit(number, bit), list[i + 1], list[i]));
-    if (list.size() % 2 == 1) half.push_back(list.back());
-    list = std::move(half);
-  }
-  return list[0];
-}
-
 NodeId FormatUnit::fits(const Format& format, NodeId shifted) const {
   const unsigned width = nodes_.width(shifted);
   if (format.form != Form::kClamp) return nodes_.constant(1, 1);
@@ -35,10 +24,11 @@ NodeId FormatUnit::above(const Format& format, NodeId shifted) const {
   return nodes_.constant(1, 0);
 }
 
-NodeId FormatUnit::make(NodeId sum, NodeId shifted, NodeId format, NodeId invert) const {
-  const unsigned width = nodes_.width(shifted);
-  const NodeId negative = nodes_.bit(sum, width - 1);
-  const NodeId zero = nodes_.compare(Op::kEq, sum, nodes_.constant(width, 0));
+NodeId FormatUnit::make(NodeId sum, NodeId shifted, unsigned width, NodeId format,
+                        NodeId invert) const {
+  const unsigned all = nodes_.width(shifted);
+  const NodeId negative = nodes_.bit(sum, all - 1);
+  const NodeId zero = nodes_.compare(Op::kEq, sum, nodes_.constant(all, 0));
   std::vector<NodeId> fit, sign, flag;
   Table masks{"low_bits", width, {}};
   for (const Format& f : formats_) {
@@ -57,12 +47,12 @@ NodeId FormatUnit::make(NodeId sum, NodeId shifted, NodeId format, NodeId invert
   tables_.push_back(masks);
   const NodeId mask =
       nodes_.table(width, format, static_cast<unsigned>(tables_.size() - 1));
-  const NodeId end = nodes_.sext(nodes_.unary_not(nodes_.bit(shifted, width - 1)), width);
-  const NodeId low = nodes_.mux(chosen(fit, format), shifted, end);
-  const NodeId high = nodes_.sext(chosen(sign, format), width);
+  const NodeId end = nodes_.sext(nodes_.unary_not(nodes_.bit(shifted, all - 1)), width);
+  const NodeId low = nodes_.mux(nodes_.choice(fit, format), nodes_.slice(shifted, width, 0), end);
+  const NodeId high = nodes_.sext(nodes_.choice(sign, format), width);
   const NodeId cut = nodes_.binary(Op::kOr, nodes_.binary(Op::kAnd, mask, low),
                                    nodes_.binary(Op::kAnd, nodes_.unary_not(mask), high));
-  return nodes_.binary(Op::kOr, cut, nodes_.zext(chosen(flag, format), width));
+  return nodes_.binary(Op::kOr, cut, nodes_.zext(nodes_.choice(flag, format), width));
 }
 
 }  // namespace hlsgen::machine

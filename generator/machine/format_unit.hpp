@@ -20,10 +20,10 @@ class FormatUnit {
   FormatUnit(NodeBuilder& nodes, const std::vector<Format>& formats, std::vector<Table>& tables)
       : nodes_(nodes), formats_(formats), tables_(tables) {}
 
-  NodeId make(NodeId sum, NodeId shifted, NodeId format, NodeId invert) const;
+  // A number of `width` bits.
+  NodeId make(NodeId sum, NodeId shifted, unsigned width, NodeId format, NodeId invert) const;
 
  private:
-  NodeId chosen(std::vector<NodeId> list, NodeId number) const;
   NodeId fits(const Format& format, NodeId shifted) const;
   NodeId above(const Format& format, NodeId shifted) const;
 

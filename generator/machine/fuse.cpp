@@ -21,13 +21,13 @@ class Fusing {
   }
 
   void run() {
+    p_.forget();
     for (Instruction& i : p_.instructions)
       for (bool again = true; again;) {
         drop_zeros(i);
         again = take_product(i) || take_cut(i) || give_constant(i);
       }
     remove_unread();
-    for (const Instruction& i : p_.instructions) p_.sum_range(i);
   }
 
  private:
@@ -41,8 +41,8 @@ class Fusing {
   void unread(ValueId v) {
     if (v != kNothing) --uses_[v];
   }
-  void read(const Instruction& i) {
-    for_operands(const_cast<Instruction&>(i), [&](ValueId v) { ++uses_[v]; });
+  void read(Instruction& i) {
+    for_operands(i, [&](ValueId v) { ++uses_[v]; });
   }
 
   void drop_zeros(Instruction& i) {
@@ -84,7 +84,7 @@ class Fusing {
     const bool only_cuts = is_sum(i) && i.a != kNothing && i.b == kNothing && !i.has_product() &&
                            !i.has_entry() && !i.negate && !i.carry;
     if (!only_cuts || uses_[i.a] != 1) return false;
-    const Instruction* made = p_.maker(i.a);
+    Instruction* made = p_.maker(i.a);
     if (made == nullptr) return false;
     Format format = i.format;
     const Format& before = made->format;
@@ -103,7 +103,7 @@ class Fusing {
     return true;
   }
 
-  void replace(Instruction& i, const Instruction& made, const Format& format) {
+  void replace(Instruction& i, Instruction& made, const Format& format) {
     Instruction merged = made;
     unread(i.a);
     merged.shift += i.shift;
@@ -113,8 +113,8 @@ class Fusing {
     if (!i.name.empty()) merged.name = i.name;
     i = merged;
     read(i);  // the one that it replaces still counts until it is removed; it is never looked at
-    for_operands(const_cast<Instruction&>(made), [&](ValueId v) { --uses_[v]; });
-    const_cast<Instruction&>(made) = gone(made.result);
+    for_operands(made, [&](ValueId v) { --uses_[v]; });
+    made = gone(made.result);
   }
   static Instruction gone(ValueId result) {
     Instruction none;
@@ -170,6 +170,7 @@ class Legalising {
   void run() {
     std::vector<Instruction> before;
     before.swap(p_.instructions);
+    p_.forget();
     for (Instruction& i : before) {
       place_inputs(i);
       if (i.has_entry()) place_address(i);
@@ -203,19 +204,32 @@ class Legalising {
   }
 
   void place_inputs(Instruction& i) {
-    const bool commutes = !i.negate && i.condition == kNothing && !i.has_entry();
     if (i.has_product()) {
       off_port(i.a);
       const auto fits = [&](ValueId v, unsigned bits) { return p_.values[v].range.bits() <= bits; };
       if (is_input(i.c) && !is_input(i.d) && fits(i.c, p_.second_factor) && fits(i.d, p_.factor))
         std::swap(i.c, i.d);
       off_port(i.c);
-    } else if (is_input(i.a) && !is_input(i.b) && commutes) {
-      std::swap(i.a, i.b);
+    } else if (is_input(i.a) && !is_input(i.b) && !i.has_entry()) {
+      exchange(i);
     }
     off_port(i.a);
-    off_port(i.condition);
     off_port(i.entry);
+    if (is_input(i.b) || is_input(i.d)) off_port(i.condition);
+  }
+
+  // The same from b and a.
+  void exchange(Instruction& i) {
+    if (i.condition != kNothing) {
+      if (i.negate) return;
+      i.unless = !i.unless;
+    } else if (i.negate && i.format.form == Form::kNegative) {  // a < b: not b <= a
+      i.carry = !i.carry;
+      i.invert = !i.invert;
+    } else if (i.negate && !(i.format.form == Form::kZero && i.carry)) {
+      return;
+    }
+    std::swap(i.a, i.b);
   }
 
   // One that makes this address and no other.

@@ -5,16 +5,19 @@
 
 #include "generator/backend.hpp"
 #include "generator/machine/clamps.hpp"
+#include "generator/machine/integers.hpp"
 #include "generator/passes/known_bits.hpp"
-#include "generator/passes/rebuild.hpp"
 
 namespace hlsgen::machine {
 namespace {
 
-class Lowering {
+class Lowering : private Integers {
  public:
   Lowering(const Module& sample, unsigned factor, unsigned second_factor)
-      : m_(sample), known_(known_bits(sample)), clamps_(sample, known_), made_(sample.nodes.size()) {
+      : m_(sample),
+        known_(known_bits(sample)),
+        clamps_(sample, known_, [this](NodeId id) { return p_.values[get(id, true)].range; }),
+        made_(sample.nodes.size()) {
     p_.sample = &sample;
     p_.factor = factor;
     p_.second_factor = second_factor;
@@ -39,10 +42,24 @@ class Lowering {
     if (made_[id][is_signed] == kNothing) made_[id][is_signed] = find(id, is_signed);
     return made_[id][is_signed];
   }
-  // As whichever is there.
+  // As whichever is there, or costs nothing.
   ValueId either(NodeId id) {
-    if (made_[id][0] != kNothing) return made_[id][0];
-    return get(id, width(id) > 1);
+    for (const bool is_signed : {false, true})
+      if (made_[id][is_signed] != kNothing) return made_[id][is_signed];
+    const Node& n = node(id);
+    const bool computes = n.op == Op::kAdd || n.op == Op::kMul || n.op == Op::kMux;
+    const auto rises = [&](NodeId in) { return width(in) == 1 || known_[in].bits.isNonNegative(); };
+    const bool is_signed = computes ? !std::all_of(n.in.begin(), n.in.end(), rises) : width(id) > 1;
+    return get(id, is_signed);
+  }
+  // An integer that is the node's modulo its width, for what is cut to no more bits.
+  ValueId loose(NodeId id) {
+    const Node& n = node(id);
+    const bool is_there = made_[id][0] != kNothing || made_[id][1] != kNothing;
+    if (is_there || n.op != Op::kSlice) return either(id);
+    const ValueId whole = loose(n.in[0]);
+    const bool is_near = p_.values[whole].range.bits() <= n.low + n.width + kSpare;
+    return is_near ? cut(whole, n.low, kNumberBits / 2, true) : either(id);
   }
 
   ValueId find(NodeId id, bool is_signed) {
@@ -53,22 +70,6 @@ class Lowering {
     const ValueId right = cut(value, 0, width(id), is_signed);
     if (right != value) made_[id][!is_signed] = value;
     return right;
-  }
-
-  // Bits from `low` on.
-  ValueId cut(ValueId value, unsigned low, unsigned to, bool is_signed) {
-    Instruction i;
-    i.a = value;
-    i.shift = low;
-    const Range range = p_.values[value].range;
-    const Range shifted{range.low.ashr(low), range.high.ashr(low)};
-    if (!shifted.within(Range::of(to, is_signed))) i.format = {Form::kWrap, to, is_signed};
-    if (i.is_plain()) return value;
-    if (p_.values[value].source == Source::kConstant) {
-      const Number x = p_.values[value].constant.ashr(low).trunc(to);
-      return p_.constant(is_signed ? x.sext(kNumberBits) : x.zext(kNumberBits));
-    }
-    return p_.emit(i);
   }
 
   // The result of the operator in that width, as either integer if it has no sign of its own.
@@ -88,22 +89,18 @@ class Lowering {
         return source(Source::kState, n, m_.registers[n.index].leaf.is_signed);
       case Op::kAdd:
       case Op::kSub:
-        i.a = get(n.in[0], is_signed);
-        i.b = get(n.in[1], is_signed);
+        i.a = loose(n.in[0]);
+        i.b = loose(n.in[1]);
         i.negate = i.carry = n.op == Op::kSub;
         return p_.emit(i);
       case Op::kMul:
         return multiply(n, i);
       case Op::kAnd: case Op::kOr: case Op::kXor:
-        return logic(n, i, is_signed);
+        return is_bit ? bit(id, false, i) : logic(n, i, is_signed);
       case Op::kNot:
+        if (is_bit) return bit(n.in[0], true, i);
         i.b = get(n.in[0], is_signed);
         i.negate = true;
-        if (is_bit) {
-          i.a = p_.constant(number(1));
-          i.b = get(n.in[0], false);
-          i.carry = true;
-        }
         return p_.emit(i);
       case Op::kShl:
         return shifted_up(n.in[0], amount(n), n, is_signed);
@@ -115,7 +112,7 @@ class Lowering {
       case Op::kEq: case Op::kNe: case Op::kUlt: case Op::kUle: case Op::kSlt: case Op::kSle:
         return compare(n, i);
       case Op::kMux:
-        return choose(n, i, is_signed);
+        return choose(n, i);
       case Op::kSlice:
         return slice(n, is_signed);
       case Op::kConcat:
@@ -144,7 +141,6 @@ class Lowering {
     v.source = from;
     v.index = n.index;
     v.range = Range::of(n.width, is_signed);
-    p_.word = std::max(p_.word, v.range.bits());
     p_.values.push_back(v);
     return static_cast<ValueId>(p_.values.size() - 1);
   }
@@ -161,32 +157,61 @@ class Lowering {
     return p_.emit(i);
   }
 
-  bool fits(NodeId id, unsigned bits) const { return known_[id].signed_width() <= bits; }
-
-  ValueId multiply(const Node& n, Instruction i) {
-    i.c = get(n.in[0], true);
-    i.d = get(n.in[1], true);
-    const bool stand = fits(n.in[0], p_.factor) && fits(n.in[1], p_.second_factor);
-    if (!stand) std::swap(i.c, i.d);
-    return p_.emit(i);
+  ValueId multiply(const Node& n, const Instruction& i) {
+    return times(get(n.in[0], true), get(n.in[1], true), i);
+  }
+  // A bit or its opposite; the opposites of what it is made of cost nothing.
+  ValueId bit(NodeId id, bool inverted, Instruction i) {
+    const Node& n = node(id);
+    if (n.op == Op::kNot) return bit(n.in[0], !inverted, i);
+    if (n.op == Op::kXor) {
+      i.a = get(n.in[0], false);
+      i.b = get(n.in[1], false);
+      i.carry = inverted;
+      i.format = {Form::kWrap, 1, false};
+      return p_.emit(i);
+    }
+    const bool is_or = n.op == Op::kOr;
+    const bool shares = inverted && made_[id][0] != kNothing;
+    if ((is_or || n.op == Op::kAnd) && !shares) return pair(n, inverted, i);
+    const ValueId x = get(id, false);
+    return inverted ? opposite(x, i) : x;
+  }
+  // x & y and its like; x | y is the opposite of ~x & ~y.
+  ValueId pair(const Node& n, bool inverted, Instruction i) {
+    const bool is_or = n.op == Op::kOr;
+    const bool turned = inverted != is_or;
+    bool falls[2] = {is_or, is_or};
+    ValueId of[2];
+    for (unsigned k = 0; k < 2; ++k) {
+      NodeId in = n.in[k];
+      for (; node(in).op == Op::kNot; in = node(in).in[0]) falls[k] = !falls[k];
+      of[k] = get(in, false);
+    }
+    return both(of, falls, turned, i);
   }
 
   ValueId logic(const Node& n, Instruction i, bool is_signed) {
-    const bool is_bit = n.width == 1;
-    i.a = get(n.in[0], is_signed && !is_bit);
-    i.b = get(n.in[1], is_signed && !is_bit);
-    if (is_bit) {
-      i.carry = n.op == Op::kOr;
-      i.shift = n.op == Op::kXor ? 0 : 1;
-      if (n.op == Op::kXor) i.format = {Form::kWrap, 1, false};
+    for (unsigned k = 0; k < 2; ++k) {
+      const NodeId value = n.in[1 - k];
+      const Node& other = node(n.in[k]);
+      if (n.op == Op::kAnd && other.op == Op::kConstant && other.value.isMask())
+        return cut(get(value, false), 0, other.value.countTrailingOnes(), false);
+      if (n.op != Op::kXor || other.op != Op::kSext || width(other.in[0]) != 1) continue;
+      Instruction turned;  // every bit, or none
+      turned.format = i.format;
+      turned.negate = true;
+      turned.b = i.b = loose(value);
+      i.a = p_.emit(turned);
+      i.condition = get(other.in[0], false);
       return p_.emit(i);
     }
-    if (n.op == Op::kAnd)
-      for (unsigned k = 0; k < 2; ++k) {
-        const Node& mask = node(n.in[1 - k]);
-        if (mask.op == Op::kConstant && mask.value.isMask())
-          return cut(get(n.in[k], false), 0, mask.value.countTrailingOnes(), false);
-      }
+    i.a = get(n.in[0], is_signed);
+    i.b = get(n.in[1], is_signed);
+    const auto turns_sign = [&](NodeId id) {
+      return node(id).op == Op::kConstant && node(id).value.isSignMask();
+    };
+    if (n.op == Op::kXor && (turns_sign(n.in[0]) || turns_sign(n.in[1]))) return p_.emit(i);
     i.logic = n.op == Op::kAnd ? Logic::kAnd : n.op == Op::kOr ? Logic::kOr : Logic::kXor;
     return p_.emit(i);
   }
@@ -194,26 +219,6 @@ class Lowering {
   ValueId shifted_up(NodeId from, unsigned by, const Node& n, bool is_signed) {
     if (by >= n.width) return p_.constant(number(0));
     return raised(get(from, is_signed), by, n.width, is_signed);
-  }
-
-  // 2^by times as much, modulo 2^to.
-  ValueId raised(ValueId value, unsigned by, unsigned to, bool is_signed) {
-    if (by == 0) return value;
-    if (p_.values[value].source == Source::kConstant) {
-      const Number x = p_.values[value].constant.shl(by).trunc(to);
-      return p_.constant(is_signed ? x.sext(kNumberBits) : x.zext(kNumberBits));
-    }
-    Instruction i;
-    i.format = {Form::kWrap, to, is_signed};
-    const unsigned most = p_.second_factor - 2;
-    if (p_.values[value].range.bits() <= p_.factor && by > 1 && most > 0) {
-      const unsigned now = std::min(by, most);
-      i.c = value;
-      i.d = p_.constant(power(now));
-      return raised(p_.emit(i), by - now, to, is_signed);
-    }
-    i.a = i.b = value;
-    return raised(p_.emit(i), by - 1, to, is_signed);
   }
 
   ValueId compare(const Node& n, Instruction i) {
@@ -229,23 +234,55 @@ class Lowering {
     return p_.emit(i);
   }
 
-  ValueId choose(const Node& n, Instruction i, bool is_signed) {
+  bool is_opposite(NodeId id) const {  // 0 - x
+    return node(id).op == Op::kSub && node(node(id).in[0]).op == Op::kConstant &&
+           node(node(id).in[0]).value.isZero() && node(node(id).in[1]).op != Op::kConstant;
+  }
+
+  ValueId choose(const Node& n, Instruction i) {
     NodeId condition = n.in[0], yes = n.in[1], no = n.in[2];
     while (node(condition).op == Op::kNot) {
       condition = node(condition).in[0];
       std::swap(yes, no);
     }
-    i.a = get(yes, is_signed);
-    i.b = get(no, is_signed);
+    if (is_opposite(yes)) {
+      std::swap(yes, no);
+      i.unless = true;
+    }
+    i.negate = i.carry = is_opposite(no);
+    i.a = loose(yes);
+    i.b = loose(i.negate ? node(no).in[1] : no);
     i.condition = get(condition, false);
     return p_.emit(i);
   }
 
+  // The same modulo 2^bits: extensions do not matter.
+  ValueId lower_bits(NodeId id, unsigned bits) {
+    const bool extends = node(id).op == Op::kZext || node(id).op == Op::kSext;
+    return loose(extends && width(node(id).in[0]) >= bits ? node(id).in[0] : id);
+  }
+
   ValueId slice(const Node& n, bool is_signed) {
-    const NodeId from = n.in[0];
-    const bool is_top = n.low + n.width == width(from);
-    const ValueId value = is_top ? get(from, is_signed) : either(from);
-    return cut(value, n.low, n.width, is_signed);
+    NodeId from = n.in[0];
+    unsigned low = n.low;
+    while ((node(from).op == Op::kLshr || node(from).op == Op::kAshr) &&
+           node(node(from).in[1]).op == Op::kConstant &&
+           low + n.width + amount(node(from)) <= width(from)) {
+      low += amount(node(from));
+      from = node(from).in[0];
+    }
+    const unsigned bits = low + n.width;
+    const bool is_top = bits == width(from);
+    ValueId value = kNothing;
+    if (node(from).op == Op::kAdd && !is_top) {
+      Instruction sum;
+      sum.a = lower_bits(node(from).in[0], bits);
+      sum.b = lower_bits(node(from).in[1], bits);
+      value = p_.emit(sum);
+    } else {
+      value = is_top ? get(from, is_signed) : either(from);
+    }
+    return cut(value, low, n.width, is_signed);
   }
 
   ValueId concat(const Node& n, bool is_signed) {
@@ -269,39 +306,16 @@ class Lowering {
     Both() : std::array<ValueId, 2>{kNothing, kNothing} {}
   };
 
+  static constexpr unsigned kSpare = 8;  // bits that a sum may be wider for want of a cut
+
   const Module& m_;
   std::vector<Known> known_;
   Clamps clamps_;
-  Program p_;
   std::vector<unsigned> bases_;  // of the tables in the one
   std::vector<Both> made_;       // per node: without and with a sign
 };
 
 }  // namespace
-
-void expand_shifts(Module& sample) {
-  rewrite(sample, [](Rebuild& b, const Node& n) -> NodeId {
-    const bool shifts = n.op == Op::kShl || n.op == Op::kLshr || n.op == Op::kAshr;
-    if (!shifts || b.constant(n.in[1]) != nullptr) return kNone;
-    const auto by = [&](NodeId value, unsigned amount) {
-      Node shift = n;
-      shift.in = {value, b.value(llvm::APInt(32, amount))};
-      return b.add(shift);
-    };
-    NodeId value = n.in[0];
-    NodeId beyond = kNone;
-    const unsigned bits = b.width(n.in[1]);
-    for (unsigned k = 0; k < bits; ++k) {
-      const NodeId bit = b.slice(n.in[1], k, 1);
-      if (k < 16 && (1U << k) < n.width) {
-        value = b.mux(bit, by(value, 1U << k), value);
-      } else {
-        beyond = beyond == kNone ? bit : b.binary(Op::kOr, beyond, bit);
-      }
-    }
-    return beyond == kNone ? value : b.mux(beyond, by(n.in[0], n.width), value);
-  });
-}
 
 Program lower(const Module& sample, unsigned factor, unsigned second_factor) {
   return Lowering(sample, factor, second_factor).run();

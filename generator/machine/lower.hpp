@@ -1,6 +1,6 @@
 // The netlist of a sample as a program, one instruction for each thing that a clock can do.
 //
-//     a + b, -, comparisons, choices, products by one multiplier, shifts by constants, cuts to fewer
+//     a + b, -, comparisons, choices, products by one multiplier (machine/integers), shifts by constants, cuts to fewer
 //     bits, entries of tables; `and`, `or`, `xor` of bits as sums: (a + b) >> 1, (a + b + 1) >> 1,
 //     the last bit of a + b
 //     a choice between a number and two ends becomes a clamp (machine/clamps)
@@ -13,10 +13,7 @@
 
 namespace hlsgen::machine {
 
-// Shifts by a variable become choices between shifts by constants.
-void expand_shifts(Module& sample);
-
-// `sample` has to outlive the program; its products fit the multiplier.
+// `sample` has to outlive the program; shifts are by constants.
 Program lower(const Module& sample, unsigned factor, unsigned second_factor);
 
 }  // namespace hlsgen::machine

@@ -5,12 +5,12 @@
 #include "generator/machine/build.hpp"
 #include "generator/machine/fuse.hpp"
 #include "generator/machine/lower.hpp"
+#include "generator/machine/shifts.hpp"
 #include "generator/passes/fold_constants.hpp"
 #include "generator/passes/remove_dead.hpp"
 #include "generator/passes/share_common.hpp"
 #include "generator/passes/simplify_muxes.hpp"
 #include "generator/passes/simplify_wiring.hpp"
-#include "generator/schedule/split_products.hpp"
 
 namespace hlsgen::machine {
 namespace {
@@ -30,12 +30,14 @@ void simplify(Module& sample) {
 Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame& frame) {
   simplify(sample);
   expand_shifts(sample);
-  split_products(sample, budget.width, budget.second_width);
   simplify(sample);
   Program program = lower(sample, budget.width, budget.second_width);
+  program.early = frame.early;
+  program.early.resize(program.outputs.size(), false);
   fuse(program);
   legalise(program);
   const Order placed = order(program);
+  program.measure();
   Built built = build(program, placed, frame);
 
   Scheduled result;
@@ -52,8 +54,10 @@ Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame&
     report.entries += i.has_entry() ? 1 : 0;
   }
   report.clocks = placed.clocks;
+  report.early = placed.early;
   report.bound = std::max(placed.bound, report.instructions + 5);
   report.word = program.word;
+  report.sum = program.sum;
   report.cells = placed.cells;
   for (const Register& r : result.module.registers) report.registers += r.leaf.width;
   result.module.remarks = report.lines();

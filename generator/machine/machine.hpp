@@ -1,7 +1,7 @@
 // A sample as a program on one datapath: the flat netlist of a tick in, an ordinary module and its
 // memories out.
 //
-//     expand_shifts -> split_products -> lower -> fuse -> legalise -> order -> build
+//     expand_shifts -> lower -> fuse -> legalise -> order -> build
 //
 // Test: tests/generator/machine_test.cpp
 

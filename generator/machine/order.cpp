@@ -1,5 +1,7 @@
 #include "generator/machine/order.hpp"
 
+#include "generator/machine/cells.hpp"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -44,7 +46,7 @@ Way way_of(Role role, const Instruction& maker, unsigned made, unsigned now) {
     case Role::kEntry:
       return after == 3 ? Way::kResult : Way::kNone;
     case Role::kCondition:
-      if (after == 1 && maker.format.form == Form::kNegative && !maker.invert) return Way::kSum;
+      if (after == 1 && maker.format.form == Form::kNegative) return Way::kSum;
       return after == 2 || after == 3 ? Way::kResult : after >= 5 ? Way::kMemory : Way::kNone;
   }
   return Way::kNone;
@@ -65,7 +67,7 @@ class Ordering {
     rank();
     schedule();
     find_ways();
-    give_cells();
+    give_cells(p_, writer_, last_read_, out_);
     return std::move(out_);
   }
 
@@ -84,6 +86,7 @@ class Ordering {
   unsigned move(ValueId v) {
     Instruction i;
     (p_.values[v].source == Source::kInput ? i.b : i.a) = v;
+    p_.forget();  // each is one of its own
     p_.emit(i);
     return size() - 1;
   }
@@ -155,29 +158,36 @@ class Ordering {
     }
   }
 
+  // Ranks of what early outputs wait for begin above all others.
   void rank() {
+    std::vector<bool> early(size(), false);
+    for (std::size_t o = 0; o < p_.outputs.size(); ++o)
+      if (p_.early[o]) early[p_.values[p_.outputs[o]].index] = true;
     rank_.assign(size(), kNothing);
-    for (unsigned i = 0; i < size(); ++i) rank_of(i);
+    for (unsigned i = 0; i < size(); ++i) rank_of(i, {});
     for (unsigned i = 0; i < size(); ++i) out_.bound = std::max(out_.bound, rank_[i]);
+    rank_.assign(size(), kNothing);
+    for (unsigned i = 0; i < size(); ++i) rank_of(i, early);
   }
-  unsigned rank_of(unsigned i) {
+  unsigned rank_of(unsigned i, const std::vector<bool>& early) {
     if (rank_[i] != kNothing) return rank_[i];
-    unsigned rank = 0;
-    for (const auto& [to, least] : after_[i]) rank = std::max(rank, rank_of(to) + least);
+    unsigned rank = !early.empty() && early[i] ? kEarly : 0;
+    for (const auto& [to, least] : after_[i]) rank = std::max(rank, rank_of(to, early) + least);
     return rank_[i] = rank;
   }
 
   // Clocks before the sum in which the port is read; 0: not at all.
   unsigned port_lead(const Instruction& i) const {
-    if (i.b != kNothing && p_.values[i.b].source == Source::kInput) return 1;
-    if (i.d != kNothing && p_.values[i.d].source == Source::kInput) return 2;
-    return 0;
+    const auto is_input = [&](ValueId v) {
+      return v != kNothing && p_.values[v].source == Source::kInput;
+    };
+    return is_input(i.b) || is_input(i.condition) ? 1 : is_input(i.d) ? 2 : 0;
   }
 
   bool is_ready(unsigned i, unsigned now) const {
     const Instruction& instruction = at(i);
     if (instruction.has_entry()) return false;  // comes with its address
-    const bool early = instruction.has_product() || instruction.condition != kNothing;
+    const bool early = instruction.has_product() || instruction.condition != kNothing;  // reads
     if (now < (early ? kFirst + 1 : kFirst)) return false;
     for (const unsigned reader : before_[i])
       if (out_.places[reader].clock == 0) return false;
@@ -220,6 +230,9 @@ class Ordering {
     // Written in the clock after the next, then shown.
     out_.clocks = now - 1 + 4;
     out_.bound += kFirst + 4;
+    for (std::size_t o = 0; o < p_.outputs.size(); ++o)
+      if (p_.early[o])
+        out_.early = std::max(out_.early, out_.places[p_.values[p_.outputs[o]].index].clock + 4);
   }
 
   void find_ways() {
@@ -253,40 +266,8 @@ class Ordering {
     last_read_.resize(p_.values.size(), 0);
   }
 
-  void give_cells() {
-    out_.cell_of.resize(p_.values.size());
-    out_.states.resize(p_.next.size());
-    for (unsigned r = 0; r < p_.next.size(); ++r) {
-      out_.states[r] = 2 * r;
-      out_.places[writer_[r]].written = 2 * r;
-      out_.cell_of[at(writer_[r]).result] = 2 * r;
-    }
-    out_.cells = static_cast<unsigned>(2 * p_.next.size());
-    for (ValueId v = 0; v < p_.values.size(); ++v) {
-      if (last_read_[v] == 0) continue;
-      if (p_.values[v].source == Source::kConstant) out_.cell_of[v] = out_.cells++;
-      if (p_.values[v].source == Source::kState) out_.cell_of[v] = 2 * p_.values[v].index;
-    }
-    // Temporaries in the order of their birth; a cell is free after its last read.
-    std::vector<unsigned> made;
-    for (unsigned i = 0; i < size(); ++i)
-      if (last_read_[at(i).result] != 0 && !out_.cell_of[at(i).result]) made.push_back(i);
-    std::sort(made.begin(), made.end(), [&](unsigned x, unsigned y) {
-      return out_.places[x].clock < out_.places[y].clock;
-    });
-    std::vector<std::pair<unsigned, unsigned>> free_after;  // last read, cell
-    for (const unsigned i : made) {
-      const unsigned born = out_.places[i].clock + 2;
-      auto found = std::find_if(free_after.begin(), free_after.end(),
-                                [&](const auto& cell) { return cell.first < born; });
-      if (found == free_after.end()) found = free_after.insert(found, {0, out_.cells++});
-      found->first = last_read_[at(i).result];
-      out_.places[i].written = found->second;
-      out_.cell_of[at(i).result] = found->second;
-    }
-  }
-
   static constexpr unsigned kFirst = 2;  // the first clock that finds its operands read
+  static constexpr unsigned kEarly = 1U << 20;  // more clocks than any program has
 
   Program& p_;
   Order out_;

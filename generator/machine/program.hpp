@@ -1,12 +1,13 @@
 // A sample as a program for one datapath: numbers in a memory, one sum per clock.
 //
 //     result = format((a + b) >> shift)       b may be the product c d, an entry of the table, a port;
-//                                             -b with `negate`; one of both with a condition
+//                                             ~b with `negate`; one of both with a condition, then
+//                                             with `negate` and `carry` -b or a
 //     result = a + b == 0, < 0                flags: 0 or 1
 //
-// Numbers are integers, held sign-extended in words wide enough for every sum; a value of the netlist
-// is one integer or another by whether its reader takes it as signed.  Ranges are kept, so that what
-// cannot wrap is not wrapped.
+// Numbers are integers, held sign-extended in words wide enough for each; sums may be wider before their
+// format cuts them.  A value of the netlist is one integer or another by whether its reader takes it as
+// signed.  Ranges are kept, so that what cannot wrap is not wrapped.
 //
 // Test: tests/generator/machine_test.cpp
 
@@ -14,7 +15,9 @@
 
 #include "generator/netlist.hpp"
 
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace hlsgen::machine {
@@ -65,6 +68,7 @@ struct Instruction {
   ValueId c = kNothing, d = kNothing;  // b is their product
   ValueId entry = kNothing;            // b is the table's, at this address
   ValueId condition = kNothing;        // 1: a, 0: b
+  bool unless = false;                 // 1: b, 0: a
   bool negate = false;                 // a + ~b + carry
   bool carry = false;
   Logic logic = Logic::kSum;
@@ -77,6 +81,10 @@ struct Instruction {
   bool has_product() const { return c != kNothing; }
   bool has_entry() const { return entry != kNothing; }
   // The sum is the result: a reader in the next clock may have it.
+  auto key() const {
+    return std::tuple(a, b, c, d, entry, condition, unless, negate, carry, logic, shift, format,
+                      invert);
+  }
   bool is_plain() const { return shift == 0 && format.form == Form::kAll; }
 };
 
@@ -87,15 +95,25 @@ struct Program {
   std::vector<Instruction> instructions;  // operands before results
   std::vector<ValueId> next;              // per register of the sample
   std::vector<ValueId> outputs;
+  std::vector<bool> early;                // per output: made before the others
   std::vector<Number> table;  // all of the sample's, one behind the other
-  unsigned word = 2;          // bits
+  unsigned word = 2;          // bits of numbers
+  unsigned sum = 2;           // bits of their sums
 
   ValueId constant(const Number& value);
-  ValueId emit(Instruction instruction);
-  // Range of the sum, before shift and format; makes the words wide enough for it.
-  Range sum_range(const Instruction& instruction);
+  ValueId emit(Instruction instruction);  // or what does the same already
+  // Range of the sum, before shift and format.
+  Range sum_range(const Instruction& instruction) const;
+  Range second_range(const Instruction& instruction) const;  // of b
+  // Makes words and sums wide enough for what is there.
+  void measure();
   const Instruction* maker(ValueId value) const;
+  // Instructions are about to change.
+  void forget() { known_.clear(); }
   Instruction* maker(ValueId value);
+
+ private:
+  std::map<decltype(Instruction().key()), ValueId> known_;
 };
 
 }  // namespace hlsgen::machine

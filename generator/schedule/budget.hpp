@@ -13,6 +13,7 @@ struct Budget {
   unsigned levels = 12;        // look-up tables in a row between two registers
   bool held = false;           // the inputs stand still from start to done
   bool program = false;        // one datapath and a program, numbers in a memory
+  unsigned early = 0;          // of a program: from start to the outputs in `early`; 0: none
 };
 
 }  // namespace hlsgen

@@ -18,6 +18,7 @@ namespace hlsgen::scheduling {
 struct Frame {
   Leaf start, done, busy, missed;
   std::vector<llvm::APInt> output_resets;
+  std::vector<bool> early = {};  // per output, of a program; none: none is
 };
 
 Module build(const Operations& operations, const Order& order, const Keeping& keeping,

@@ -1,5 +1,7 @@
 #include "generator/schedule/operations.hpp"
 
+#include <llvm/Support/MathExtras.h>
+
 #include <algorithm>
 
 namespace hlsgen::scheduling {
@@ -12,11 +14,7 @@ unsigned tree(unsigned bits) {
   return std::max(levels, 1u);
 }
 
-unsigned bits_of(std::size_t count) {
-  unsigned bits = 0;
-  while ((std::size_t{1} << bits) < count) ++bits;
-  return bits;
-}
+unsigned bits_of(std::size_t count) { return count < 2 ? 0 : llvm::Log2_64_Ceil(count); }
 
 unsigned delay_of(const Module& m, const Node& n) {
   const unsigned operand = n.in.empty() ? 0 : m.nodes[n.in[0]].width;

@@ -50,8 +50,9 @@ std::vector<std::string> ScheduleReport::lines() const {
     return {fmt::format("A sample takes {} clocks, and in no order fewer than {}: {} operations, {} products{}",
                         clocks, bound, operations, products, tables),
             fmt::format("as {} instructions on 1 multiplier of {} x {} bits and one adder of {}; {} register bits,",
-                        instructions, budget.width, budget.second_width, word, registers),
-            fmt::format("{} words of memory.", cells)};
+                        instructions, budget.width, budget.second_width, sum, registers),
+            fmt::format("{} words of memory of {} bits.", cells, word) +
+                (early == 0 ? "" : fmt::format(" Early outputs are new after {} clocks.", early))};
   }
   return {
       fmt::format(

@@ -22,11 +22,13 @@ struct ScheduleReport {
   unsigned products = 0;
   unsigned entries = 0;     // read from large tables
   unsigned clocks = 0;      // from start to done
+  unsigned early = 0;       // from start to the early outputs of a program
   unsigned bound = 0;       // no order takes fewer
   unsigned registers = 0;   // bits, all of them
   unsigned kept = 0;        // bits of these that keep values between steps
   unsigned instructions = 0;  // of a program
   unsigned word = 0;          // bits of its numbers
+  unsigned sum = 0;           // bits of its adder
   unsigned cells = 0;         // of the memory
   unsigned levels = 0;      // look-up tables in a row at most, estimated
 

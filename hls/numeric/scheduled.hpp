@@ -22,6 +22,9 @@
 // With Form::kProgram the sample becomes a program on one datapath with its numbers in block RAM: more
 // clocks, far fewer logic cells.  Its inputs have to be held.
 //
+// What a loop waits for need not wait for the rest of its sample: outputs in a member `early` of a
+// program's Out are new `early` clocks after the start, and the program makes them first.
+//
 // Doc: docs/generator.md   Test: tests/hls/scheduled_test.cpp, tests/generator/schedule_test.cpp
 
 #pragma once
@@ -41,6 +44,7 @@ struct Budget {
   int levels = 12;        // look-up tables in a row; 8 bits of a carry count as one
   Inputs inputs = Inputs::kTaken;
   Form form = Form::kSpread;
+  int early = 0;          // of a program: from start to the outputs in `early`; 0: it has none
 };
 
 template <class Block, Budget budget>
@@ -49,6 +53,8 @@ class Scheduled {
   static_assert(budget.width >= 4 && budget.width <= 64, "factors of 4 to 64 bits");
   static_assert(budget.second_width >= 4 && budget.second_width <= 64, "factors of 4 to 64 bits");
   static_assert(budget.clocks >= 2 && budget.clocks <= 4095, "2 to 4095 clocks");
+  static_assert(budget.early == 0 || budget.form == Form::kProgram, "early outputs of a program");
+  static_assert(budget.early >= 0 && budget.early <= budget.clocks, "early, not late");
   static_assert(budget.levels >= 3 && budget.levels <= 100, "3 to 100 levels");
 
  public:
@@ -63,12 +69,16 @@ class Scheduled {
   };
 
   static constexpr int kClocks = budget.clocks;  // from start to done
+  static constexpr int kEarly = budget.early;    // from start to the outputs in `early`
   static constexpr bool kInputsAreHeld = budget.inputs == Inputs::kHeld;
 
   Out tick(const In& in) {
     const Out out = shown_;
     shown_.done = left_ == 1;
     shown_.missed = in.start && left_ != 0;
+    if constexpr (kEarly != 0) {
+      if (left_ == kClocks - kEarly + 1) shown_.early = Block(block_).tick(sample_).early;
+    }
     if (left_ == 1) static_cast<typename Block::Out&>(shown_) = block_.tick(sample_);
     if (left_ != 0) {
       left_ = wrap<Left>(left_ - 1);

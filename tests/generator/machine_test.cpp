@@ -32,8 +32,8 @@ Budget budget_of(unsigned width, unsigned second_width) {
   return budget;
 }
 
-Scheduled compiled(const Module& sample, const Budget& budget) {
-  scheduling::Frame frame{bit("start"), bit("done"), bit("busy"), bit("missed"), {}};
+Scheduled compiled(const Module& sample, const Budget& budget, std::vector<bool> early = {}) {
+  scheduling::Frame frame{bit("start"), bit("done"), bit("busy"), bit("missed"), {}, early};
   for (const Output& o : sample.outputs) frame.output_resets.emplace_back(o.leaf.width, 0);
   return schedule(sample, budget, frame);
 }
@@ -57,8 +57,10 @@ Values any_inputs(const Module& m, RandomNetlist& any) {
 }
 
 // The first sample in which the program differs from its block, or -1: its outputs stand from done to
-// done, starts come while it is busy as well, and every 13th sample is cut off by a reset.
-int first_difference(const Module& sample, const Scheduled& scheduled, unsigned seed, int samples) {
+// done, early ones from that clock on, starts come while it is busy as well, and every 13th sample is cut
+// off by a reset.
+int first_difference(const Module& sample, const Scheduled& scheduled, unsigned seed, int samples,
+                     const std::vector<bool>& early = {}) {
   RandomNetlist any(seed);
   const Design plain = alone(sample);
   Design program = whole(scheduled);
@@ -72,11 +74,14 @@ int first_difference(const Module& sample, const Scheduled& scheduled, unsigned 
   for (int i = 0; i < samples; ++i) {
     const Values in = any_inputs(sample, any);
     const unsigned cut = i % 13 == 12 ? any.below(scheduled.report.clocks) : scheduled.report.clocks;
+    const Values coming = expected.clock(in);
     for (unsigned clock = 0; clock < cut; ++clock) {
       Values given = in;
       const bool start = clock == 0 || any.below(3) == 0;
       given.emplace_back(1, start ? 1 : 0);
       const Values got = actual.clock(given);
+      for (std::size_t o = 0; o < early.size(); ++o)
+        if (early[o] && clock == scheduled.report.early) shown[o] = coming[o];
       Values wanted = shown;
       for (const bool flag : {done, clock != 0, missed}) wanted.emplace_back(1, flag ? 1 : 0);
       if (got != wanted) return i;
@@ -89,7 +94,7 @@ int first_difference(const Module& sample, const Scheduled& scheduled, unsigned 
       shown = none;
       done = missed = false;
     } else {
-      shown = expected.clock(in);
+      shown = coming;
     }
   }
   return -1;
@@ -103,6 +108,21 @@ TEST(Machine, RandomNetlistsEqualTheirSamples) {
     ASSERT_EQ(first_difference(sample, scheduled, seed, 30), -1) << "seed " << seed;
     ASSERT_GE(scheduled.report.clocks, scheduled.report.bound) << "seed " << seed;
   }
+}
+
+// Every other output early: no later than the rest, and for many netlists before it.
+TEST(Machine, EarlyOutputsComeBeforeTheOthers) {
+  unsigned sooner = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Module sample = RandomNetlist(seed).make("random", 20 + seed % 60);
+    std::vector<bool> early;
+    for (std::size_t o = 0; o < sample.outputs.size(); ++o) early.push_back(o % 2 == 0);
+    const auto scheduled = compiled(sample, budget_of(16, 16), early);
+    ASSERT_EQ(first_difference(sample, scheduled, seed, 30, early), -1) << "seed " << seed;
+    ASSERT_LE(scheduled.report.early, scheduled.report.clocks) << "seed " << seed;
+    sooner += scheduled.report.early + 5 < scheduled.report.clocks ? 1 : 0;
+  }
+  EXPECT_GT(sooner, 20U);
 }
 
 // The comparison above must be able to fail: one bit of the program turned.
@@ -136,10 +156,16 @@ struct Saturation {
   }
 };
 
+std::optional<machine::Clamp> clamp_of(const Module& m, NodeId choice) {
+  const auto known = known_bits(m);
+  const auto any = [&](NodeId id) { return machine::Range::of(m.nodes[id].width, true); };
+  return machine::Clamps(m, known, any).find(choice);
+}
+
 TEST(Machine, AChoiceOfEndsIsOneClamp) {
   Saturation s;
   const NodeId found = s.of(s.b.slice(s.x, 19, 19), s.b.constant(8, 0x80));
-  const auto clamp = machine::Clamps(s.b.m, known_bits(s.b.m)).find(found);
+  const auto clamp = clamp_of(s.b.m, found);
   ASSERT_TRUE(clamp);
   EXPECT_EQ(clamp->of, s.x);
   EXPECT_EQ(clamp->width, 8U);
@@ -153,7 +179,33 @@ TEST(Machine, AChoiceOfEndsIsOneClamp) {
 TEST(Machine, AnotherEndIsNoClamp) {
   Saturation s;
   const NodeId wrong = s.of(s.b.slice(s.x, 19, 19), s.b.constant(8, 0x81));
-  EXPECT_FALSE(machine::Clamps(s.b.m, known_bits(s.b.m)).find(wrong));
+  EXPECT_FALSE(clamp_of(s.b.m, wrong));
+}
+
+// LLVM asks 5 - 3 x < 0 as 5 < 3 x, and 3 x < 0 as x < 0: conditions on what the number was made of.
+TEST(Machine, AClampIsFoundThroughSumsAndProducts) {
+  Build b("through");
+  const NodeId x = b.input("x", 12, true);
+  const NodeId triple = b.op(Op::kMul, b.sext(x, 20), b.constant(20, 3));
+  const NodeId y = b.op(Op::kSub, b.constant(20, 5), triple), bits = b.slice(y, 7, 0);
+  const NodeId above = b.op(Op::kSlt, b.constant(20, 127), y);
+  const auto clamp_with = [&](std::uint64_t end, NodeId falls) {
+    const NodeId low =
+        b.mux(b.op(Op::kSlt, y, b.constant(20, (1U << 20) - 128)), b.constant(8, 0x80), bits);
+    return b.mux(falls, low, b.mux(above, b.constant(8, end), bits));
+  };
+  const NodeId falls = b.op(Op::kSlt, b.constant(20, 5), triple);
+  const NodeId found = clamp_with(127, falls), wrong = clamp_with(126, falls);
+  const auto clamp = clamp_of(b.m, found);
+  ASSERT_TRUE(clamp);
+  EXPECT_EQ(clamp->of, y);
+  EXPECT_FALSE(clamp_of(b.m, wrong));
+  // Positive x that is taken for negative y is no clamp.
+  EXPECT_FALSE(clamp_of(b.m, clamp_with(127, b.slice(x, 11, 11))));
+  b.output("y", found);
+  const auto scheduled = compiled(b.m, budget_of(16, 16));
+  EXPECT_LE(scheduled.report.instructions, 2U);
+  EXPECT_EQ(first_difference(b.m, scheduled, 1, 300), -1);
 }
 
 // A product with its rounding, shift and clamp: two clocks of reading, one of summing, one of cutting.

@@ -1,0 +1,4 @@
+rtl/sinusoidal_control_program.sv
+rtl/sinusoidal_control_numbers.sv
+rtl/sinusoidal_control_table.sv
+rtl/sinusoidal_control.sv
