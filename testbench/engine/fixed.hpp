@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "hls/six_step/six_step_top.hpp"
+#include "testbench/engine/skipping_top.hpp"
 #include "testbench/engine/watch.hpp"
 
 namespace steplock {
@@ -101,7 +101,7 @@ class FixedEngine {
 
  private:
   Words words_;
-  SixStepTop top_;
+  SkippingTop top_;
   SixStepTop::In in_;
   SixStepTop::Out out_;
   double clock_hz_;

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include "hls/six_step/six_step_top.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "model/plant/plant.hpp"
 #include "testbench/drive_file/drive_file.hpp"
+#include "testbench/engine/skipping_top.hpp"
 #include "testbench/engine/words.hpp"
 
 namespace steplock {
@@ -32,7 +32,7 @@ Words designed_words() {
 struct Rig {
   double clock_hz = settings().control.clock_hz;
   plant::Plant plant;
-  SixStepTop top;
+  SkippingTop top;
   SixStepTop::In in;
   SixStepTop::Out out;
   std::uint64_t clock = 0;

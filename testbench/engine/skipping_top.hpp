@@ -1,0 +1,106 @@
+// The whole drive, for simulation: the clocks in which it does nothing but count, many at once.
+//
+//     docs/theory.md, "Quiet clocks", says why this is exact.  Each counting block knows for how many
+//     clocks its counter reaches no event (quiet) and can take that many (skip); here they are put
+//     together.  Outputs and state are those of SixStepTop::tick() so many times.
+//
+// Doc: docs/theory.md   Test: tests/testbench/skipping_top_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "hls/six_step/six_step_top.hpp"
+
+namespace steplock {
+
+class SkippingTop : public SixStepTop {
+ public:
+  // How many ticks, with the inputs of the last one, whose outputs were `last`, would do nothing but count.
+  std::uint64_t quiet(const In& in, const Out& last) const {
+    const std::uint64_t clocks = to_event(in, last);
+    if (clocks < kWorthwhile) return 0;
+    SkippingTop ticked = *this;
+    Out out = last;
+    return ticked.counts(in, out) ? clocks : 0;
+  }
+  // That many at once; step_phase as the last of them shows it.
+  Phase skip(const In& in, const Out& last, std::uint64_t clocks) {
+    const auto vco = turning(last);
+    const Phase shown = clocks == 1 ? divided_.phase : step_phase(in, vco_.shown(vco, clocks - 1));
+    if (const auto sampled = bemf_.skip(sensed(in, last), clocks); sampled != 0) {
+      bemf_.remember(sampled == 1 ? divided_.phase : step_phase(in, vco_.shown(vco, sampled - 1)));
+    }
+    divided_.phase = step_phase(in, vco_.shown(vco, clocks));
+    vco_.skip(vco, clocks);
+    hall_.skip(clocks);
+    filter_.skip(clocks);
+    speed_.skip(last.frequency, clocks);
+    pwm_.skip(clocks);
+    limit_.skip(chop_, clocks);
+    guard_.skip(clocks);
+    return shown;
+  }
+  // From 1 to `most` ticks, as many as are quiet, and `out`, which was that of the last one, becomes
+  // that of the last of them: the same as tick() so often.
+  std::uint64_t advance(const In& in, Out& out, std::uint64_t most) {
+    const std::uint64_t clocks = std::min(to_event(in, out), most);
+    if (clocks < kWorthwhile) {
+      out = tick(in);
+      return 1;
+    }
+    if (!counts(in, out)) return 1;
+    out.step_phase = skip(in, out, clocks - 1);
+    return clocks;
+  }
+  bool operator==(const SkippingTop&) const = default;
+
+ private:
+  static constexpr std::uint64_t kWorthwhile = 4;  // clocks; below, looking costs more than ticking
+  // Clocks until the first counter reaches its event; 0 where more than counters is at work.
+  std::uint64_t to_event(const In& in, const Out& last) const {
+    if (tick_ || limited_ || divided_.commutate || divided_.elapsed || update_) return 0;
+    std::uint64_t clocks = std::min(filter_.quiet(), speed_.quiet());
+    if (clocks == 0) return 0;
+    clocks = std::min(clocks, vco_.quiet(turning(last)));
+    clocks = std::min(clocks, hall_.quiet());
+    clocks = std::min(clocks, bemf_.quiet(sensed(in, last)));
+    clocks = std::min(clocks, pwm_.quiet());
+    clocks = std::min(clocks, limit_.quiet(chop_));
+    return std::min(clocks, guard_.quiet());
+  }
+  // A tick.  If it changes counters alone, as skip() says, so does each one up to the next event.
+  bool counts(const In& in, Out& out) {
+    SkippingTop counted = *this;
+    counted.skip(in, out, 1);
+    const Out last = out;
+    out = tick(in);
+    const Phase shown = out.step_phase;
+    out.step_phase = last.step_phase;
+    const bool same = out == last && *this == counted;
+    out.step_phase = shown;
+    return same;
+  }
+
+  Phase step_phase(const In& in, Phase vco) const {
+    return divide_.step_phase(vco, in.words.loop.divide);
+  }
+  VcoCounter::In turning(const Out& last) const {
+    const bool held = last.state == State::kIdle || last.state == State::kBrake ||
+                      last.state == State::kSettle || last.state == State::kReset ||
+                      last.state == State::kRest || last.state == State::kFault;
+    return {.enable = !held, .frequency = last.frequency};
+  }
+  BemfComparator::In sensed(const In& in, const Out& last) const {
+    return {.u = in.pins.comparator_u,
+            .v = in.pins.comparator_v,
+            .w = in.pins.comparator_w,
+            .step = last.step,
+            .reverse = last.reverse,
+            .chop = chop_,
+            .phase = last.step_phase,
+            .words = in.words.bemf};
+  }
+};
+
+}  // namespace steplock
