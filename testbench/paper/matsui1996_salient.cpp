@@ -108,7 +108,8 @@ Claim refused(const design::Settings& believed, const design::Settings& real,
 }
 
 Figure pulses(const design::Settings& salient, EngineKind engine) {
-  const Start s = start_from(salient, engine, StartBy::kPilot, 77, kLongEnough);
+  constexpr double kAngle = 77;  // degrees, of the rotor; its N pole is opposite
+  const Start s = start_from(salient, engine, StartBy::kPilot, kAngle, kLongEnough);
   std::array<Curve, 3> currents = {Curve{"I_U", palette::kU, {}}, Curve{"I_V", palette::kV, {}},
                                    Curve{"I_W", palette::kW, {}}};
   for (const auto& x : s.record.overview) {
@@ -120,9 +121,10 @@ Figure pulses(const design::Settings& salient, EngineKind engine) {
   return {.name = "fig9a",
           .title = "Fig. 9(a): currents of the pilot pulses",
           .axis = "time, ms",
-          .caption = fmt::format("Engine {}, the N pole at 257 degrees: four rounds of six short "
-                                 "pulses, 12 samples of thinking, two long pulses, the start.",
-                                 name_of(engine)),
+          .caption = fmt::format("Engine {}, the N pole at {} degrees: {} rounds of six short pulses, the search for "
+                                 "their angle, two long pulses, the start.",
+                                 name_of(engine), std::fmod(kAngle + 180, 360),
+                                 design::sinusoidal::design_drive(salient).parameters.pilot.repeats),
           .panels = {{.label = "current, A", .curves = {currents.begin(), currents.end()}}}};
 }
 
