@@ -1,1 +1,2 @@
+rtl/telemetry_copy.sv
 rtl/drive_registers.sv

@@ -1,4 +1,4 @@
-// drive_registers: steplock::DriveRegisters, printed by hlsgen from hls/bus/drive_registers.hpp:23.
+// drive_registers: steplock::DriveRegisters, printed by hlsgen from hls/bus/drive_registers.hpp:37.
 // Do not edit: change the C++ and print again.
 
 module drive_registers (
@@ -9,10 +9,11 @@ module drive_registers (
     input  logic [9:0]  request_index_i,
     input  logic [31:0] request_data_i,
     input  logic [3:0]  request_strobes_i,  // bytes of `data` that count
-    input  logic [31:0] word_i,  // the word register at `request.index`, or 0
+    input  logic [31:0] word_i,  // of the last read, if it was of a word or a constant, else 0
     input  logic        hole_i,
     input  logic        refused_i,  // a write here changes nothing
     input  logic        unlocked_i,
+    input  logic        no_period_i,  // the drive would hold a low side on, and its start would not end
     input  logic        tick_i,  // the slow time base
     input  logic [3:0]  drive_state_i,
     input  logic [3:0]  drive_reason_i,
@@ -57,49 +58,107 @@ module drive_registers (
   logic starting;  // no lock since `run` rose
   logic was_faulted;
   logic was_locked;
-  logic [25:0] shot_frequency;  // u0.32
-  logic [15:0] shot_duty;  // u1.15
-  logic [15:0] shot_phase_error;  // s0.16
-  logic [15:0] shot_counts_crossings;  // events, stops at 65535
-  logic [15:0] shot_counts_missed;  // events, stops at 65535
-  logic [15:0] shot_counts_freewheel_long;  // events, stops at 65535
-  logic [15:0] shot_counts_limit_hits;  // events, stops at 65535
-  logic [15:0] shot_counts_retries;  // events, stops at 65535
-  logic [31:0] data;  // the answer to the last read
+  logic taken;  // a snapshot since the reset
+  logic read;  // a read since the reset
+  logic [31:0] data;  // the answer to the last read, of what stands here
   logic read_error;
   logic write_error;
 
-  wire command_configured = configured && !watchdog_fault;  // line 57
-  wire either_130 = drive_state_i == State_kIdle || drive_state_i == State_kFault;  // line 130
-  wire both_75 = request_write_i && !refused_i;  // line 75
-  wire both_140 = period != 12'd0 && command_configured;  // line 140
-  wire [9:0] sum_77 = request_index_i - 10'd9;  // line 77
-  wire both = both_75 && sum_77[9:1] == 9'd0;
-  wire both_141 = both_140 && tick_i && left == 12'd0 && !both;  // line 141
+  wire both_72 = request_write_i && !refused_i && request_index_i == 10'd11;  // line 72
+  wire [31:0] now_1 = {drive_phase_error_i, 16'd0} | {16'd0, drive_duty_i};  // line 194
+  wire [31:0] now_2 = {drive_counts_missed_i, 16'd0} | {16'd0, drive_counts_crossings_i};
+  wire [31:0] now_3 = {drive_counts_limit_hits_i, 16'd0} | {16'd0, drive_counts_freewheel_long_i};
+  wire either_146 = drive_state_i == State_kIdle || drive_state_i == State_kFault;  // line 146
+
+  wire [31:0] copies_0_data;
+  telemetry_copy copies_0 (
+      .clk(clk),
+      .rst(rst),
+      .read_i(request_read_i),
+      .address_i({2'd0, !hole_i && request_index_i == 10'd12 && taken}),
+      .write_i(both_72),
+      .write_address_i(3'd1),
+      .write_data_i({6'd0, drive_frequency_i}),
+      .data_o(copies_0_data)
+  );
+
+  wire [31:0] copies_1_data;
+  telemetry_copy copies_1 (
+      .clk(clk),
+      .rst(rst),
+      .read_i(request_read_i),
+      .address_i({2'd0, !hole_i && request_index_i == 10'd13 && taken}),
+      .write_i(both_72),
+      .write_address_i(3'd1),
+      .write_data_i(now_1),
+      .data_o(copies_1_data)
+  );
+
+  wire [31:0] copies_2_data;
+  telemetry_copy copies_2 (
+      .clk(clk),
+      .rst(rst),
+      .read_i(request_read_i),
+      .address_i({2'd0, !hole_i && request_index_i == 10'd14 && taken}),
+      .write_i(both_72),
+      .write_address_i(3'd1),
+      .write_data_i(now_2),
+      .data_o(copies_2_data)
+  );
+
+  wire [31:0] copies_3_data;
+  telemetry_copy copies_3 (
+      .clk(clk),
+      .rst(rst),
+      .read_i(request_read_i),
+      .address_i({2'd0, !hole_i && request_index_i == 10'd15 && taken}),
+      .write_i(both_72),
+      .write_address_i(3'd1),
+      .write_data_i(now_3),
+      .data_o(copies_3_data)
+  );
+
+  wire [31:0] copies_4_data;
+  telemetry_copy copies_4 (
+      .clk(clk),
+      .rst(rst),
+      .read_i(request_read_i),
+      .address_i({2'd0, !hole_i && request_index_i == 10'd16 && taken}),
+      .write_i(both_72),
+      .write_address_i(3'd1),
+      .write_data_i({16'd0, drive_counts_retries_i}),
+      .data_o(copies_4_data)
+  );
+
+  wire [31:0] shown = copies_0_data | copies_1_data | copies_2_data | copies_3_data | copies_4_data;
+  wire [31:0] data_2 = read ? shown : 32'd0;  // line 242
+  wire both_91 = request_write_i && !refused_i;  // line 91
+  wire [9:0] sum_93 = request_index_i - 10'd9;  // line 93
+  wire both = both_91 && sum_93[9:1] == 9'd0;
+  wire either_94 = period == 12'd0 || !configured || watchdog_fault;  // line 94
+  wire both_94 = !(either_94 || !tick_i) && left == 12'd0 && !both;  // line 94
   wire choice =
-      (both_75 && request_strobes_i[0] && request_index_i == 10'd3) ? request_data_i[1] : run;
-  wire both_79 = both_75 && request_index_i == 10'd5;  // line 79
-  wire [8:0] either_76 = {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
-  wire [11:0] ones = request_data_i[11:0] & {{3{either_76[8]}}, either_76};  // line 76
+      (both_91 && request_strobes_i[0] && request_index_i == 10'd3) ? request_data_i[1] : run;
+  wire both_95 = both_91 && request_index_i == 10'd5;  // line 95
+  wire [8:0] either_92 = {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
+  wire [11:0] ones = request_data_i[11:0] & {{3{either_92[8]}}, either_92};  // line 92
   wire drive_fault_next = drive_state_i == State_kFault || (drive_fault && !cleared);
-  wire choice_2 = both_79 ? !ones[1] && watchdog_fault : watchdog_fault;
-  wire both_160 = drive_state_i == State_kFault && !was_faulted;  // line 160
-  wire [4:0] kept = (both_75 && request_index_i == 10'd6) ? ~ones[4:0] : 5'd31;  // line 91
-  wire both_153 = drive_locked_i && !was_locked;  // line 153
-  wire [3:0] sum_154 = drive_state_i + 4'd7;  // line 154
-  wire [3:0] choice_154 =  // line 154
+  wire choice_2 = both_95 ? !ones[1] && watchdog_fault : watchdog_fault;
+  wire [4:0] kept = (both_91 && request_index_i == 10'd6) ? ~ones[4:0] : 5'd31;  // line 107
+  wire both_169 = drive_locked_i && !was_locked;  // line 169
+  wire [2:0] wide_172 =  // line 172
+      {1'b0, (both_94 ? 2'd2 : 2'd0) | {1'b0, drive_state_i == State_kFault && !was_faulted}};
+  wire [3:0] sum_170 = drive_state_i + 4'd7;  // line 170
+  wire [3:0] choice_170 =  // line 170
       (drive_locked_i || !was_locked) ? 4'd0 :
-      (sum_154[3:1] == 3'd0) ? 4'd8 :
+      (sum_170[3:1] == 3'd0) ? 4'd8 :
       4'd0;
-  wire [3:0] wide_157 =  // line 157
-      {1'b0, {1'b0, (both_141 ? 2'd2 : 2'd0) | {1'b0, both_160}} | (both_153 ? 3'd4 : 3'd0)};
-  wire [4:0] choice_168 = (both_153 && starting) ? 5'd16 : 5'd0;  // line 168
-  wire [4:0] events = {1'b0, wide_157 | choice_154} | choice_168;  // line 158
-  wire [8:0] inverse_104 = ~either_76;  // line 104
-  wire [11:0] either_105 = ones | (period & {{3{inverse_104[8]}}, inverse_104});  // line 105
+  wire [4:0] wide_173 = {1'b0, {1'b0, wide_172 | (both_169 ? 3'd4 : 3'd0)} | choice_170};
+  wire [4:0] choice_184 = (both_169 && starting) ? 5'd16 : 5'd0;  // line 184
+  wire [4:0] events = wide_173 | choice_184;  // line 174
 
   always_ff @(posedge clk) begin
-    if (both_75) begin
+    if (both_91) begin
       if (request_strobes_i[0]) begin
         if (request_index_i == 10'd3) begin
           configured <= request_data_i[0];
@@ -111,95 +170,85 @@ module drive_registers (
         end
       end
       clear <= request_index_i == 10'd5 && ones[0];
-      if (request_index_i == 10'd9) begin
-        period <= either_105;
-      end
-      if (request_index_i == 10'd11) begin
-        shot_frequency <= drive_frequency_i;
-        shot_duty <= drive_duty_i;
-        shot_phase_error <= drive_phase_error_i;
-        shot_counts_crossings <= drive_counts_crossings_i;
-        shot_counts_missed <= drive_counts_missed_i;
-        shot_counts_freewheel_long <= drive_counts_freewheel_long_i;
-        shot_counts_limit_hits <= drive_counts_limit_hits_i;
-        shot_counts_retries <= drive_counts_retries_i;
-      end
-      write_error <= 1'b0;
     end else begin
       clear <= 1'b0;
+    end
+    run <= !both_94 && choice;  // line 123
+    if (drive_state_i != State_kFault || was_faulted) begin
+      cleared <= cleared || (both_95 && ones[0]);
+    end else begin
+      cleared <= 1'b0;
+      fault_reason <= drive_reason_i;
+    end
+    drive_fault <= drive_fault_next;
+    watchdog_fault <= both_94 || choice_2;  // line 123
+    interrupts <= (interrupts & kept) | events;  // line 108
+    if (both_91 && request_index_i == 10'd9) begin
+      logic [8:0] inverse_120;
+      logic [11:0] either_121;
+      inverse_120 = ~either_92;  // line 120
+      either_121 = ones | (period & {{3{inverse_120[8]}}, inverse_120});  // line 121
+      period <= either_121;
+      left <= either_121;
+      write_error <= 1'b0;
+    end else begin
+      if (both || either_94) begin
+        left <= period;
+      end else if (tick_i && !(tick_i && left == 12'd0)) begin
+        left <= left - 12'd1;
+      end
       if (request_write_i) begin
         write_error <= refused_i;
       end
     end
-    run <= !both_141 && choice;  // line 110
-    if (both_160) begin
-      cleared <= 1'b0;
-      fault_reason <= drive_reason_i;
-    end else begin
-      cleared <=
-          (drive_state_i != State_kFault || was_faulted) && (cleared || (both_79 && ones[0]));
-    end
-    drive_fault <= drive_fault_next;
-    watchdog_fault <= both_141 || choice_2;  // line 110
-    interrupts <= (interrupts & kept) | events;  // line 92
-    if (both_75 && request_index_i == 10'd9) begin
-      left <= either_105;
-    end else if (both || !both_140) begin
-      left <= period;
-    end else if (tick_i && !(tick_i && left == 12'd0)) begin
-      left <= left - 12'd1;
-    end
-    starting <= !run || (starting && !both_153);
-    was_faulted <= drive_state_i == State_kFault;  // line 62
+    starting <= !run || (starting && !both_169);
+    was_faulted <= drive_state_i == State_kFault;  // line 78
     was_locked <= drive_locked_i;
+    taken <= both_72 || taken;  // line 244
+    read <= request_read_i || read;  // line 243
     if (request_read_i) begin
       if (hole_i) begin
         data <= 32'd0;
       end else begin
-        logic [3:0] wide_189;
-        logic [9:0] wide_194;
-        logic [11:0] choice_130;
-        logic [11:0] wide_196;
-        logic [5:0] part_182;
-        logic [15:0] choice_68;
-        logic [31:0] choice_68_2;  // line 68
-        wide_189 =  // line 189
+        logic [3:0] wide_202;
+        logic [9:0] wide_207;
+        logic [11:0] choice_146;
+        logic [11:0] wide_209;
+        logic [12:0] wide_210;
+        logic [5:0] part_198;
+        logic [11:0] choice_3;
+        logic [12:0] choice_4;
+        wide_202 =  // line 202
             {1'b0, {1'b0, (run ? 2'd2 : 2'd0) | {1'b0, configured}} | (reverse ? 3'd4 : 3'd0)};
-        wide_194 =  // line 194
+        wide_207 =  // line 207
             {1'b0,
             {1'b0, {drive_reason_i, 4'd0} | {4'd0, drive_state_i}} |
             (drive_locked_i ? 9'd256 : 9'd0)};
-        choice_130 =  // line 130
+        choice_146 =  // line 146
             run ? 12'd0 :
-            either_130 ? 12'd2048 :
+            either_146 ? 12'd2048 :
             12'd0;
-        wide_196 =  // line 196
+        wide_209 =  // line 209
             {1'b0,
-            {1'b0, wide_194 | (drive_reverse_i ? 10'd512 : 10'd0)} |
+            {1'b0, wide_207 | (drive_reverse_i ? 10'd512 : 10'd0)} |
             (unlocked_i ? 11'd1024 : 11'd0)};
-        part_182 = request_index_i[5:0];  // line 182
-        choice_68 = (part_182 == 6'd16) ? shot_counts_retries : 16'd0;  // line 68
-        case (part_182)
-          6'd0: choice_68_2 = 32'd1398033483;
-          6'd1: choice_68_2 = 32'd256;
-          6'd2: choice_68_2 = 32'd3121;
-          6'd3: choice_68_2 = {28'd0, wide_189 | (brake_to_stop ? 4'd8 : 4'd0)};
-          6'd4: choice_68_2 = {20'd0, wide_196 | choice_130};
-          6'd5: choice_68_2 =
-              {24'd0,
+        wide_210 = {1'b0, wide_209 | choice_146};  // line 210
+        part_198 = request_index_i[5:0];  // line 198
+        case (part_198)
+          6'd5: choice_3 =
+              {4'd0,
               {6'd0, (watchdog_fault ? 2'd2 : 2'd0) | {1'b0, drive_fault_next}} |
               {fault_reason, 4'd0}};
-          6'd6: choice_68_2 = {27'd0, interrupts};
-          6'd7: choice_68_2 = {27'd0, enabled};
-          6'd9: choice_68_2 = {20'd0, period};
-          6'd12: choice_68_2 = {6'd0, shot_frequency};
-          6'd13: choice_68_2 = {shot_phase_error, 16'd0} | {16'd0, shot_duty};
-          6'd14: choice_68_2 = {shot_counts_missed, 16'd0} | {16'd0, shot_counts_crossings};
-          6'd15: choice_68_2 =
-              {shot_counts_limit_hits, 16'd0} | {16'd0, shot_counts_freewheel_long};
-          default: choice_68_2 = {16'd0, choice_68};
+          6'd6: choice_3 = {7'd0, interrupts};
+          6'd7: choice_3 = {7'd0, enabled};
+          6'd9: choice_3 = period;
+          default: choice_3 = 12'd0;
         endcase
-        data <= word_i | choice_68_2;
+        choice_4 =
+            (part_198 == 6'd3) ? {9'd0, wide_202 | (brake_to_stop ? 4'd8 : 4'd0)} :
+            (part_198 == 6'd4) ? wide_210 | (no_period_i ? 13'd4096 : 13'd0) :
+            {1'b0, choice_3};
+        data <= {19'd0, choice_4};
       end
       read_error <= hole_i;
     end
@@ -220,31 +269,25 @@ module drive_registers (
       starting <= 1'b1;
       was_faulted <= 1'b0;
       was_locked <= 1'b0;
-      shot_frequency <= 26'd0;
-      shot_duty <= 16'd0;
-      shot_phase_error <= 16'sd0;
-      shot_counts_crossings <= 16'd0;
-      shot_counts_missed <= 16'd0;
-      shot_counts_freewheel_long <= 16'd0;
-      shot_counts_limit_hits <= 16'd0;
-      shot_counts_retries <= 16'd0;
+      taken <= 1'b0;
+      read <= 1'b0;
       data <= 32'd0;
       read_error <= 1'b0;
       write_error <= 1'b0;
     end
   end
 
-  assign command_configured_o = command_configured;
+  assign command_configured_o = configured && !(watchdog_fault || no_period_i);
   assign command_run_o = run;
   assign command_reverse_o = reverse;
   assign command_brake_to_stop_o = brake_to_stop;
   assign command_clear_fault_o = clear;
-  assign stopped_o = !run && either_130;
-  assign data_o = data;
+  assign stopped_o = !run && either_146;
+  assign data_o = data_2 | word_i | data;
   assign read_error_o = read_error;
   assign write_error_o = write_error;
   assign interrupt_o = (interrupts & enabled) != 5'd0;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, request_data_i[31:12], request_strobes_i[3:2], sum_77[0], sum_154[0]};
+  wire unused = &{1'b0, request_data_i[31:12], request_strobes_i[3:2], sum_93[0], sum_170[0]};
 endmodule

@@ -1,4 +1,4 @@
-// six_step_axes: steplock::SixStepAxes<2>, printed by hlsgen from hls/bus/six_step_axes.hpp:25.
+// six_step_axes: steplock::SixStepAxes<2>, printed by hlsgen from hls/bus/six_step_axes.hpp:26.
 // Do not edit: change the C++ and print again.
 
 module six_step_axes (
@@ -60,6 +60,7 @@ module six_step_axes (
   logic [1:0] read_axis;
   logic write_hole;  // there is none
   logic read_hole;
+  logic read_capability;
 
   wire axi_awready;
   wire axi_wready;
@@ -179,15 +180,14 @@ module six_step_axes (
       .write_error_o(drives_1_write_error)
   );
 
-  wire either_70 =  // line 70
+  wire either_71 =  // line 71
       (write_axis == 2'd1 && drives_1_write_error) ||
       (write_axis == 2'd0 && drives_0_write_error) || write_hole;
-  wire [31:0] out_axi_rdata = (read_axis == 2'd0 && !read_hole) ? drives_0_data : 32'd0;  // line 71
-  wire [1:0] out_axi_rresp =  // line 71
-      ((read_axis == 2'd0 && (read_hole || drives_0_read_error)) || read_hole) ? 2'd2 : 2'd0;
-  wire [1:0] choice_71 =  // line 71
-      (read_hole || (drives_0_read_error && read_axis == 2'd0) || drives_1_read_error) ? 2'd2 :
-      2'd0;
+  wire [31:0] out_axi_rdata =  // line 72
+      (read_axis != 2'd0 || read_hole) ? 32'd0 :
+      read_capability ? (drives_0_data & 32'hfff8ffff) | 32'h20000 :
+      drives_0_data;
+  wire both_72 = read_axis == 2'd0 && drives_0_read_error;  // line 72
 
   always_ff @(posedge clk) begin
     if (axi_request_write) begin
@@ -197,12 +197,14 @@ module six_step_axes (
     if (axi_request_read) begin
       read_axis <= axi_request_index[7:6];
       read_hole <= axi_request_index[9:7] != 3'd0;
+      read_capability <= axi_request_index[5:0] == 6'd2;
     end
     if (rst) begin
       write_axis <= 2'd0;
       read_axis <= 2'd0;
       write_hole <= 1'b0;
       read_hole <= 1'b0;
+      read_capability <= 1'b0;
     end
   end
 
@@ -227,9 +229,16 @@ module six_step_axes (
   assign axi_awready_o = axi_awready;
   assign axi_wready_o = axi_wready;
   assign axi_bvalid_o = axi_bvalid;
-  assign axi_bresp_o = either_70 ? 2'd2 : 2'd0;
+  assign axi_bresp_o = either_71 ? 2'd2 : 2'd0;
   assign axi_arready_o = axi_arready;
   assign axi_rvalid_o = axi_rvalid;
-  assign axi_rdata_o = (read_axis == 2'd1) ? (read_hole ? 32'd0 : drives_1_data) : out_axi_rdata;
-  assign axi_rresp_o = (read_axis == 2'd1) ? choice_71 : out_axi_rresp;
+  assign axi_rdata_o =
+      (read_axis != 2'd1 || read_hole) ? out_axi_rdata :
+      read_capability ? (drives_1_data & 32'hfff8ffff) | 32'h20000 :
+      drives_1_data;
+  assign axi_rresp_o =
+      read_hole ? 2'd2 :
+      (read_axis == 2'd1) ? ((drives_1_read_error || both_72) ? 2'd2 : 2'd0) :
+      both_72 ? 2'd2 :
+      2'd0;
 endmodule

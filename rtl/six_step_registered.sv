@@ -98,6 +98,7 @@ module six_step_registered (
   wire words_hole;
   wire words_refused;
   wire words_unlocked;
+  wire words_no_period;
   word_registers words (
       .clk(clk),
       .rst(rst),
@@ -167,7 +168,8 @@ module six_step_registered (
       .data_o(words_data),
       .hole_o(words_hole),
       .refused_o(words_refused),
-      .unlocked_o(words_unlocked)
+      .unlocked_o(words_unlocked),
+      .no_period_o(words_no_period)
   );
 
   wire unused_pwm_on;
@@ -338,6 +340,7 @@ module six_step_registered (
       .hole_i(words_hole),
       .refused_i(words_refused),
       .unlocked_i(words_unlocked),
+      .no_period_i(words_no_period),
       .tick_i(pwm_tick),
       .drive_state_i(drive_state),
       .drive_reason_i(drive_reason),
@@ -369,7 +372,7 @@ module six_step_registered (
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 64
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 65
     boundary <= pwm_start;
     if (rst) begin
       command_configured <= 1'b0;

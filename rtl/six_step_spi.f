@@ -1,4 +1,5 @@
 rtl/spi.sv
+rtl/word_mirror.sv
 rtl/word_registers.sv
 rtl/pwm_generator.sv
 rtl/synchroniser.sv
@@ -19,6 +20,7 @@ rtl/gate_guard.sv
 rtl/protection.sv
 rtl/telemetry.sv
 rtl/six_step_top.sv
+rtl/telemetry_copy.sv
 rtl/drive_registers.sv
 rtl/six_step_registered.sv
 rtl/six_step_spi.sv

@@ -1,1 +1,2 @@
+rtl/word_mirror.sv
 rtl/word_registers.sv

@@ -1,4 +1,4 @@
-// word_registers: steplock::WordRegisters, printed by hlsgen from hls/bus/word_registers.hpp:22.
+// word_registers: steplock::WordRegisters, printed by hlsgen from hls/bus/word_registers.hpp:69.
 // Do not edit: change the C++ and print again.
 
 module word_registers (
@@ -67,10 +67,11 @@ module word_registers (
     output logic [11:0] words_protection_wrong_lock_o,  // a wrong tick takes two of them; 0 disables the test
     output logic [3:0]  words_protection_over_current_o,  // limit hits with the comparator never released; 0 disables
     output logic        words_source_o,
-    output logic [31:0] data_o,  // the word register at `request.index`; 0 for all others
+    output logic [31:0] data_o,  // answer to the last read: 0 if it was of no register kept here
     output logic        hole_o,  // no register stands there
     output logic        refused_o,  // the map does not allow this write
-    output logic        unlocked_o  // the lock is open
+    output logic        unlocked_o,  // the lock is open
+    output logic        no_period_o  // PWM.period is 0
 );
   localparam logic [1:0] Sampling_kBoth = 2'd2;
   localparam logic Detector_kEveryStep = 1'b1;
@@ -135,270 +136,361 @@ module word_registers (
   logic words_source;
   logic [25:0] staged_speed_target;  // u0.32
   logic unlocked;
+  logic written_0;  // since the reset
+  logic written_1;  // since the reset
+  logic written_2;  // since the reset
+  logic written_3;  // since the reset
+  logic written_4;  // since the reset
+  logic written_5;  // since the reset
+  logic written_6;  // since the reset
+  logic written_7;  // since the reset
+  logic written_8;  // since the reset
+  logic written_9;  // since the reset
+  logic written_10;  // since the reset
+  logic written_11;  // since the reset
+  logic written_12;  // since the reset
+  logic written_13;  // since the reset
+  logic written_14;  // since the reset
+  logic written_15;  // since the reset
+  logic written_16;  // since the reset
+  logic written_17;  // since the reset
+  logic written_18;  // since the reset
+  logic written_19;  // since the reset
+  logic written_20;  // since the reset
+  logic written_21;  // since the reset
+  logic written_22;  // since the reset
+  logic written_23;  // since the reset
+  logic written_24;  // since the reset
+  logic written_25;  // since the reset
+  logic written_26;  // since the reset
+  logic written_27;  // since the reset
+  logic shows;  // the last read was of the map
 
-  wire [5:0] index = request_index_i[5:0];  // line 84
-  wire [31:0] rest = {words_pwm_tick_periods, 24'd0};  // line 110
-  wire [17:0] choice_110 = words_pwm_complementary ? 18'd131072 : 18'd0;  // line 110
-  wire [31:0] rest_2 = rest | {14'd0, choice_110};  // line 127
-  wire [16:0] choice_110_2 = words_pwm_centred ? 17'd65536 : 17'd0;  // line 110
-  wire [31:0] rest_3 = rest_2 | {15'd0, choice_110_2};  // line 127
-  wire [31:0] low = rest_3 | {18'd0, words_pwm_period};  // line 127
-  wire [23:0] rest_4 = {words_pwm_dead_time, 16'd0} | {10'd0, words_pwm_minimum};  // line 127
-  wire [31:0] low_2 = request_index_i[0] ? {8'd0, rest_4} : low;  // line 139
-  wire [27:0] rest_5 = {words_limit_off_time, 16'd0} | {20'd0, words_limit_blanking};  // line 127
-  wire [27:0] rest_6 = {words_bemf_samples, 24'd0} | {4'd0, words_bemf_sample_every, 16'd0};
-  wire [27:0] rest_7 = rest_6 | {14'd0, words_bemf_blanking, 4'd0};  // line 127
-  wire [27:0] rest_8 = rest_7 | {26'd0, words_bemf_sampling};  // line 127
-  wire [27:0] high = request_index_i[0] ? rest_8 : rest_5;  // line 139
-  wire [31:0] low_3 = request_index_i[1] ? {4'd0, high} : low_2;  // line 139
-  wire [25:0] rest_9 = {words_loop_delay, 16'd0} | {14'd0, words_speed_shift, 8'd0};  // line 127
-  wire [4:0] choice_110_3 = words_source ? 5'd16 : 5'd0;  // line 110
-  wire [25:0] rest_10 = rest_9 | {21'd0, choice_110_3};  // line 127
-  wire [25:0] rest_11 = rest_10 | {22'd0, words_loop_divide, 2'd0};  // line 127
-  wire [1:0] choice_110_4 = words_loop_bandwidth ? 2'd2 : 2'd0;  // line 110
-  wire [25:0] rest_12 = rest_11 | {24'd0, choice_110_4};  // line 127
-  wire [25:0] rest_13 = rest_12 | {25'd0, words_loop_detector};  // line 127
-  wire [31:0] rest_14 = {words_loop_lead_error, 16'd0};  // line 110
-  wire [31:0] rest_15 = rest_14 | {16'd0, words_loop_expected};  // line 127
-  wire [31:0] low_4 = request_index_i[0] ? rest_15 : {6'd0, rest_13};  // line 139
-  wire [31:0] rest_16 = {words_loop_kp, 16'd0};  // line 110
-  wire [31:0] rest_17 = rest_16 | {16'd0, words_loop_ki};  // line 127
-  wire [31:0] high_2 = request_index_i[0] ? {16'd0, words_loop_pole} : rest_17;  // line 139
-  wire [31:0] high_3 = request_index_i[1] ? high_2 : low_4;  // line 139
-  wire [31:0] low_5 = request_index_i[2] ? high_3 : low_3;  // line 139
-  wire [25:0] low_6 = request_index_i[0] ? words_loop_minimum : words_loop_scale;  // line 139
-  wire [27:0] rest_18 = {words_start_reset, 16'd0} | {16'd0, words_start_settle};  // line 127
-  wire [27:0] high_4 = request_index_i[0] ? rest_18 : {2'd0, words_loop_maximum};  // line 139
-  wire [27:0] low_7 = request_index_i[1] ? high_4 : {2'd0, low_6};  // line 139
-  wire [31:0] rest_19 = {words_start_start_duty, 16'd0};  // line 110
-  wire [31:0] rest_20 = rest_19 | {16'd0, words_start_reset_duty};  // line 127
-  wire [31:0] low_8 = request_index_i[0] ? {12'd0, words_start_ramp} : rest_20;  // line 139
-  wire [27:0] rest_21 = {words_start_retries, 24'd0} | {6'd0, words_start_good_crossings, 16'd0};
-  wire [27:0] rest_22 = rest_21 | {12'd0, words_start_window};  // line 127
-  wire [27:0] high_5 = request_index_i[0] ? rest_22 : {2'd0, words_start_hand_over};  // line 139
-  wire [31:0] high_6 = request_index_i[1] ? {4'd0, high_5} : low_8;  // line 139
-  wire [31:0] high_7 = request_index_i[2] ? high_6 : {4'd0, low_7};  // line 139
-  wire [31:0] low_9 = request_index_i[3] ? high_7 : low_5;  // line 139
-  wire [27:0] rest_23 = {words_start_rest, 16'd0} | {16'd0, words_start_pull_in};  // line 127
-  wire [27:0] rest_24 = {words_start_slow_down, 16'd0} | {16'd0, words_start_observe};  // line 127
-  wire [27:0] low_10 = request_index_i[0] ? rest_24 : rest_23;  // line 139
-  wire [31:0] rest_25 = {words_start_brake_duty, 16'd0};  // line 110
-  wire [31:0] rest_26 = rest_25 | {20'd0, words_start_brake};  // line 127
-  wire [31:0] high_8 = request_index_i[0] ? {6'd0, staged_speed_target} : rest_26;  // line 139
-  wire [31:0] low_11 = request_index_i[1] ? high_8 : {4'd0, low_10};  // line 139
-  wire [31:0] rest_27 = {words_speed_ki, 16'd0};  // line 110
-  wire [31:0] rest_28 = rest_27 | {16'd0, words_speed_kp};  // line 127
-  wire [31:0] low_12 = request_index_i[0] ? rest_28 : {12'd0, words_speed_slew};  // line 139
-  wire [31:0] rest_29 = {words_speed_loaded, 16'd0};  // line 110
-  wire [31:0] rest_30 = rest_29 | {16'd0, words_speed_bemf};  // line 127
-  wire [31:0] rest_31 = {words_speed_maximum, 16'd0};  // line 110
-  wire [31:0] rest_32 = rest_31 | {16'd0, words_speed_minimum};  // line 127
-  wire [31:0] high_9 = request_index_i[0] ? rest_32 : rest_30;  // line 139
-  wire [31:0] high_10 = request_index_i[1] ? high_9 : low_12;  // line 139
-  wire [31:0] low_13 = request_index_i[2] ? high_10 : low_11;  // line 139
-  wire [25:0] low_14 = request_index_i[0] ? words_protection_stall : {14'd0, words_speed_duty_slew};
-  wire [31:0] rest_33 = {words_protection_freewheel, 16'd0};  // line 110
-  wire [31:0] rest_34 = rest_33 | {16'd0, words_protection_slip};  // line 127
-  wire [27:0] rest_35 =  // line 127
-      {words_protection_over_current, 24'd0} | {8'd0, words_protection_wrong_lock, 8'd0};
-  wire [27:0] rest_36 = rest_35 | {22'd0, words_protection_misses};  // line 127
-  wire [31:0] high_11 = request_index_i[0] ? {4'd0, rest_36} : rest_34;  // line 139
-  wire [31:0] low_15 = request_index_i[1] ? high_11 : {6'd0, low_14};  // line 139
-  wire [31:0] high_12 = request_index_i[2] ? 32'd0 : low_15;  // line 139
-  wire [31:0] high_13 = request_index_i[3] ? high_12 : low_13;  // line 139
-  wire [31:0] high_14 = request_index_i[4] ? high_13 : low_9;  // line 139
+  wire [5:0] part_185 = request_index_i[5:0];  // line 185
+  wire [4:0] part_179 = request_index_i[4:0];  // line 179
+  wire choice_179 =  // line 179
+      request_index_i[2] ?
+      (request_index_i[1] ? (request_index_i[0] ? written_15 : written_14) :
+      request_index_i[0] ? written_13 :
+      written_12) :
+      request_index_i[1] ? (request_index_i[0] ? written_11 : written_10) :
+      request_index_i[0] ? written_9 :
+      written_8;
+  wire choice_179_2 =  // line 179
+      request_index_i[1] ? (request_index_i[0] ? written_27 : written_26) :
+      request_index_i[0] ? written_25 :
+      written_24;
+  wire choice_179_3 =  // line 179
+      request_index_i[3] ? !request_index_i[2] && choice_179_2 :
+      request_index_i[2] ?
+      (request_index_i[1] ? (request_index_i[0] ? written_23 : written_22) :
+      request_index_i[0] ? written_21 :
+      written_20) :
+      request_index_i[1] ? (request_index_i[0] ? written_19 : written_18) :
+      request_index_i[0] ? written_17 :
+      written_16;
+  wire choice_179_4 =  // line 179
+      request_index_i[4] ? choice_179_3 :
+      request_index_i[3] ? choice_179 :
+      request_index_i[2] ?
+      (request_index_i[1] ? (request_index_i[0] ? written_7 : written_6) :
+      request_index_i[0] ? written_5 :
+      written_4) :
+      request_index_i[1] ? (request_index_i[0] ? written_3 : written_2) :
+      request_index_i[0] ? written_1 :
+      written_0;
+  wire both_92 = request_index_i[5] && choice_179_4;  // line 92
 
-  logic [2:0] entry_84;  // kRules
+  logic [2:0] entry_135;  // kRules
   always_comb begin
-    case (index)
-      6'd0, 6'd1, 6'd2, 6'd4, 6'd12, 6'd13, 6'd14, 6'd15, 6'd16: entry_84 = 3'd1;
+    case (part_185)
+      6'd0, 6'd1, 6'd2, 6'd4, 6'd12, 6'd13, 6'd14, 6'd15, 6'd16: entry_135 = 3'd1;
       6'd3, 6'd5, 6'd6, 6'd7, 6'd8, 6'd10, 6'd11, 6'd37, 6'd38, 6'd39, 6'd40, 6'd41, 6'd42,
-      6'd51, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56: entry_84 =
+      6'd51, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56: entry_135 =
           3'd2;
-      6'd9, 6'd33, 6'd34, 6'd57, 6'd58, 6'd59: entry_84 = 3'd4;
-      6'd32, 6'd35, 6'd36, 6'd43, 6'd44, 6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50: entry_84 = 3'd3;
-      default: entry_84 = 3'd0;
+      6'd9, 6'd33, 6'd34, 6'd57, 6'd58, 6'd59: entry_135 = 3'd4;
+      6'd32, 6'd35, 6'd36, 6'd43, 6'd44, 6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50: entry_135 = 3'd3;
+      default: entry_135 = 3'd0;
     endcase
   end
 
-  wire both = request_index_i[9:6] == 4'd0 && entry_84 == 3'd4 && stopped_i && unlocked;
-  wire choice = (request_index_i[9:6] == 4'd0 && entry_84 == 3'd3) ? stopped_i : both;
-  wire either = (request_index_i[9:6] == 4'd0 && entry_84 == 3'd2) || choice;
-  wire [16:0] choice_50_2 = request_strobes_i[2] ? 17'd65536 : 17'd0;  // line 50
-  wire [23:0] both_116_2 = request_data_i[23:0] & {{7{choice_50_2[16]}}, choice_50_2};  // line 116
+  wire both = request_index_i[9:6] == 4'd0 && entry_135 == 3'd4 && stopped_i && unlocked;
+  wire choice = (request_index_i[9:6] == 4'd0 && entry_135 == 3'd3) ? stopped_i : both;
+  wire either = (request_index_i[9:6] == 4'd0 && entry_135 == 3'd2) || choice;
+  wire both_90 = request_write_i && either;  // line 90
+  wire [3:0] lanes = both_92 ? request_strobes_i : 4'd15;  // line 182
+  wire [8:0] either_180 =  // line 180
+      {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
+  wire [16:0] either_180_2 =  // line 180
+      {1'b0, {7{either_180[8]}}, either_180} | (request_strobes_i[2] ? 17'd65536 : 17'd0);
+  wire [24:0] mask =  // line 180
+      {1'b0, {7{either_180_2[16]}}, either_180_2} | (request_strobes_i[3] ? 25'd16777216 : 25'd0);
+  wire [31:0] mask_2 = {{7{mask[24]}}, mask};  // line 180
+  wire [31:0] both_181 = request_data_i & mask_2;  // line 181
+
+  logic [28:0] entry_181;
+  logic [30:0] entry_188;
+  always_comb begin
+    case (part_179)
+      5'd0: begin
+        entry_181 = 29'd520306687;
+        entry_188 = 31'd16777216;
+      end
+      5'd1: begin
+        entry_181 = 29'd16728063;
+        entry_188 = 31'd0;
+      end
+      5'd2: begin
+        entry_181 = 29'd268370175;
+        entry_188 = 31'd0;
+      end
+      5'd3: begin
+        entry_181 = 29'd268386291;
+        entry_188 = 31'd16842754;
+      end
+      5'd4: begin
+        entry_181 = 29'd67047199;
+        entry_188 = 31'd3;
+      end
+      5'd5: begin
+        entry_181 = 29'd536870911;
+        entry_188 = 31'd1073774592;
+      end
+      5'd6, 5'd12, 5'd21, 5'd22, 5'd23, 5'd26: begin
+        entry_181 = 29'd536870911;
+        entry_188 = 31'd0;
+      end
+      5'd7: begin
+        entry_181 = 29'd65535;
+        entry_188 = 31'd32768;
+      end
+      5'd8, 5'd9, 5'd10, 5'd14, 5'd19, 5'd25: begin
+        entry_181 = 29'd67108863;
+        entry_188 = 31'd0;
+      end
+      5'd11, 5'd16, 5'd17: begin
+        entry_181 = 29'd268374015;
+        entry_188 = 31'd0;
+      end
+      5'd13, 5'd20: begin
+        entry_181 = 29'd1048575;
+        entry_188 = 31'd0;
+      end
+      5'd15: begin
+        entry_181 = 29'd255852543;
+        entry_188 = 31'd0;
+      end
+      5'd18: begin
+        entry_181 = 29'd536809471;
+        entry_188 = 31'd0;
+      end
+      5'd24: begin
+        entry_181 = 29'd4095;
+        entry_188 = 31'd0;
+      end
+      5'd27: begin
+        entry_181 = 29'd252706623;
+        entry_188 = 31'd0;
+      end
+      default: begin
+        entry_181 = 29'd0;
+        entry_188 = 31'd0;
+      end
+    endcase
+  end
+
+  wire [31:0] data = both_181 & {{3{entry_181[28]}}, entry_181};  // line 181
+  wire [24:0] inverse_188 = ~mask;  // line 188
+
+  wire [31:0] mirror_data;
+  word_mirror mirror (
+      .clk(clk),
+      .rst(rst),
+      .read_i(request_read_i),
+      .address_i({1'b0, part_185} | (both_92 ? 7'd0 : 7'd64)),
+      .write_i(both_90 ? lanes : 4'd0),
+      .write_address_i({1'b0, part_185}),
+      .write_data_i(data | {1'b0, entry_188 & {{6{inverse_188[24]}}, inverse_188}}),
+      .data_o(mirror_data)
+  );
 
   always_ff @(posedge clk) begin
-    if (request_write_i && either) begin
-      logic [7:0] wide_50;
-      logic [8:0] choice_50;
-      logic [8:0] either_50;
-      logic [15:0] wide_50_2;
-      logic [15:0] both_116;
-      logic [8:0] inverse_116;
-      logic [15:0] wide_116;
-      logic [13:0] wide_116_2;
-      logic [16:0] either_50_2;
-      logic [16:0] inverse_116_2;
-      logic [19:0] wide_116_3;
-      logic [24:0] either_50_3;
-      logic [24:0] inverse_116_3;
-      logic [31:0] both_116_3;
-      logic [7:0] both_116_4;
-      logic inverse_116_4;
-      logic [11:0] wide_119;
-      logic [3:0] wide_119_2;
-      logic [15:0] wide_119_3;
-      logic [25:0] wide_116_4;
-      logic [11:0] wide_116_5;
-      logic [19:0] both_116_5;
-      wide_50 = {8{request_strobes_i[0]}};  // line 50
-      choice_50 = request_strobes_i[1] ? 9'd256 : 9'd0;  // line 50
-      either_50 = {1'b0, wide_50} | choice_50;  // line 50
-      wide_50_2 = {{7{either_50[8]}}, either_50};  // line 50
-      both_116 = request_data_i[15:0] & wide_50_2;  // line 116
-      inverse_116 = ~either_50;  // line 116
-      wide_116 = {{7{inverse_116[8]}}, inverse_116};  // line 116
-      wide_116_2 = {{5{inverse_116[8]}}, inverse_116};  // line 116
-      either_50_2 = {1'b0, wide_50_2} | choice_50_2;  // line 50
-      inverse_116_2 = ~either_50_2;  // line 116
-      wide_116_3 = {{3{inverse_116_2[16]}}, inverse_116_2};  // line 116
-      either_50_3 =  // line 50
-          {1'b0, {7{either_50_2[16]}}, either_50_2} | (request_strobes_i[3] ? 25'd16777216 : 25'd0);
-      inverse_116_3 = ~either_50_3;  // line 116
-      both_116_3 = request_data_i & {{7{either_50_3[24]}}, either_50_3};  // line 116
-      both_116_4 = request_data_i[7:0] & wide_50;  // line 116
-      inverse_116_4 = !request_strobes_i[0];  // line 116
-      wide_119 = {{3{inverse_116_3[24]}}, inverse_116_3[24:16]};  // line 119
-      wide_119_2 = {4{inverse_116_3[24]}};  // line 119
-      wide_119_3 = {{7{inverse_116_3[24]}}, inverse_116_3[24:16]};  // line 119
-      wide_116_4 = {inverse_116_3[24], inverse_116_3};  // line 116
-      wide_116_5 = {{3{inverse_116[8]}}, inverse_116};  // line 116
-      both_116_5 = request_data_i[19:0] & {{3{either_50_2[16]}}, either_50_2};  // line 116
+    if (both_90) begin
+      logic [11:0] wide_171;
+      logic [3:0] wide_171_2;
+      logic [15:0] wide_171_3;
+      logic [25:0] wide_168;
+      logic either_2;
+      logic either_3;
+      logic either_4;
+      wide_171 = {{3{inverse_188[24]}}, inverse_188[24:16]};  // line 171
+      wide_171_2 = {4{inverse_188[24]}};  // line 171
+      wide_171_3 = {{7{inverse_188[24]}}, inverse_188[24:16]};  // line 171
+      wide_168 = {inverse_188[24], inverse_188};  // line 168
+      either_2 =
+          request_index_i == 10'd47 || request_index_i == 10'd48 || request_index_i == 10'd49;
+      either_3 =
+          either_2 || request_index_i == 10'd50 || request_index_i == 10'd51 ||
+          request_index_i == 10'd52;
+      either_4 =
+          either_3 || request_index_i == 10'd53 || request_index_i == 10'd54 ||
+          request_index_i == 10'd55;
       if (request_index_i == 10'd32) begin
-        words_pwm_period <= both_116[13:0] | (words_pwm_period & wide_116_2);
-        words_pwm_centred <= both_116_2[16] || (choice_110_2[16] && inverse_116_2[16]);
-        words_pwm_complementary <= both_116_2[17] || (choice_110[17] && inverse_116_2[16]);
-        words_pwm_tick_periods <=
-            both_116_3[31:24] | (words_pwm_tick_periods & {8{inverse_116_3[24]}});
+        words_pwm_period <= both_181[13:0] | (words_pwm_period & inverse_188[13:0]);
+        words_pwm_centred <= both_181[16] || (words_pwm_centred && inverse_188[16]);
+        words_pwm_complementary <= both_181[17] || (words_pwm_complementary && inverse_188[17]);
+        words_pwm_tick_periods <= both_181[31:24] | (words_pwm_tick_periods & {8{inverse_188[24]}});
       end
       if (request_index_i == 10'd33) begin
-        words_pwm_minimum <= both_116[13:0] | (words_pwm_minimum & wide_116_2);
-        words_pwm_dead_time <= both_116_2[23:16] | (words_pwm_dead_time & inverse_116_3[23:16]);
+        words_pwm_minimum <= both_181[13:0] | (words_pwm_minimum & inverse_188[13:0]);
+        words_pwm_dead_time <= both_181[23:16] | (words_pwm_dead_time & inverse_188[23:16]);
       end
       if (request_index_i == 10'd34) begin
-        words_limit_blanking <= both_116_4 | (words_limit_blanking & {8{inverse_116_4}});
-        words_limit_off_time <= both_116_3[27:16] | (words_limit_off_time & wide_119);
+        words_limit_blanking <= both_181[7:0] | (words_limit_blanking & inverse_188[7:0]);
+        words_limit_off_time <= both_181[27:16] | (words_limit_off_time & wide_171);
       end
       if (request_index_i == 10'd35) begin
-        words_bemf_sampling <= both_116_4[1:0] | (words_bemf_sampling & {2{inverse_116_4}});
-        words_bemf_blanking <= both_116[13:4] | (words_bemf_blanking & inverse_116_3[13:4]);
-        words_bemf_sample_every <=
-            both_116_2[23:16] | (words_bemf_sample_every & inverse_116_3[23:16]);
-        words_bemf_samples <= both_116_3[27:24] | (words_bemf_samples & wide_119_2);
+        words_bemf_sampling <= both_181[1:0] | (words_bemf_sampling & inverse_188[1:0]);
+        words_bemf_blanking <= both_181[13:4] | (words_bemf_blanking & inverse_188[13:4]);
+        words_bemf_sample_every <= both_181[23:16] | (words_bemf_sample_every & inverse_188[23:16]);
+        words_bemf_samples <= both_181[27:24] | (words_bemf_samples & wide_171_2);
       end
       if (request_index_i == 10'd36) begin
-        words_loop_detector <= both_116_4[0] || (words_loop_detector && inverse_116_4);
-        words_loop_bandwidth <= both_116_4[1] || (choice_110_4[1] && inverse_116_4);
-        words_loop_divide <= both_116_4[3:2] | (words_loop_divide & inverse_116_3[3:2]);
+        words_loop_detector <= both_181[0] || (words_loop_detector && inverse_188[0]);
+        words_loop_bandwidth <= both_181[1] || (words_loop_bandwidth && inverse_188[1]);
+        words_loop_divide <= both_181[3:2] | (words_loop_divide & inverse_188[3:2]);
         words_loop_delay <=
-            both_116_3[25:16] | (words_loop_delay & {inverse_116_3[24], inverse_116_3[24:16]});
-        words_speed_shift <=
-            (request_data_i[11:8] & {4{choice_50[8]}}) | (words_speed_shift & inverse_116_3[11:8]);
-        words_source <= both_116_4[4] || (choice_110_3[4] && inverse_116_4);
+            both_181[25:16] | (words_loop_delay & {inverse_188[24], inverse_188[24:16]});
+        words_speed_shift <= both_181[11:8] | (words_speed_shift & inverse_188[11:8]);
+        words_source <= both_181[4] || (words_source && inverse_188[4]);
       end
       if (request_index_i == 10'd37) begin
-        words_loop_expected <= both_116 | (words_loop_expected & wide_116);
-        words_loop_lead_error <= both_116_3[31:16] | (words_loop_lead_error & wide_119_3);
+        words_loop_expected <= both_181[15:0] | (words_loop_expected & inverse_188[15:0]);
+        words_loop_lead_error <= both_181[31:16] | (words_loop_lead_error & wide_171_3);
       end
       if (request_index_i == 10'd38) begin
-        words_loop_ki <= both_116 | (words_loop_ki & wide_116);
-        words_loop_kp <= both_116_3[31:16] | (words_loop_kp & wide_119_3);
+        words_loop_ki <= both_181[15:0] | (words_loop_ki & inverse_188[15:0]);
+        words_loop_kp <= both_181[31:16] | (words_loop_kp & wide_171_3);
       end
       if (request_index_i == 10'd39) begin
-        words_loop_pole <= both_116 | (words_loop_pole & wide_116);
+        words_loop_pole <= both_181[15:0] | (words_loop_pole & inverse_188[15:0]);
       end
       if (request_index_i == 10'd40) begin
-        words_loop_scale <= both_116_3[25:0] | (words_loop_scale & wide_116_4);
+        words_loop_scale <= both_181[25:0] | (words_loop_scale & wide_168);
       end
       if (request_index_i == 10'd41) begin
-        words_loop_minimum <= both_116_3[25:0] | (words_loop_minimum & wide_116_4);
+        words_loop_minimum <= both_181[25:0] | (words_loop_minimum & wide_168);
       end
       if (request_index_i == 10'd42) begin
-        words_loop_maximum <= both_116_3[25:0] | (words_loop_maximum & wide_116_4);
+        words_loop_maximum <= both_181[25:0] | (words_loop_maximum & wide_168);
       end
       if (request_index_i == 10'd43) begin
-        words_start_settle <= both_116[11:0] | (words_start_settle & wide_116_5);
-        words_start_reset <= both_116_3[27:16] | (words_start_reset & wide_119);
+        words_start_settle <= both_181[11:0] | (words_start_settle & inverse_188[11:0]);
+        words_start_reset <= both_181[27:16] | (words_start_reset & wide_171);
       end
       if (request_index_i == 10'd44) begin
-        words_start_reset_duty <= both_116 | (words_start_reset_duty & wide_116);
-        words_start_start_duty <= both_116_3[31:16] | (words_start_start_duty & wide_119_3);
+        words_start_reset_duty <= both_181[15:0] | (words_start_reset_duty & inverse_188[15:0]);
+        words_start_start_duty <= both_181[31:16] | (words_start_start_duty & wide_171_3);
       end
       if (request_index_i == 10'd45) begin
-        words_start_ramp <= both_116_5 | (words_start_ramp & wide_116_3);
+        words_start_ramp <= both_181[19:0] | (words_start_ramp & inverse_188[19:0]);
       end
       if (request_index_i == 10'd46) begin
-        words_start_hand_over <= both_116_3[25:0] | (words_start_hand_over & wide_116_4);
+        words_start_hand_over <= both_181[25:0] | (words_start_hand_over & wide_168);
       end
-      if (request_index_i == 10'd47) begin
-        words_start_window <= both_116 | (words_start_window & wide_116);
-        words_start_good_crossings <=
-            both_116_2[21:16] | (words_start_good_crossings & inverse_116_3[21:16]);
-        words_start_retries <= both_116_3[27:24] | (words_start_retries & wide_119_2);
+      if (either_4 || request_index_i == 10'd56) begin
+        if (request_index_i == 10'd47) begin
+          words_start_window <= both_181[15:0] | (words_start_window & inverse_188[15:0]);
+          words_start_good_crossings <=
+              both_181[21:16] | (words_start_good_crossings & inverse_188[21:16]);
+          words_start_retries <= both_181[27:24] | (words_start_retries & wide_171_2);
+        end
+        if (request_index_i == 10'd48) begin
+          words_start_pull_in <= both_181[11:0] | (words_start_pull_in & inverse_188[11:0]);
+          words_start_rest <= both_181[27:16] | (words_start_rest & wide_171);
+        end
+        if (request_index_i == 10'd49) begin
+          words_start_observe <= both_181[11:0] | (words_start_observe & inverse_188[11:0]);
+          words_start_slow_down <= both_181[27:16] | (words_start_slow_down & wide_171);
+        end
+        if (request_index_i == 10'd50) begin
+          words_start_brake <= both_181[11:0] | (words_start_brake & inverse_188[11:0]);
+          words_start_brake_duty <= both_181[31:16] | (words_start_brake_duty & wide_171_3);
+        end
+        if (request_index_i == 10'd52) begin
+          words_speed_slew <= both_181[19:0] | (words_speed_slew & inverse_188[19:0]);
+        end
+        if (request_index_i == 10'd53) begin
+          words_speed_kp <= both_181[15:0] | (words_speed_kp & inverse_188[15:0]);
+          words_speed_ki <= both_181[31:16] | (words_speed_ki & wide_171_3);
+        end
+        if (request_index_i == 10'd54) begin
+          words_speed_bemf <= both_181[15:0] | (words_speed_bemf & inverse_188[15:0]);
+          words_speed_loaded <= both_181[31:16] | (words_speed_loaded & wide_171_3);
+        end
+        if (request_index_i == 10'd55) begin
+          words_speed_minimum <= both_181[15:0] | (words_speed_minimum & inverse_188[15:0]);
+          words_speed_maximum <= both_181[31:16] | (words_speed_maximum & wide_171_3);
+        end
+        if (request_index_i == 10'd56) begin
+          words_speed_duty_slew <= both_181[11:0] | (words_speed_duty_slew & inverse_188[11:0]);
+        end
+        if (request_index_i == 10'd51) begin
+          staged_speed_target <= both_181[25:0] | (staged_speed_target & wide_168);
+        end
+      end else begin
+        if (request_index_i == 10'd59) begin
+          words_protection_misses <= both_181[5:0] | (words_protection_misses & inverse_188[5:0]);
+          words_protection_wrong_lock <=
+              both_181[19:8] | (words_protection_wrong_lock & inverse_188[19:8]);
+          words_protection_over_current <=
+              both_181[27:24] | (words_protection_over_current & wide_171_2);
+        end
+        if (request_index_i == 10'd57) begin
+          words_protection_stall <= both_181[25:0] | (words_protection_stall & wide_168);
+        end
+        if (request_index_i == 10'd58) begin
+          words_protection_slip <= both_181[15:0] | (words_protection_slip & inverse_188[15:0]);
+          words_protection_freewheel <= both_181[31:16] | (words_protection_freewheel & wide_171_3);
+        end
+        if (request_index_i == 10'd8) begin
+          unlocked <= both_181[15:0] == 16'd49374;
+        end
+        written_25 <= request_index_i == 10'd57 || written_25;
+        written_26 <= request_index_i == 10'd58 || written_26;
+        written_27 <= request_index_i == 10'd59 || written_27;
       end
-      if (request_index_i == 10'd48) begin
-        words_start_pull_in <= both_116[11:0] | (words_start_pull_in & wide_116_5);
-        words_start_rest <= both_116_3[27:16] | (words_start_rest & wide_119);
-      end
-      if (request_index_i == 10'd49) begin
-        words_start_observe <= both_116[11:0] | (words_start_observe & wide_116_5);
-        words_start_slow_down <= both_116_3[27:16] | (words_start_slow_down & wide_119);
-      end
-      if (request_index_i == 10'd50) begin
-        words_start_brake <= both_116[11:0] | (words_start_brake & wide_116_5);
-        words_start_brake_duty <= both_116_3[31:16] | (words_start_brake_duty & wide_119_3);
-      end
-      if (request_index_i == 10'd52) begin
-        words_speed_slew <= both_116_5 | (words_speed_slew & wide_116_3);
-      end
-      if (request_index_i == 10'd53) begin
-        words_speed_kp <= both_116 | (words_speed_kp & wide_116);
-        words_speed_ki <= both_116_3[31:16] | (words_speed_ki & wide_119_3);
-      end
-      if (request_index_i == 10'd54) begin
-        words_speed_bemf <= both_116 | (words_speed_bemf & wide_116);
-        words_speed_loaded <= both_116_3[31:16] | (words_speed_loaded & wide_119_3);
-      end
-      if (request_index_i == 10'd55) begin
-        words_speed_minimum <= both_116 | (words_speed_minimum & wide_116);
-        words_speed_maximum <= both_116_3[31:16] | (words_speed_maximum & wide_119_3);
-      end
-      if (request_index_i == 10'd56) begin
-        words_speed_duty_slew <= both_116[11:0] | (words_speed_duty_slew & wide_116_5);
-      end
-      if (request_index_i == 10'd59) begin
-        words_protection_misses <= both_116_4[5:0] | (words_protection_misses & {6{inverse_116_4}});
-        words_protection_wrong_lock <=
-            both_116_5[19:8] | (words_protection_wrong_lock & inverse_116_3[19:8]);
-        words_protection_over_current <=
-            both_116_3[27:24] | (words_protection_over_current & wide_119_2);
-      end
-      if (request_index_i == 10'd57) begin
-        words_protection_stall <= both_116_3[25:0] | (words_protection_stall & wide_116_4);
-      end
-      if (request_index_i == 10'd58) begin
-        words_protection_slip <= both_116 | (words_protection_slip & wide_116);
-        words_protection_freewheel <= both_116_3[31:16] | (words_protection_freewheel & wide_119_3);
-      end
-      if (request_index_i == 10'd51) begin
-        staged_speed_target <= both_116_3[25:0] | (staged_speed_target & wide_116_4);
-      end
-      if (request_index_i == 10'd8) begin
-        unlocked <= both_116 == 16'd49374;
-      end
+      written_0 <= request_index_i == 10'd32 || written_0;
+      written_1 <= request_index_i == 10'd33 || written_1;
+      written_2 <= request_index_i == 10'd34 || written_2;
+      written_3 <= request_index_i == 10'd35 || written_3;
+      written_4 <= request_index_i == 10'd36 || written_4;
+      written_5 <= request_index_i == 10'd37 || written_5;
+      written_6 <= request_index_i == 10'd38 || written_6;
+      written_7 <= request_index_i == 10'd39 || written_7;
+      written_8 <= request_index_i == 10'd40 || written_8;
+      written_9 <= request_index_i == 10'd41 || written_9;
+      written_10 <= request_index_i == 10'd42 || written_10;
+      written_11 <= request_index_i == 10'd43 || written_11;
+      written_12 <= request_index_i == 10'd44 || written_12;
+      written_13 <= request_index_i == 10'd45 || written_13;
+      written_14 <= request_index_i == 10'd46 || written_14;
+      written_15 <= request_index_i == 10'd47 || written_15;
+      written_16 <= request_index_i == 10'd48 || written_16;
+      written_17 <= request_index_i == 10'd49 || written_17;
+      written_18 <= request_index_i == 10'd50 || written_18;
+      written_19 <= request_index_i == 10'd51 || written_19;
+      written_20 <= request_index_i == 10'd52 || written_20;
+      written_21 <= request_index_i == 10'd53 || written_21;
+      written_22 <= request_index_i == 10'd54 || written_22;
+      written_23 <= request_index_i == 10'd55 || written_23;
+      written_24 <= request_index_i == 10'd56 || written_24;
     end
     if (boundary_i || stopped_i) begin
       words_speed_target <= staged_speed_target;
+    end
+    if (request_read_i) begin
+      shows <= request_index_i[9:6] == 4'd0;
     end
     if (rst) begin
       words_pwm_period <= 14'd0;
@@ -459,6 +551,35 @@ module word_registers (
       words_source <= Source_kBemf;
       staged_speed_target <= 26'd0;
       unlocked <= 1'b0;
+      written_0 <= 1'b0;
+      written_1 <= 1'b0;
+      written_2 <= 1'b0;
+      written_3 <= 1'b0;
+      written_4 <= 1'b0;
+      written_5 <= 1'b0;
+      written_6 <= 1'b0;
+      written_7 <= 1'b0;
+      written_8 <= 1'b0;
+      written_9 <= 1'b0;
+      written_10 <= 1'b0;
+      written_11 <= 1'b0;
+      written_12 <= 1'b0;
+      written_13 <= 1'b0;
+      written_14 <= 1'b0;
+      written_15 <= 1'b0;
+      written_16 <= 1'b0;
+      written_17 <= 1'b0;
+      written_18 <= 1'b0;
+      written_19 <= 1'b0;
+      written_20 <= 1'b0;
+      written_21 <= 1'b0;
+      written_22 <= 1'b0;
+      written_23 <= 1'b0;
+      written_24 <= 1'b0;
+      written_25 <= 1'b0;
+      written_26 <= 1'b0;
+      written_27 <= 1'b0;
+      shows <= 1'b0;
     end
   end
 
@@ -518,11 +639,9 @@ module word_registers (
   assign words_protection_wrong_lock_o = words_protection_wrong_lock;
   assign words_protection_over_current_o = words_protection_over_current;
   assign words_source_o = words_source;
-  assign data_o = request_index_i[5] ? high_14 : 32'd0;
-  assign hole_o = request_index_i[9:6] != 4'd0 || entry_84 == 3'd0;
+  assign data_o = shows ? mirror_data : 32'd0;
+  assign hole_o = request_index_i[9:6] != 4'd0 || entry_135 == 3'd0;
   assign refused_o = !either;
   assign unlocked_o = unlocked;
-
-  // What nothing reads, for the linters.
-  wire unused = &{1'b0, request_read_i, both_116_2[15:0]};
+  assign no_period_o = words_pwm_period == 14'd0;
 endmodule

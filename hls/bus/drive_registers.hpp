@@ -1,24 +1,38 @@
 // Drive registers: control, status, faults, interrupts, heartbeat watchdog and telemetry of the
-// six-step drive, and the answer to every read.
+// six-step drive, and the answer to every read; what words and constants say comes from WordRegisters.
 //
 //     fault      sticky with its reason; a one re-arms the drive: `run` down, the cause gone
 //     watchdog   `period` ticks without a heartbeat while configured: all gates off, `run` cleared,
 //                latched until a one is written
-//     snapshot   the telemetry registers are copies, all taken in the clock of one write
+//     snapshot   the telemetry registers are copies, all taken in the clock of one write, in a
+//                memory each: all are written at once, and only the one that is read shows its copy
 //     interrupts set by the edge of their event, which wins over a clear in the same clock
 //
 //     latency      1 clock from request to answer, kept until the next one of its kind
-//     registers    about 240 bits     multipliers  none
+//     registers    about 100 bits     multipliers  none
+//     memory       5 of 32 bits, two block RAMs each on iCE40
 //
 // Doc: docs/blocks/drive_registers.md   Test: tests/hls/drive_registers_test.cpp
 
 #pragma once
 
+#include <array>
+
 #include "hls/bus/bus.hpp"
 #include "hls/bus/six_step_registers.hpp"
+#include "hls/numeric/memory.hpp"
 #include "hls/six_step/telemetry.hpp"
 
 namespace steplock {
+
+// One telemetry register.  Word 0 is never written: it is what the others show while one is read,
+// and what is read before the first snapshot.  Word 1 is the copy.  More are there because synthesis
+// would make flip-flops of so small a memory.
+struct TelemetryCopy {
+  using Word = UInt<32>;
+  static constexpr int kLanes = 1;
+  static constexpr std::array<Word, 8> kWords{};
+};
 
 class DriveRegisters {
  public:
@@ -36,10 +50,11 @@ class DriveRegisters {
 
   struct In {
     BusRequest request;
-    UInt<32> word = 0;      // the word register at `request.index`, or 0
+    UInt<32> word = 0;      // of the last read, if it was of a word or a constant, else 0
     bool hole = false;
     bool refused = false;   // a write here changes nothing
     bool unlocked = false;
+    bool no_period = false;  // the drive would hold a low side on, and its start would not end
     bool tick = false;      // the slow time base
     Drive drive;
   };
@@ -54,18 +69,19 @@ class DriveRegisters {
   };
 
   Out tick(const In& in) {
-    const Out out{.command = {.configured = configured_ && !watchdog_fault_,
+    const UInt<32> telemetry = snapshot(in);
+    const Out out{.command = {.configured = configured_ && !watchdog_fault_ && !in.no_period,
                               .run = run_,
                               .reverse = reverse_,
                               .brake_to_stop = brake_to_stop_,
                               .clear_fault = clear_},
                   .stopped = stopped(in.drive),
-                  .data = data_,
+                  .data = data_ | telemetry | in.word,
                   .read_error = read_error_,
                   .write_error = write_error_,
                   .interrupt = (interrupts_ & enabled_) != UInt<kEvents>(0)};
     if (in.request.read) {
-      data_ = in.hole ? UInt<32>(0) : in.word | status(in);
+      data_ = in.hole ? UInt<32>(0) : status(in);
       read_error_ = in.hole;
     }
     if (in.request.write) write_error_ = in.refused;
@@ -104,9 +120,6 @@ class DriveRegisters {
       const UInt<32> old = UInt<32>(period_) & ~byte_mask(request.strobes);
       left_ = period_ = wrap<WatchdogTicks>(ones | old);
     }
-    if (writes && request.index == kSnapshot) {
-      shot_ = {in.drive.frequency, in.drive.duty, in.drive.phase_error, in.drive.counts};
-    }
     if (bites) {
       watchdog_fault_ = true;
       run_ = false;
@@ -122,6 +135,9 @@ class DriveRegisters {
   static constexpr int kWatchdog = index_of("WATCHDOG");
   static constexpr int kHeartbeat = index_of("HEARTBEAT");
   static constexpr int kSnapshot = index_of("SNAPSHOT");
+  static constexpr int kTelemetry = index_of("TELEMETRY_SPEED");  // the first of five in a row
+  static constexpr int kCopies = index_of("TELEMETRY_RETRIES") - kTelemetry + 1;
+  static_assert(kCopies == 5);
   static constexpr int kDriveFault = field("FAULT", "drive").lsb;
   static constexpr int kWatchdogFault = field("FAULT", "watchdog").lsb;
   static constexpr int kEvents = field("INTERRUPT_ENABLE", "enable").width;
@@ -180,9 +196,6 @@ class DriveRegisters {
 
   UInt<32> status(const In& in) const {
     switch (in.request.index.slice<5, 0>().raw()) {
-      case index_of("ID"): return UInt<32>(reset_of("ID"));
-      case index_of("VERSION"): return UInt<32>(reset_of("VERSION"));
-      case index_of("CAPABILITY"): return UInt<32>(reset_of("CAPABILITY"));
       case kControl:
         return at<field("CONTROL", "configured").lsb>(configured_) |
                at<field("CONTROL", "run").lsb>(run_) |
@@ -194,31 +207,43 @@ class DriveRegisters {
                at<field("STATUS", "locked").lsb>(in.drive.locked) |
                at<field("STATUS", "reverse").lsb>(in.drive.reverse) |
                at<field("STATUS", "unlocked").lsb>(in.unlocked) |
-               at<field("STATUS", "stopped").lsb>(stopped(in.drive));
+               at<field("STATUS", "stopped").lsb>(stopped(in.drive)) |
+               at<field("STATUS", "no_period").lsb>(in.no_period);
       case kFault:
         return at<kDriveFault>(faulted(in.drive)) | at<kWatchdogFault>(watchdog_fault_) |
                at<field("FAULT", "reason").lsb>(fault_reason_);
       case kInterrupt: return interrupts_;
       case kEnable: return enabled_;
       case kWatchdog: return period_;
-      case index_of("TELEMETRY_SPEED"): return shot_.frequency;
-      case index_of("TELEMETRY_LOOP"):
-        return both(shot_.duty, UInt<16>::of(shot_.phase_error.raw()));
-      case index_of("TELEMETRY_CROSSINGS"):
-        return both(shot_.counts.crossings, shot_.counts.missed);
-      case index_of("TELEMETRY_LIMITS"):
-        return both(shot_.counts.freewheel_long, shot_.counts.limit_hits);
-      case index_of("TELEMETRY_RETRIES"): return shot_.counts.retries;
       default: return 0;
     }
   }
 
-  struct Shot {
-    Frequency frequency = 0;     // u0.32
-    Duty duty = 0;               // u1.15
-    PhaseError phase_error = 0;  // s0.16
-    Telemetry::Out counts;
-  };
+  // Takes and reads the copies: those of the last snapshot, 0 before the first.
+  UInt<32> snapshot(const In& in) {
+    const Drive& drive = in.drive;
+    const std::array<UInt<32>, kCopies> now = {
+        UInt<32>(drive.frequency),
+        both(drive.duty, UInt<16>::of(drive.phase_error.raw())),
+        both(drive.counts.crossings, drive.counts.missed),
+        both(drive.counts.freewheel_long, drive.counts.limit_hits),
+        UInt<32>(drive.counts.retries)};
+    const bool takes = in.request.write && !in.refused && in.request.index == kSnapshot;
+    UInt<32> shown = 0;
+    for (int i = 0; i < kCopies; ++i) {
+      const bool here = !in.hole && in.request.index == UInt<10>(kTelemetry + i);
+      const auto copy = copies_[i].tick({.read = in.request.read,
+                                         .address = here && taken_ ? UInt<3>(1) : UInt<3>(0),
+                                         .write = takes ? UInt<1>(1) : UInt<1>(0),
+                                         .write_address = 1,
+                                         .write_data = now[i]});
+      shown = shown | copy.data;
+    }
+    const UInt<32> data = read_ ? shown : UInt<32>(0);
+    if (in.request.read) read_ = true;
+    if (takes) taken_ = true;
+    return data;
+  }
 
   bool configured_ = false;
   bool run_ = false;
@@ -236,8 +261,10 @@ class DriveRegisters {
   bool starting_ = true;      // no lock since `run` rose
   bool was_faulted_ = false;
   bool was_locked_ = false;
-  Shot shot_;                 // the snapshot
-  UInt<32> data_ = 0;         // the answer to the last read
+  std::array<Memory<TelemetryCopy>, kCopies> copies_;
+  bool taken_ = false;        // a snapshot since the reset
+  bool read_ = false;         // a read since the reset
+  UInt<32> data_ = 0;         // the answer to the last read, of what stands here
   bool read_error_ = false;
   bool write_error_ = false;
 };

@@ -5,6 +5,7 @@
 // Each axis has the whole map of docs/registers.md at 0x100 times its number: words, faults, heartbeat
 // watchdog and interrupt of its own.  Axes share the clock, reset and the bus, and nothing else: a
 // request reaches one of them, and none hears of another's.  Behind the last axis there are holes.
+// CAPABILITY.axes of each says how many there are.
 //
 //     fault pin to the axis' six gates off    3 clocks, as without the bus
 //     write of CONTROL to the drive           2 clocks
@@ -69,7 +70,7 @@ class SixStepAxes {
                      .fault = drive.fault};
       if (write_axis_ == UInt<2>(k) && drive.write_error) out.axi.bresp = 2;
       if (read_axis_ == UInt<2>(k) && !read_hole_) {
-        out.axi.rdata = drive.data;
+        out.axi.rdata = read_capability_ ? with_axes(drive.data) : drive.data;
         if (drive.read_error) out.axi.rresp = 2;
       }
     }
@@ -81,17 +82,25 @@ class SixStepAxes {
     if (request.read) {
       read_axis_ = axis.template slice<1, 0>();
       read_hole_ = hole;
+      read_capability_ = request.index.template slice<5, 0>() == UInt<6>(index_of("CAPABILITY"));
     }
     return out;
   }
 
  private:
+  // A drive takes itself for the only one.
+  static UInt<32> with_axes(UInt<32> capability) {
+    constexpr Field kAxes = field("CAPABILITY", "axes");
+    return (capability & UInt<32>::of(~mask_of(kAxes))) | UInt<32>(Axes << kAxes.lsb);
+  }
+
   AxiLite axi_;
   std::array<SixStepRegistered, Axes> drives_;
   UInt<2> write_axis_ = 0;   // whose answer is shown
   UInt<2> read_axis_ = 0;
   bool write_hole_ = false;  // there is none
   bool read_hole_ = false;
+  bool read_capability_ = false;
 };
 
 }  // namespace steplock

@@ -50,6 +50,7 @@ class SixStepRegistered {
                                             .hole = words.hole,
                                             .refused = words.refused,
                                             .unlocked = words.unlocked,
+                                            .no_period = words.no_period,
                                             .tick = pwm.tick,
                                             .drive = {.state = drive.state,
                                                       .reason = drive.reason,

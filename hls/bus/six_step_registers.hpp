@@ -19,7 +19,7 @@
 namespace steplock {
 
 inline constexpr std::uint32_t kMapId = 0x53544c4b;  // "STLK"
-inline constexpr std::uint32_t kMapVersion = 0x000100;
+inline constexpr std::uint32_t kMapVersion = 0x000200;
 inline constexpr std::uint32_t kLockKey = 0xc0de;
 using WatchdogTicks = UInt<12>;
 
@@ -39,6 +39,8 @@ inline constexpr auto kSystemFields = std::to_array<Field>({
     {"CAPABILITY", "watchdog", 0x08, 5, 1, Access::kReadOnly, 1, "", "Has a heartbeat watchdog."},
     {"CAPABILITY", "dead_time_floor", 0x08, 8, 8, Access::kReadOnly, kDeadTimeFloor, "clocks",
      "The least dead time, whatever PWM_LIMITS says."},
+    {"CAPABILITY", "axes", 0x08, 16, 3, Access::kReadOnly, 1, "",
+     "Drives on this bus, this one included: the map of each stands 0x100 behind the one before."},
     {"CONTROL", "configured", 0x0c, 0, 1, Access::kReadWrite, 0, "",
      "The words are valid; while 0 all six gates are off."},
     {"CONTROL", "run", 0x0c, 1, 1, Access::kReadWrite, 0, "",
@@ -57,6 +59,8 @@ inline constexpr auto kSystemFields = std::to_array<Field>({
     {"STATUS", "unlocked", 0x10, 10, 1, Access::kReadOnly, 0, "", "The lock is open."},
     {"STATUS", "stopped", 0x10, 11, 1, Access::kReadOnly, 1, "",
      "Idle or in fault, and run is 0: words may be written."},
+    {"STATUS", "no_period", 0x10, 12, 1, Access::kReadOnly, 1, "",
+     "PWM.period is 0: all six gates are off, and the drive does not start, whatever CONTROL says."},
     {"FAULT", "drive", 0x14, 0, 1, Access::kWriteOneToClear, 0, "",
      "The drive latched a fault.  A one re-arms it, once run is 0 and the cause is gone."},
     {"FAULT", "watchdog", 0x14, 1, 1, Access::kWriteOneToClear, 0, "",

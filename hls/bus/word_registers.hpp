@@ -4,9 +4,19 @@
 // or to a keyed one behind the closed lock changes nothing and is refused.  Byte strobes count.
 // A shadowed word is read back at once, but acts from `boundary` on, and at once while stopped.
 //
-//     latency      1 clock from a write to the word; the word read and `refused` are of this clock
-//     registers    all words, the shadow of the set-point and the lock: 732 bits
-//     multipliers  none
+// Words act all at once, so each bit has its flip-flop; nothing else reads them.  A read comes from a
+// memory that every write goes to as well, which spares a choice among all of them:
+//
+//     words 0 .. 63     what was written; a flag per register says whether it was since the reset
+//     words 64 .. 127   what never changes: the reset values, and those registers that are constants
+//
+// An iCE40 may write word 0 of a block RAM by itself while it is configured (Yosys issue 101): here
+// that is a word which is never read.
+//
+//     latency      1 clock from a write to the word, and from a read to `data`, which then stays;
+//                  `hole` and `refused` are of this clock
+//     registers    all words, the shadow of the set-point and the lock: 732 bits; 29 flags
+//     memory       128 words of 32 bits     multipliers  none
 //
 // Doc: docs/blocks/word_registers.md   Test: tests/hls/word_registers_test.cpp
 
@@ -16,8 +26,45 @@
 
 #include "hls/bus/bus.hpp"
 #include "hls/bus/six_step_registers.hpp"
+#include "hls/numeric/memory.hpp"
 
 namespace steplock {
+
+// One number for each register of words, the upper half of the map: `bits` of all its fields.
+using OfRows = std::array<UInt<32>, kMapBytes / 8>;
+constexpr OfRows of_rows(std::uint32_t (*bits)(const Field&)) {
+  OfRows all{};
+  const auto add = [&](const Field& f) {
+    UInt<32>& one = all[f.address / 4 - kMapBytes / 8];
+    one = one | UInt<32>::of(bits(f));
+  };
+  std::apply([&](const auto&... row) { (add(row), ...); }, kWordRows);
+  return all;
+}
+
+// What is read back, as it stands before any write: see WordRegisters.
+struct WordMirror {
+  using Word = UInt<32>;
+  static constexpr int kLanes = 4;  // a byte each
+  static constexpr int kRegisters = kMapBytes / 4;
+  static constexpr int kLastConstant = index_of("CAPABILITY");  // behind ID and VERSION
+
+  static constexpr OfRows kResets = of_rows([](const Field& f) { return f.reset << f.lsb; });
+  static constexpr OfRows kFieldBits = of_rows(mask_of);
+
+  static constexpr std::array<Word, 2 * kRegisters> kWords = [] {
+    std::array<Word, 2 * kRegisters> words{};
+    const auto add = [&](const Field& f) {
+      Word& word = words[kRegisters + f.address / 4];
+      word = word | Word::of(f.reset << f.lsb);
+    };
+    for (int i = 0; i < kRegisters / 2; ++i) words[kRegisters + kRegisters / 2 + i] = kResets[i];
+    for (const Field& f : kSystemFields) {
+      if (f.address <= 4 * kLastConstant) add(f);
+    }
+    return words;
+  }();
+};
 
 class WordRegisters {
  public:
@@ -29,24 +76,27 @@ class WordRegisters {
 
   struct Out {
     Words words;
-    UInt<32> data = 0;      // the word register at `request.index`; 0 for all others
+    UInt<32> data = 0;      // answer to the last read: 0 if it was of no register kept here
     bool hole = false;      // no register stands there
     bool refused = false;   // the map does not allow this write
     bool unlocked = false;  // the lock is open
+    bool no_period = false;  // PWM.period is 0
   };
 
   Out tick(const In& in) {
     const Rule rule = rule_at(in.request.index);
     const bool allowed = rule == Rule::kOpen || (rule == Rule::kStopped && in.stopped) ||
                          (rule == Rule::kKeyed && in.stopped && unlocked_);
+    const bool writes = in.request.write && allowed;
     const Out out{.words = words_,
-                  .data = read(in.request.index.slice<5, 0>()),
+                  .data = mirror(in.request, writes),
                   .hole = rule == Rule::kHole,
                   .refused = !allowed,
-                  .unlocked = unlocked_};
+                  .unlocked = unlocked_,
+                  .no_period = words_.pwm.period == Clocks(0)};
 
     if (in.boundary || in.stopped) each<0>([&](auto row) { show<decltype(row)>(); });
-    if (in.request.write && allowed) {
+    if (writes) {
       const UInt<32> mask = byte_mask(in.request.strobes);
       each<0>([&](auto row) { write<decltype(row)>(in.request, mask); });
       if (in.request.index == kLock) {
@@ -60,7 +110,8 @@ class WordRegisters {
   enum class Rule : std::uint8_t { kHole, kNever, kOpen, kStopped, kKeyed };
 
   static constexpr int kLock = index_of("LOCK");
-  static constexpr int kRegisters = kMapBytes / 4;
+  static constexpr int kRegisters = WordMirror::kRegisters;
+  static constexpr int kFirst = kRegisters / 2;  // words stand in the upper half of the map
   static constexpr int kRows = std::tuple_size_v<decltype(kWordRows)>;
 
   // What the fields of every address say; a writable one speaks for all.
@@ -113,36 +164,39 @@ class WordRegisters {
   template <class R>
   void write(const BusRequest& request, UInt<32> mask) {
     if (request.index != R::index) return;
+    written_[R::index - kFirst] = true;
     const UInt<32> merged = (request.data & mask) | (placed<R>() & ~mask);
     Words& words = R::shadowed ? staged_ : words_;
     auto& word = R::Word::of(words);
     word = word_of<std::remove_reference_t<decltype(word)>>(merged >> R::lsb);
   }
 
-  // The register at a constant address.
-  template <int I, int Index>
-  UInt<32> fields() const {
-    UInt<32> rest = 0;
-    if constexpr (I + 1 < kRows) rest = fields<I + 1, Index>();
-    if constexpr (Row<I>::index == Index) rest = rest | placed<Row<I>>();
-    return rest;
-  }
-  // A tree of choices over the address, half of the map at each branch.
-  template <int First = 0, int Count = kRegisters>
-  UInt<32> read(UInt<6> index) const {
-    if constexpr (Count == 1) {
-      return fields<0, First>();
-    } else {
-      constexpr int kHalf = Count / 2;
-      const UInt<32> low = read<First, kHalf>(index);
-      const UInt<32> high = read<First + kHalf, kHalf>(index);
-      return (index & UInt<6>(kHalf)) != UInt<6>(0) ? high : low;
-    }
+  // Writes and reads the memory, and gives the answer to the last read.  The first write since the
+  // reset is of all four bytes: those without a strobe get their reset values.
+  UInt<32> mirror(const BusRequest& request, bool writes) {
+    const auto place = request.index.slice<5, 0>();
+    const auto row = place.slice<4, 0>().raw();
+    const bool fresh = !(place.bit(5) && written_[row]);
+    const UInt<32> mask = byte_mask(request.strobes);
+    const UInt<32> data = request.data & mask & WordMirror::kFieldBits[row];
+    const UInt<4> lanes = fresh ? UInt<4>::max() : request.strobes;
+    const auto word = mirror_.tick(
+        {.read = request.read,
+         .address = UInt<7>(place) | (fresh ? UInt<7>(kRegisters) : UInt<7>(0)),
+         .write = writes ? lanes : UInt<4>(0),
+         .write_address = place,
+         .write_data = data | (WordMirror::kResets[row] & ~mask)});
+    const UInt<32> shown = shows_ ? word.data : UInt<32>(0);
+    if (request.read) shows_ = request.index < kRegisters;
+    return shown;
   }
 
   Words words_;
   Words staged_;  // of shadowed words alone; the others' bits never leave their reset values
   bool unlocked_ = false;
+  Memory<WordMirror> mirror_;
+  std::array<bool, kRegisters - kFirst> written_{};  // since the reset
+  bool shows_ = false;  // the last read was of the map
 };
 
 }  // namespace steplock

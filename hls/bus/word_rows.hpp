@@ -82,7 +82,7 @@ constexpr WordRow<At<Path...>> word(const char* group, const char* name, int add
 inline constexpr auto kWordRows = std::make_tuple(
     word<&Words::pwm, &PwmWords::period>(
         "PWM", "period", 0x80, 0, Access::kStopped, "clocks",
-        "PWM period; 0 keeps the high sides off."),
+        "PWM period; 0 keeps all six gates off, as STATUS.no_period says."),
     word<&Words::pwm, &PwmWords::centred>(
         "PWM", "centred", 0x80, 16, Access::kStopped, "",
         "Pulses centred in the period instead of at its start."),

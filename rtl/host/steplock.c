@@ -59,7 +59,7 @@ static enum steplock_result write_words(const struct steplock_bus *bus,
 
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count) {
-  uint32_t id, version;
+  uint32_t id, version, status;
   enum steplock_result result, closed;
   if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||
       get(bus, STEPLOCK_VERSION, &version) != STEPLOCK_OK ||
@@ -74,7 +74,17 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
   closed = put(bus, STEPLOCK_LOCK, 0); /* in any case */
   if (result == STEPLOCK_OK) result = closed;
   if (result != STEPLOCK_OK) return result;
+  result = get(bus, STEPLOCK_STATUS, &status);
+  if (result != STEPLOCK_OK) return result;
+  if (GET(STATUS_NO_PERIOD, status)) return STEPLOCK_NO_PERIOD;
   return put(bus, STEPLOCK_CONTROL, STEPLOCK_CONTROL_CONFIGURED_MASK);
+}
+
+enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes) {
+  uint32_t capability;
+  const enum steplock_result result = get(bus, STEPLOCK_CAPABILITY, &capability);
+  if (result == STEPLOCK_OK) *axes = (unsigned)GET(CAPABILITY_AXES, capability);
+  return result;
 }
 
 enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse) {

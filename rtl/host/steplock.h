@@ -23,7 +23,8 @@ enum steplock_result {
   STEPLOCK_NO_DRIVE,    /* another ID or major version stands there */
   STEPLOCK_NOT_STOPPED, /* the drive has to be stopped for this */
   STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
-  STEPLOCK_FAULT_LATCHED /* a fault is latched; for clear_fault: its cause lasts */
+  STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
+  STEPLOCK_NO_PERIOD     /* the words leave PWM.period 0: the bridge stays off */
 };
 
 /* Offsets in bytes from the drive's base; 0 when the access was answered well. */
@@ -56,6 +57,9 @@ struct steplock_bus steplock_memory_mapped(volatile uint32_t *base);
 /* Finds the drive, writes all words behind the lock, reads them back and enables the bridge. */
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count);
+
+/* Drives on this bus, each 0x100 behind the one before. */
+enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes);
 
 enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse);
 enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake);

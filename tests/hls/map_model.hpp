@@ -32,8 +32,11 @@ class MapModel {
     }
     if (address == kLock) {
       unlocked_ = (data & mask & 0xffff) == kLockKey;
-      value(kStatus) = reset(kStatus) | unsigned(unlocked_) << field("STATUS", "unlocked").lsb;
     }
+    constexpr Field kUnlocked = field("STATUS", "unlocked"), kNoPeriod = field("STATUS", "no_period");
+    const bool no_period = (value(kPwm) & mask_of(field("PWM", "period"))) == 0;
+    value(kStatus) = (reset(kStatus) & ~mask_of(kNoPeriod)) |
+                     unsigned(unlocked_) << kUnlocked.lsb | unsigned(no_period) << kNoPeriod.lsb;
     return allowed;
   }
   std::optional<std::uint32_t> read(int address) {  // nothing: an error

@@ -87,7 +87,7 @@ TEST(SixStepRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
   EXPECT_GT(good.low, 5000);
 
   const Life no_period = life_with(Value{kPwm, 1u << 24});
-  EXPECT_EQ(no_period.high, 0) << "nothing connects the motor to the supply";
+  EXPECT_EQ(no_period.high + no_period.low, 0) << "all six gates are off";
 
   const Life no_dead_time = life_with(Value{kPwm, 1u << 24 | complementary | 200}, Value{limits, 0});
   EXPECT_GE(no_dead_time.shortest_gap, int(kDeadTimeFloor));
@@ -110,6 +110,36 @@ TEST(SixStepRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
     EXPECT_EQ(life.both, 0);
     EXPECT_GE(life.shortest_gap, int(kDeadTimeFloor));
   }
+}
+
+// Without the registers a period of 0 holds a low side on: what the test above would see.
+TEST(SixStepRegistered, TheDriveItselfTakesAPeriodOfZeroForNoPulse) {
+  SixStepTop drive;
+  SixStepTop::In in;
+  in.command = {.configured = true, .run = true};
+  in.words.start.reset = 4095;
+  in.words.start.reset_duty = 0x4000;
+  int on = 0;
+  for (int clock = 0; clock < 50'000; ++clock) {
+    const Gates g = drive.tick(in).gates;
+    on += g.ul || g.vl || g.wl;
+  }
+  EXPECT_GT(on, 40'000);
+}
+
+TEST(SixStepRegistered, APeriodOfZeroIsToldAndMended) {
+  constexpr std::uint32_t bit = 1u << field("STATUS", "no_period").lsb;
+  SixStepRegistered dut;
+  const auto status = [&] {
+    dut.tick({});
+    dut.tick({.pins = {}, .request = reading(kStatus)});
+    return std::uint32_t(dut.tick({}).data.raw());
+  };
+  EXPECT_TRUE(status() & bit) << "after a reset";
+  dut.tick({.pins = {}, .request = writing(kPwm, 1u << 24 | 200)});
+  EXPECT_FALSE(status() & bit);
+  dut.tick({.pins = {}, .request = writing(kPwm, 1u << 24)});
+  EXPECT_TRUE(status() & bit);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ struct Bench {
     return !tick({.write = true, .index = index, .data = data, .strobes = strobes}).refused;
   }
   std::uint32_t read(int index) {
-    return std::uint32_t(tick({.read = true, .index = index}).data.raw());
+    tick({.read = true, .index = index});
+    return std::uint32_t(tick({}).data.raw());
   }
   Words words() { return tick({}).words; }
   void unlock() { write(index_of("LOCK"), kLockKey); }
@@ -44,6 +45,56 @@ TEST(WordRegisters, ResetIsThatOfTheTable) {
     EXPECT_EQ(bench.read(f.address / 4) >> f.lsb & (mask_of(f) >> f.lsb), f.reset)
         << f.group << '.' << f.name;
   }
+}
+
+TEST(WordRegisters, SaysWhatItIs) {
+  Bench bench;
+  EXPECT_EQ(bench.read(index_of("ID")), 0x53544c4bu);
+  EXPECT_EQ(bench.read(index_of("VERSION")), kMapVersion);
+  const std::uint32_t capability = bench.read(index_of("CAPABILITY"));
+  EXPECT_EQ(capability >> 8 & 255, 12u) << "floor of the dead time, clocks";
+  EXPECT_EQ(capability >> 16 & 7, 1u) << "axes";
+}
+
+TEST(WordRegisters, WhatStandsElsewhereReadsZero) {
+  Bench bench;
+  EXPECT_EQ(bench.tick({}).data, UInt<32>(0)) << "nothing was read";
+  bench.write(index_of("CONTROL"), 15);
+  for (int index = index_of("CONTROL"); index < kPwm; ++index) EXPECT_EQ(bench.read(index), 0u);
+  bench.read(kPwm);
+  EXPECT_EQ(bench.read(0x60), 0u) << "no alias of PWM";
+}
+
+TEST(WordRegisters, AnAnswerStaysUntilTheNextRead) {
+  Bench bench;
+  EXPECT_EQ(bench.read(kPwm), 1u << 24);
+  bench.write(kPwm, 100);
+  EXPECT_EQ(bench.tick({}).data, UInt<32>(1u << 24));
+}
+
+// A register whose first write is of some bytes: the others keep their reset values.
+TEST(WordRegisters, BytesThatWereNeverWrittenReadTheirReset) {
+  const int bemf = index_of("BEMF"), place = index_of("LOOP_PLACE");
+  for (int strobes = 0; strobes < 16; ++strobes) {
+    Bench bench;
+    const auto mask = std::uint32_t(byte_mask(UInt<4>(strobes)).raw());
+    for (const int index : {bemf, place}) {
+      const std::uint32_t reset = bench.read(index);
+      EXPECT_TRUE(bench.write(index, ~0u, strobes));
+      EXPECT_EQ(bench.read(index), (reset & ~mask) | (all_of(index) & mask)) << strobes;
+      EXPECT_TRUE(bench.write(index, 0, strobes));
+      EXPECT_EQ(bench.read(index), reset & ~mask) << strobes;
+    }
+  }
+}
+
+TEST(WordRegisters, TellsAPeriodOfZero) {
+  Bench bench;
+  EXPECT_TRUE(bench.tick({}).no_period);
+  bench.write(kPwm, 1u << 13);
+  EXPECT_FALSE(bench.tick({}).no_period);
+  bench.write(kPwm, 0xffff'0000);
+  EXPECT_TRUE(bench.tick({}).no_period) << "the other fields do not count";
 }
 
 TEST(WordRegisters, EveryRegisterReadsBackItsFieldsAndNothingElse) {

@@ -195,6 +195,24 @@ TEST(HostDriver, AHostThatStopsBeatingLosesTheBridge) {
   EXPECT_EQ(steplock_clear_fault(&bus), STEPLOCK_OK);
 }
 
+TEST(HostDriver, WordsWithoutAPeriodAreRefusedAndMoveNoGate) {
+  Bench bench;
+  const steplock_bus bus = bench.bus();
+  auto words = bench.words();
+  unsigned axes = 0;
+  EXPECT_EQ(steplock_get_axes(&bus, &axes), STEPLOCK_OK);
+  EXPECT_EQ(axes, 1u);
+  for (auto& word : words) {
+    if (word.offset == STEPLOCK_PWM) word.value &= ~STEPLOCK_PWM_PERIOD_MASK;
+  }
+  EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NO_PERIOD);
+  EXPECT_EQ(bus.write(bus.context, STEPLOCK_CONTROL, 3), 0) << "a host that does it all the same";
+  for (int i = 0; i < 20; ++i) {
+    bench.wait(1e-4);
+    EXPECT_TRUE(bench.gates_off());
+  }
+}
+
 TEST(HostDriver, FindsNoDriveWhereNoneIs) {
   const steplock_bus nothing = {
       .write = [](void*, std::uint32_t, std::uint32_t) { return 0; },
