@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
@@ -22,10 +24,14 @@ namespace {
 // heavy rotor; then a bounded drive has decided itself.
 double longest(const design::Settings& s, const design::Parameters& p) {
   const auto& t = p.start;
-  const double ramp = 2 * t.hand_over / t.ramp;
-  const double once = t.observe + t.settle + t.reset + ramp + t.pull_in + t.rest;
+  double tries = 0;
+  for (int k = 0; k <= t.retries; ++k) {
+    const int gentle = std::min(k, 3);  // as StartSequence makes them: reset twice as long, the ramp a quarter as steep
+    tries += t.observe + std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle) +
+             t.pull_in + t.rest;
+  }
   const double brakes = t.slow_down + 20 * (t.brake + t.observe);
-  return s.scenario.run_s + 2 * ((1 + t.retries) * once + brakes + 10 * p.speed.target / p.speed.slew);
+  return s.scenario.run_s + 2 * (tries + brakes + 10 * p.speed.target / p.speed.slew);
 }
 
 // From a settled start on.
