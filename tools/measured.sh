@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154  # work
 # To synthesize for iCE40 and count, and to know what need not be measured again.  tools/size and tools/schedules source
 # it, in the root of the project and with `work` a scratch folder.
 #
@@ -14,11 +14,11 @@ cells() {
   local stem=$work/$module.$BASHPID.$RANDOM packed
   # shellcheck disable=SC2086  # several options
   yosys -Q -p "read_verilog -sv $*; synth_ice40 $options -top $module -json $stem.json; tee -o $stem.stat stat" \
-    >"$stem.log" 2>&1 || { tail -n 5 "$stem.log" >&2; echo "${0##*/}: Yosys could not synthesize $module" >&2; return 1; }
+    >"$stem.log" 2>&1 || { tail -n 5 "$stem.log" >&2; echo "tools/${0##*/}: Yosys could not synthesize $module" >&2; return 1; }
   # shellcheck disable=SC2086
   nextpnr-ice40 $device --pack-only --json "$stem.json" >"$stem.pack" 2>&1 || true  # more than fit: packed all the same
   packed=$(sed -n 's/^Info:[[:space:]]*ICESTORM_LC:[[:space:]]*\([0-9]*\)\/.*/\1/p' "$stem.pack" | tail -n 1)
-  [ -n "$packed" ] || { tail -n 5 "$stem.pack" >&2; echo "${0##*/}: nextpnr could not pack $module" >&2; return 1; }
+  [ -n "$packed" ] || { tail -n 5 "$stem.pack" >&2; echo "tools/${0##*/}: nextpnr could not pack $module" >&2; return 1; }
   awk -v cells="$packed" '
     $1 == "SB_LUT4" { lut = $2 } $1 ~ /^SB_DFF/ { ff += $2 } $1 == "SB_CARRY" { carry = $2 } $1 ~ /^SB_MAC16/ { dsp += $2 }
     $1 ~ /^SB_RAM40/ { ram += $2 }
@@ -42,7 +42,9 @@ checksum() {
 }
 
 # known PAGE NAME CHECKSUM
-known() { [ -f "$1" ] && sed -n '/^<!-- checksums/,/^-->/p' "$1" | grep -qx "$2 $3"; }
+known() {
+  [ -f "$1" ] && awk -v line="$2 $3" '/^<!-- checksums/ { on = 1 } on && $0 == line { found = 1 } END { exit !found }' "$1"
+}
 
 # checksums FILE: the comment, of the lines `NAME CHECKSUM`
 checksums() { printf '\n<!-- checksums of what was measured and what it was measured from: tools/measured.sh\n'; cat "$1"; echo '-->'; }
@@ -53,7 +55,7 @@ drawn() {
   local by name cells all
   by=$(git rev-parse HEAD 2>/dev/null || date +%F)
   all=$(while read -r name cells; do echo "$(sha256sum <<<"$by $name" | cut -c 1-16) $name $cells"; done | sort |
-    awk -v most="$1" '{ all += $3 + 1000 } NR > 1 && all > most { exit } { print $2 }')
+    awk -v most="$1" '{ all += $3 + 1000 } NR == 1 || all <= most { print $2 }')
   # shellcheck disable=SC2086  # in a line
   echo "tools/${0##*/}: measured again, as drawn by $by:" $all >&2
   echo "$all"

@@ -10,7 +10,7 @@ PaperPage amano2003_page(const design::Settings& drive, const PaperOptions& opti
       .name = "amano2003",
       .title = "Amano et al. 2003, side by side",
       .introduction = fmt::format(
-          "Printed by `steplock paper amano2003` with engine `{}`; the test `pages_are_current` fails when this "
+          "Printed by `steplock paper amano2003` with engine `{}`; the test `pages_are_current_amano2003` fails when this "
           "page is stale. Motor and fan: [amano2003.toml](../../drives/amano2003.toml), which says how the "
           "paper's inconsistent units are read. Speeds and lost steps are judged from the plant's true "
           "angle.", name_of(options.engine))};

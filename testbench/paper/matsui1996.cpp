@@ -57,7 +57,7 @@ PaperPage matsui1996_page(const design::Settings& drive, const design::Settings&
       .title = "Matsui 1996, side by side",
       .introduction = fmt::format("Printed by `steplock paper matsui1996` with engine `{}` for a "
                                   "point of each estimator, `fixed` for the others, and "
-                                  "`float` where it says so; the test `pages_are_current` fails "
+                                  "`float` where it says so; the test `pages_are_current_matsui1996` fails "
                                   "when this page is stale. Motor: "
                                   "[matsui1996.toml](../../drives/matsui1996.toml), which says how "
                                   "the paper's units are read. Sampled every 200 us with the "

@@ -143,7 +143,7 @@ Figure envelope_figure(const LoadEnvelope& e) {
 
 std::string envelope_page(const std::vector<LoadEnvelope>& all) {
   std::string text = fmt::format(
-      "# Load\n\nPrinted by `steplock envelope`; the test `pages_are_current` fails when this page is stale.\n\n"
+      "# Load\n\nPrinted by `steplock envelope`; the test `pages_are_current_load` fails when this page is stale.\n\n"
       "Each drive is started, brought to a set speed, and loaded: an opposing torque rises in {} stairs to 1.2 times "
       "what the current limit can give (engine `fixed`, which equals the RTL on every clock; words as in the "
       "drive's file). *Held*: the speed stayed within {:.0f} %. *Kept*: the lock did, at whatever speed the "

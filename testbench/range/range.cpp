@@ -136,7 +136,7 @@ Figure range_figure(const Range& range) {
 
 std::string range_page(const Range& range) {
   std::string text =
-      "# Speed range\n\nPrinted by `steplock range`; the test `pages_are_current` fails when this page is stale.\n\n"
+      "# Speed range\n\nPrinted by `steplock range`; the test `pages_are_current_range` fails when this page is stale.\n\n"
       "The blocks (engine `fixed`, which equals the RTL on every clock) on ideal comparators of a rotor that "
       "turns at a constant speed, at duty 1/2, so that PWM edges blank as much as they ever do. Error: the "
       "instant of each commutation against 30 + 60 k electrical degrees, over 40 electrical turns.\n\n"
