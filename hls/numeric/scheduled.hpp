@@ -90,6 +90,16 @@ class Scheduled {
     return out;
   }
 
+  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
+  std::uint64_t quiet() const {
+    if (left_ == 0) return ~std::uint64_t{0};
+    constexpr int kEvent = kEarly == 0 ? 0 : kClocks - kEarly + 1;  // the other one is at 1
+    return static_cast<std::uint64_t>(left_ >= kEvent && kEvent > 1 ? left_.raw() - kEvent : left_.raw() - 1);
+  }
+  void skip(std::uint64_t clocks) {
+    if (left_ != 0) left_ = Left::of(static_cast<std::uint64_t>(left_.raw()) - clocks);
+  }
+
  private:
   using Left = UInt<12>;
 

@@ -210,7 +210,7 @@ class SinusoidalTop {
             .on_w = legs.on_w};
   }
 
- private:
+ protected:  // testbench/sinusoidal/skipping_top.hpp counts with these
   // What PilotPulses hears of a clock in the next one.
   struct Seen {
     bool period = false;
