@@ -1,10 +1,10 @@
 rtl/synchroniser.sv
 rtl/pilot_pulses.sv
 rtl/current_sense.sv
-rtl/estimator.sv
-rtl/speed_regulator.sv
-rtl/current_control.sv
-rtl/space_vector.sv
+rtl/sinusoidal_control_program.sv
+rtl/sinusoidal_control_numbers.sv
+rtl/sinusoidal_control_table.sv
+rtl/sinusoidal_control.sv
 rtl/pwm_generator.sv
 rtl/drive_protection.sv
 rtl/sinusoidal_sequence.sv

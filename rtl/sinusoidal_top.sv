@@ -1,4 +1,4 @@
-// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:39.
+// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:36.
 // Do not edit: change the C++ and print again.
 
 module sinusoidal_top (
@@ -177,161 +177,97 @@ module sinusoidal_top (
       .v_dc_o(sense_v_dc)
   );
 
-  wire [23:0] model_angle;
-  wire [19:0] model_step;
-  wire [19:0] model_emf_step;
-  wire [15:0] unused_model_error;
-  wire model_done;
-  wire unused_model_busy;
-  wire unused_model_missed;
-  estimator model (
+  wire [13:0] control_early_on_u;
+  wire [13:0] control_early_on_v;
+  wire [13:0] control_early_on_w;
+  wire [23:0] control_angle;
+  wire [15:0] control_i_gamma;
+  wire [15:0] control_i_delta;
+  wire control_limited;
+  wire [15:0] control_speed_current;
+  wire [15:0] control_speed_speed;
+  wire [15:0] control_speed_reference;
+  wire control_speed_saturated;
+  wire control_speed_fast;
+  wire control_speed_slow;
+  wire control_speed_stopping;
+  wire control_speed_plausible;
+  wire control_done;
+  wire unused_control_busy;
+  wire unused_control_missed;
+  sinusoidal_control control (
       .clk(clk),
       .rst(rst),
-      .enable_i(orders_estimate),
+      .estimate_i(orders_estimate),
+      .regulate_i(orders_regulate),
+      .reverse_i(orders_reverse),
+      .slow_down_i(orders_slow_down),
+      .hold_i(orders_hold),
+      .hold_v_i(orders_hold_v),
+      .pilot_i(orders_pilot),
+      .search_i(pilot_search),
+      .a_i(pilot_a),
+      .b_i(pilot_b),
       .initial_i(pilot_angle),
       .i_u_i(sense_i_u),
       .i_v_i(sense_i_v),
       .v_dc_i(sense_v_dc),
-      .pattern_on_u_i(ended_on_u),
-      .pattern_on_v_i(ended_on_v),
-      .pattern_on_w_i(ended_on_w),
-      .pattern_period_i(words_bridge_period_i),
-      .pattern_dead_i(words_bridge_lost_i),
-      .pattern_inverse_i(words_bridge_inverse_i),
-      .words_voltage_i(words_estimator_voltage_i),
-      .words_average_i(words_estimator_average_i),
-      .words_decay_i(words_estimator_decay_i),
-      .words_gain_i(words_estimator_gain_i),
-      .words_k_theta_i(words_estimator_k_theta_i),
-      .words_k_e_i(words_estimator_k_e_i),
-      .words_k_speed_i(words_estimator_k_speed_i),
-      .words_k_emf_i(words_estimator_k_emf_i),
-      .words_k_si_i(words_estimator_k_si_i),
+      .ended_on_u_i(ended_on_u),
+      .ended_on_v_i(ended_on_v),
+      .ended_on_w_i(ended_on_w),
+      .bridge_period_i(words_bridge_period_i),
+      .bridge_minimum_i(words_bridge_minimum_i),
+      .bridge_dead_time_i(words_bridge_dead_time_i),
+      .bridge_lost_i(words_bridge_lost_i),
+      .bridge_compensate_i(words_bridge_compensate_i),
+      .bridge_sine_i(words_bridge_sine_i),
+      .bridge_inverse_i(words_bridge_inverse_i),
+      .estimator_voltage_i(words_estimator_voltage_i),
+      .estimator_average_i(words_estimator_average_i),
+      .estimator_decay_i(words_estimator_decay_i),
+      .estimator_gain_i(words_estimator_gain_i),
+      .estimator_k_theta_i(words_estimator_k_theta_i),
+      .estimator_k_e_i(words_estimator_k_e_i),
+      .estimator_k_speed_i(words_estimator_k_speed_i),
+      .estimator_k_emf_i(words_estimator_k_emf_i),
+      .estimator_k_si_i(words_estimator_k_si_i),
+      .speed_target_i(words_speed_target_i),
+      .speed_slew_i(words_speed_slew_i),
+      .speed_filter_i(words_speed_filter_i),
+      .speed_k_p_i(words_speed_k_p_i),
+      .speed_k_i_i(words_speed_k_i_i),
+      .speed_limit_i(words_speed_limit_i),
+      .speed_lock_i(words_speed_lock_i),
+      .speed_slow_i(words_speed_slow_i),
+      .speed_stop_i(words_speed_stop_i),
+      .speed_emf_low_i(words_speed_emf_low_i),
+      .speed_emf_high_i(words_speed_emf_high_i),
+      .control_set_gamma_i(words_control_set_gamma_i),
+      .control_k_p_i(words_control_k_p_i),
+      .control_k_i_i(words_control_k_i_i),
+      .control_inductance_i(words_control_inductance_i),
+      .control_emf_i(words_control_emf_i),
+      .control_limit_i(words_control_limit_i),
+      .hold_voltage_i(words_sequence_hold_voltage_i),
       .start_i(sense_taken),
-      .angle_o(model_angle),
-      .step_o(model_step),
-      .emf_step_o(model_emf_step),
-      .error_o(unused_model_error),
-      .done_o(model_done),
-      .busy_o(unused_model_busy),
-      .missed_o(unused_model_missed)
-  );
-
-  wire [15:0] regulator_current;
-  wire [15:0] regulator_speed;
-  wire [15:0] regulator_reference;
-  wire regulator_saturated;
-  wire regulator_fast;
-  wire regulator_slow;
-  wire regulator_stopping;
-  wire regulator_plausible;
-  wire regulator_done;
-  wire unused_regulator_busy;
-  wire unused_regulator_missed;
-  speed_regulator regulator (
-      .clk(clk),
-      .rst(rst),
-      .enable_i(orders_regulate),
-      .reverse_i(orders_reverse),
-      .slow_down_i(orders_slow_down),
-      .step_i(model_step),
-      .emf_step_i(model_emf_step),
-      .words_target_i(words_speed_target_i),
-      .words_slew_i(words_speed_slew_i),
-      .words_filter_i(words_speed_filter_i),
-      .words_k_p_i(words_speed_k_p_i),
-      .words_k_i_i(words_speed_k_i_i),
-      .words_limit_i(words_speed_limit_i),
-      .words_lock_i(words_speed_lock_i),
-      .words_slow_i(words_speed_slow_i),
-      .words_stop_i(words_speed_stop_i),
-      .words_emf_low_i(words_speed_emf_low_i),
-      .words_emf_high_i(words_speed_emf_high_i),
-      .start_i(model_done),
-      .current_o(regulator_current),
-      .speed_o(regulator_speed),
-      .reference_o(regulator_reference),
-      .saturated_o(regulator_saturated),
-      .fast_o(regulator_fast),
-      .slow_o(regulator_slow),
-      .stopping_o(regulator_stopping),
-      .plausible_o(regulator_plausible),
-      .done_o(regulator_done),
-      .busy_o(unused_regulator_busy),
-      .missed_o(unused_regulator_missed)
-  );
-
-  wire [16:0] sum_106 =  // line 106
-      {regulator_speed[15], regulator_speed} + {{2{regulator_speed[15]}}, regulator_speed[15:1]};
-
-  wire [15:0] control_v_alpha;
-  wire [15:0] control_v_beta;
-  wire [15:0] control_i_gamma;
-  wire [15:0] control_i_delta;
-  wire [15:0] control_wanted_u;
-  wire [15:0] control_wanted_v;
-  wire control_limited;
-  wire control_done;
-  wire unused_control_busy;
-  wire unused_control_missed;
-  current_control control (
-      .clk(clk),
-      .rst(rst),
-      .enable_i(orders_regulate),
-      .i_u_i(pilot_search ? pilot_a : sense_i_u),
-      .i_v_i(pilot_search ? pilot_b : sense_i_v),
-      .angle_i(model_angle[23:8]),
-      .ahead_i(model_angle[23:8] + {{2{sum_106[16]}}, sum_106[16:3]}),
-      .speed_i(regulator_speed),
-      .set_gamma_i(words_control_set_gamma_i),
-      .set_delta_i(regulator_current),
-      .k_p_i(words_control_k_p_i),
-      .k_i_i(words_control_k_i_i),
-      .inductance_i(words_control_inductance_i),
-      .emf_i(words_control_emf_i),
-      .v_dc_i(sense_v_dc),
-      .limit_i(words_control_limit_i),
-      .start_i(regulator_done),
-      .v_alpha_o(control_v_alpha),
-      .v_beta_o(control_v_beta),
+      .early_on_u_o(control_early_on_u),
+      .early_on_v_o(control_early_on_v),
+      .early_on_w_o(control_early_on_w),
+      .angle_o(control_angle),
       .i_gamma_o(control_i_gamma),
       .i_delta_o(control_i_delta),
-      .wanted_u_o(control_wanted_u),
-      .wanted_v_o(control_wanted_v),
       .limited_o(control_limited),
+      .speed_current_o(control_speed_current),
+      .speed_speed_o(control_speed_speed),
+      .speed_reference_o(control_speed_reference),
+      .speed_saturated_o(control_speed_saturated),
+      .speed_fast_o(control_speed_fast),
+      .speed_slow_o(control_speed_slow),
+      .speed_stopping_o(control_speed_stopping),
+      .speed_plausible_o(control_speed_plausible),
       .done_o(control_done),
       .busy_o(unused_control_busy),
       .missed_o(unused_control_missed)
-  );
-
-  wire [13:0] modulator_on_u;
-  wire [13:0] modulator_on_v;
-  wire [13:0] modulator_on_w;
-  wire modulator_done;
-  wire unused_modulator_busy;
-  wire unused_modulator_missed;
-  space_vector modulator (
-      .clk(clk),
-      .rst(rst),
-      .v_alpha_i(control_v_alpha),
-      .v_beta_i(control_v_beta),
-      .i_u_i(orders_hold ? sense_i_u : control_wanted_u),
-      .i_v_i(orders_hold ? sense_i_v : control_wanted_v),
-      .v_dc_i(sense_v_dc),
-      .period_i(words_bridge_period_i),
-      .minimum_i(words_bridge_minimum_i),
-      .dead_i((words_bridge_compensate_i && !orders_pilot) ? words_bridge_lost_i : 12'd0),
-      .sine_i(words_bridge_sine_i),
-      .hold_i(orders_hold || orders_pilot),
-      .hold_v_i(orders_hold && orders_hold_v),
-      .hold_voltage_i(words_sequence_hold_voltage_i),
-      .start_i(control_done),
-      .on_u_o(modulator_on_u),
-      .on_v_o(modulator_on_v),
-      .on_w_o(modulator_on_w),
-      .done_o(modulator_done),
-      .busy_o(unused_modulator_busy),
-      .missed_o(unused_modulator_missed)
   );
 
   wire pwm_u_on;
@@ -340,7 +276,7 @@ module sinusoidal_top (
   pwm_generator pwm_u (
       .clk(clk),
       .rst(rst),
-      .on_clocks_i(modulator_on_u),
+      .on_clocks_i(control_early_on_u),
       .period_i(words_bridge_period_i),
       .minimum_i(words_bridge_minimum_i),
       .centred_i(1'b1),
@@ -386,14 +322,14 @@ module sinusoidal_top (
       .rst(rst),
       .restart_i(restart),
       .period_i(pwm_u_start),
-      .sampled_i(modulator_done),
+      .sampled_i(control_done),
       .over_current_i(sense_over && !pilot_waiting),
       .regulating_i(orders_regulate),
-      .saturated_i(control_limited || regulator_saturated),
+      .saturated_i(control_limited || control_speed_saturated),
       .locked_i(orders_locked),
-      .fast_i(regulator_fast),
-      .slow_i(regulator_slow),
-      .plausible_i(regulator_plausible),
+      .fast_i(control_speed_fast),
+      .slow_i(control_speed_slow),
+      .plausible_i(control_speed_plausible),
       .words_over_current_i(words_fault_over_current_i),
       .words_saturated_i(words_fault_saturated_i),
       .words_slow_i(words_fault_slow_i),
@@ -427,11 +363,11 @@ module sinusoidal_top (
       .command_clear_fault_i(command_clear_fault_i),
       .fault_pin_i(synchroniser_fault),
       .period_i(pwm_u_start),
-      .sampled_i(modulator_done),
+      .sampled_i(control_done),
       .measured_i(sense_measured),
-      .fast_i(regulator_fast),
-      .plausible_i(regulator_plausible),
-      .stopping_i(regulator_stopping),
+      .fast_i(control_speed_fast),
+      .plausible_i(control_speed_plausible),
+      .stopping_i(control_speed_stopping),
       .found_i(pilot_found),
       .fatal_i(protection_fatal),
       .failed_i(orders_pilot ? pilot_failed : protection_failed),
@@ -460,8 +396,8 @@ module sinusoidal_top (
       .locked_o(sequence__locked)
   );
 
-  wire either_168 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 168
-  wire choice_169 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 169
+  wire either_134 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 134
+  wire choice_135 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 135
 
   wire pwm_v_on;
   wire unused_pwm_v_start;
@@ -469,7 +405,7 @@ module sinusoidal_top (
   pwm_generator pwm_v (
       .clk(clk),
       .rst(rst),
-      .on_clocks_i(modulator_on_v),
+      .on_clocks_i(control_early_on_v),
       .period_i(words_bridge_period_i),
       .minimum_i(words_bridge_minimum_i),
       .centred_i(1'b1),
@@ -479,7 +415,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_v_tick)
   );
 
-  wire choice_170 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 170
+  wire choice_136 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 136
 
   wire pwm_w_on;
   wire unused_pwm_w_start;
@@ -487,7 +423,7 @@ module sinusoidal_top (
   pwm_generator pwm_w (
       .clk(clk),
       .rst(rst),
-      .on_clocks_i(modulator_on_w),
+      .on_clocks_i(control_early_on_w),
       .period_i(words_bridge_period_i),
       .minimum_i(words_bridge_minimum_i),
       .centred_i(1'b1),
@@ -497,7 +433,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_w_tick)
   );
 
-  wire choice_171 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 171
+  wire choice_137 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 137
 
   wire guard_uh;
   wire guard_ul;
@@ -508,12 +444,12 @@ module sinusoidal_top (
   gate_guard guard (
       .clk(clk),
       .rst(rst),
-      .request_uh_i(either_168 && choice_169),
-      .request_ul_i(sequence__brake || (either_168 && !choice_169)),
-      .request_vh_i(either_168 && choice_170),
-      .request_vl_i(sequence__brake || (either_168 && !choice_170)),
-      .request_wh_i(either_168 && choice_171),
-      .request_wl_i(sequence__brake || (either_168 && !choice_171)),
+      .request_uh_i(either_134 && choice_135),
+      .request_ul_i(sequence__brake || (either_134 && !choice_135)),
+      .request_vh_i(either_134 && choice_136),
+      .request_vl_i(sequence__brake || (either_134 && !choice_136)),
+      .request_wh_i(either_134 && choice_137),
+      .request_wl_i(sequence__brake || (either_134 && !choice_137)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_bridge_dead_time_i),
@@ -539,19 +475,19 @@ module sinusoidal_top (
       orders_locked <= sequence__locked;
     end
     if (pwm_u_start) begin
-      running_on_u <= modulator_on_u;
-      running_on_v <= modulator_on_v;
-      running_on_w <= modulator_on_w;
+      running_on_u <= control_early_on_u;
+      running_on_v <= control_early_on_v;
+      running_on_w <= control_early_on_w;
       ended_on_u <= running_on_u;
       ended_on_v <= running_on_v;
       ended_on_w <= running_on_w;
     end
     seen_period <= pwm_u_start;
     seen_taken <= sense_taken;
-    seen_sampled <= modulator_done;
+    seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 188
+    seen_backward <= control_i_delta[15];  // line 154
     restart <= sequence__entered;
     if (rst) begin
       orders_reverse <= 1'b0;
@@ -590,18 +526,15 @@ module sinusoidal_top (
   assign sample_o = pwm_u_start;
   assign locked_o = sequence__locked;
   assign estimating_o = sequence__regulate;
-  assign done_o = modulator_done;
-  assign angle_o = model_angle;
+  assign done_o = control_done;
+  assign angle_o = control_angle;
   assign initial_o = pilot_angle;
-  assign speed_o = regulator_speed;
-  assign reference_o = regulator_reference;
+  assign speed_o = control_speed_speed;
+  assign reference_o = control_speed_reference;
   assign i_gamma_o = control_i_gamma;
   assign i_delta_o = control_i_delta;
-  assign wanted_o = regulator_current;
-  assign on_u_o = modulator_on_u;
-  assign on_v_o = modulator_on_v;
-  assign on_w_o = modulator_on_w;
-
-  // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_106[2:0]};
+  assign wanted_o = control_speed_current;
+  assign on_u_o = control_early_on_u;
+  assign on_v_o = control_early_on_v;
+  assign on_w_o = control_early_on_w;
 endmodule

@@ -1,20 +1,20 @@
 // The sinusoidal drive: wires between the blocks, and nothing else.
 //
-//     codes -> CurrentSense -> Estimator -> SpeedRegulator -> CurrentControl -> SpaceVector
-//                               ^ on-clocks of the period that ended                |
-//                         gates <- GateGuard <- 3 x PwmGenerator <- next period <---'
+//     codes -> CurrentSense -> SinusoidalControl -> next period -> 3 x PwmGenerator -> GateGuard -> gates
+//                               ^ on-clocks of the period that ended
 //
 // PilotPulses is asked first in a start by pilot pulses: one leg's on-time for all, its choice of
-// legs, CurrentControl for its arithmetic.  It sees what the others gave a clock before.
+// legs, SinusoidalControl for its arithmetic.  It sees what the others gave a clock before.
 //
-// Each of the scheduled blocks begins when the one before is done.  SinusoidalSequence says who is
-// closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
-// taken, so that the whole chain works under the same orders.
+// SinusoidalControl is one program, begun when a sample has been taken.  SinusoidalSequence says who
+// is closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
+// taken, so that all of it works under the same orders.
 //
 // `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
-// and give their codes with `valid` any time before the next.
+// and give their codes with `valid` so early that the sample is done before the next period.
 //
-//     `sample` to new on-clocks          2 clocks and the four schedules: 114, if the codes come at once
+//     `sample` to new on-clocks          227 clocks, if the codes come at once
+//     `sample` to `done`                 455 clocks: less than a period
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -24,14 +24,11 @@
 #include "hls/bridge/gate_guard.hpp"
 #include "hls/bridge/pwm_generator.hpp"
 #include "hls/bridge/synchroniser.hpp"
-#include "hls/sinusoidal/current_control.hpp"
 #include "hls/sinusoidal/current_sense.hpp"
 #include "hls/sinusoidal/drive_protection.hpp"
-#include "hls/sinusoidal/estimator.hpp"
 #include "hls/sinusoidal/pilot_pulses.hpp"
+#include "hls/sinusoidal/sinusoidal_control.hpp"
 #include "hls/sinusoidal/sinusoidal_sequence.hpp"
-#include "hls/sinusoidal/space_vector.hpp"
-#include "hls/sinusoidal/speed_regulator.hpp"
 #include "hls/sinusoidal/words.hpp"
 
 namespace steplock {
@@ -82,60 +79,29 @@ class SinusoidalTop {
         {.codes = in.codes,
          .calibrate = orders_.calibrate,
          .over_current = pilot.waiting ? words.pilot.decayed : words.fault.over_current});
-    const auto model = model_.tick({{.enable = orders_.estimate,
-                                     .initial = pilot.angle,
-                                     .i_u = sense.i_u,
-                                     .i_v = sense.i_v,
-                                     .v_dc = sense.v_dc,
-                                     .pattern = {.on_u = ended_.on_u,
-                                                 .on_v = ended_.on_v,
-                                                 .on_w = ended_.on_w,
-                                                 .period = words.bridge.period,
-                                                 .dead = words.bridge.lost,
-                                                 .inverse = words.bridge.inverse},
-                                     .words = words.estimator},
-                                    sense.taken});
-    const auto speed = regulator_.tick({{.enable = orders_.regulate,
-                                     .reverse = orders_.reverse,
-                                     .slow_down = orders_.slow_down,
-                                     .step = model.step,
-                                     .emf_step = model.emf_step,
-                                     .words = words.speed},
-                                    model.done});
-    // A sample and a half on; the speed's last place is an eighth of the angle's.
-    const auto further = (speed.speed + (speed.speed >> 1)) >> 3;
-    const UInt<16> angle = model.angle.slice<23, 8>();
-    const auto control = control_.tick({{.enable = orders_.regulate,
-                                         .i_u = pilot.search ? pilot.a : sense.i_u,
-                                         .i_v = pilot.search ? pilot.b : sense.i_v,
-                                         .angle = angle,
-                                         .ahead = wrap<UInt<16>>(angle + further),
-                                         .speed = speed.speed,
-                                         .set_gamma = words.control.set_gamma,
-                                         .set_delta = speed.current,
-                                         .k_p = words.control.k_p,
-                                         .k_i = words.control.k_i,
-                                         .inductance = words.control.inductance,
-                                         .emf = words.control.emf,
+    const auto control = control_.tick({{.estimate = orders_.estimate,
+                                         .regulate = orders_.regulate,
+                                         .reverse = orders_.reverse,
+                                         .slow_down = orders_.slow_down,
+                                         .hold = orders_.hold,
+                                         .hold_v = orders_.hold_v,
+                                         .pilot = orders_.pilot,
+                                         .search = pilot.search,
+                                         .a = pilot.a,
+                                         .b = pilot.b,
+                                         .initial = pilot.angle,
+                                         .i_u = sense.i_u,
+                                         .i_v = sense.i_v,
                                          .v_dc = sense.v_dc,
-                                         .limit = words.control.limit},
-                                        speed.done});
-    // A pilot pulse is the same for every leg only without regard to what its current may be.
-    const bool compensate = words.bridge.compensate && !orders_.pilot;
-    const auto legs =
-        modulator_.tick({{.v_alpha = control.v_alpha,
-                          .v_beta = control.v_beta,
-                          .i_u = orders_.hold ? sense.i_u : control.wanted_u,
-                          .i_v = orders_.hold ? sense.i_v : control.wanted_v,
-                          .v_dc = sense.v_dc,
-                          .period = words.bridge.period,
-                          .minimum = words.bridge.minimum,
-                          .dead = compensate ? words.bridge.lost : DeadClocks(0),
-                          .sine = words.bridge.sine,
-                          .hold = orders_.hold || orders_.pilot,
-                          .hold_v = orders_.hold && orders_.hold_v,
-                          .hold_voltage = words.sequence.hold_voltage},
-                         control.done});
+                                         .ended = ended_,
+                                         .bridge = words.bridge,
+                                         .estimator = words.estimator,
+                                         .speed = words.speed,
+                                         .control = words.control,
+                                         .hold_voltage = words.sequence.hold_voltage},
+                                        sense.taken});
+    const auto& legs = control.early;
+    const auto& speed = control.speed;
 
     const auto u = pwm_u_.tick(pulse(legs.on_u, words.bridge));
     const auto v = pwm_v_.tick(pulse(legs.on_v, words.bridge));
@@ -143,7 +109,7 @@ class SinusoidalTop {
 
     const auto faults = protection_.tick({.restart = restart_,
                                           .period = u.start,
-                                          .sampled = legs.done,
+                                          .sampled = control.done,
                                           .over_current = sense.over && !pilot.waiting,
                                           .regulating = orders_.regulate,
                                           .saturated = control.limited || speed.saturated,
@@ -155,7 +121,7 @@ class SinusoidalTop {
     const auto now = sequence_.tick({.command = in.command,
                                      .fault_pin = pins.fault,
                                      .period = u.start,
-                                     .sampled = legs.done,
+                                     .sampled = control.done,
                                      .measured = sense.measured,
                                      .fast = speed.fast,
                                      .plausible = speed.plausible,
@@ -182,14 +148,14 @@ class SinusoidalTop {
     restart_ = now.entered;
     seen_ = {.period = u.start,
              .taken = sense.taken,
-             .sampled = legs.done,
+             .sampled = control.done,
              .over = sense.over,
              .i_gamma = control.i_gamma,
              .backward = control.i_delta.negative()};
     if (in.codes.valid) orders_ = now;
     if (u.start) {
       ended_ = running_;
-      running_ = {legs.on_u, legs.on_v, legs.on_w};
+      running_ = legs;
     }
     return {.gates = gates,
             .state = now.state,
@@ -197,8 +163,8 @@ class SinusoidalTop {
             .sample = u.start,
             .locked = now.locked,
             .estimating = now.regulate,
-            .done = legs.done,
-            .angle = model.angle,
+            .done = control.done,
+            .angle = control.angle,
             .initial = pilot.angle,
             .speed = speed.speed,
             .reference = speed.reference,
@@ -228,10 +194,7 @@ class SinusoidalTop {
   Synchroniser synchroniser_;
   PilotPulses pilot_;
   CurrentSense sense_;
-  EstimatorLoop model_;
-  SpeedRegulatorLoop regulator_;
-  CurrentLoop control_;
-  SpaceVectorLoop modulator_;
+  SinusoidalLoop control_;
   PwmGenerator pwm_u_;
   PwmGenerator pwm_v_;
   PwmGenerator pwm_w_;

@@ -10,8 +10,7 @@ namespace matsui1996 {
 PaperSection comparison(const design::Settings& drive, const Found& found) {
   constexpr int kVoltage = int(design::Estimator::kVoltage),
                 kCurrent = int(design::Estimator::kCurrent);
-  constexpr int kLatency = 2 + EstimatorLoop::kClocks + SpeedRegulatorLoop::kClocks +
-                           CurrentLoop::kClocks + SpaceVectorLoop::kClocks;
+  constexpr int kLatency = 2 + SinusoidalLoop::kEarly, kSample = 2 + SinusoidalLoop::kClocks;
   // Clocks of a PWM period whose 1 / (3 period), u0.26, still fits 15 bits (hls/sinusoidal/words.hpp).
   constexpr int kShortest = (1 << 26) / (3 << 15) + 1;
   const double mhz = drive.control.clock_hz / 1e6;
@@ -42,8 +41,8 @@ PaperSection comparison(const design::Settings& drive, const Found& found) {
               {fmt::format("loop rate, most at {:g} MHz", mhz), "kHz", 5, "", 1e3 * mhz / kShortest,
                fmt::format("aim 20 and 50 kHz: **missed** at 50, a PWM period has {} clocks at "
                            "least (1 / (3 period) is "
-                           "u0.26); the loop itself takes {}",
-                           kShortest, kLatency)},
+                           "u0.26); a sample takes {}, of which on-times take {}",
+                           kShortest, kSample, kLatency)},
               {"sample to new on-times", "us", {}, "not printed", kLatency / mhz, "aim 10 us"}}};
 }
 

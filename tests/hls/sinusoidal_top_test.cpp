@@ -119,16 +119,28 @@ TEST(SinusoidalTop, OverCurrentEndsAPilotPulseToo) {
   EXPECT_EQ(b.out.reason, SinusoidalReason::kOverCurrent);
 }
 
-TEST(SinusoidalTop, OnTimesAreNew114ClocksAfterTheSample) {
+// The pattern's on-time follows 1 / v_dc, which needs a few samples from reset: until then it is another
+// in every period.
+TEST(SinusoidalTop, OnTimesAreNew227ClocksAfterTheSampleAndAllIsDoneAfter455) {
+  EXPECT_EQ(227, 2 + SinusoidalLoop::kEarly);
+  EXPECT_LT(227 / 24e6, 10e-6) << "at 24 MHz";
   Bench b;
+  b.u = 100;
+  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
+  int changed = 0;
   for (int period = 0; period < 5; ++period) {
     b.clocks_until([](const auto& o) { return o.sample; });
-    // The codes' clock, one in the sense, and the schedules.
-    EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 114);
-    EXPECT_EQ(114,
-              2 + EstimatorLoop::kClocks + SpeedRegulatorLoop::kClocks + CurrentLoop::kClocks +
-                  SpaceVectorLoop::kClocks);
+    const auto before = b.out;
+    const int clocks = b.clocks_until(
+        [&](const auto& o) { return o.done || o.on_u != before.on_u || o.on_v != before.on_v; });
+    if (!b.out.done) {
+      EXPECT_EQ(clocks, 227);
+      ++changed;
+      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 455 - 227);
+    }
+    EXPECT_EQ(455, 2 + SinusoidalLoop::kClocks);
   }
+  EXPECT_GT(changed, 0);
 }
 
 TEST(SinusoidalTop, SamplesAreTakenOncePerPeriodWithAllLowSidesOn) {
