@@ -1,12 +1,13 @@
 // current_model: steplock::CurrentModel, printed by hlsgen from hls/sinusoidal/current_model.hpp:57.
-// A sample takes 41 clocks, and in no order fewer than 40: 221 operations, 34 products, 2 entries of tables
-// on 1 multiplier of 16 x 16 bits; 634 register bits, 370 of them between steps.
+// A sample takes 41 clocks, and in no order fewer than 40: 222 operations, 34 products, 2 entries of tables
+// on 1 multiplier of 16 x 16 bits; 635 register bits, 371 of them between steps.
 // Do not edit: change the C++ and print again.
 
 module current_model (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        enable_i,  // false: the angle is `initial`, the speed 0
+    input  logic [15:0] edge_i,  // s0.15 of 1/16 turn: a slower mean step is one backward
     input  logic [23:0] initial_i,  // u0.24
     input  logic [15:0] i_u_i,  // s0.15
     input  logic [15:0] i_v_i,  // s0.15
@@ -60,14 +61,15 @@ module current_model (
   logic kept_18;  // in steps 1-3
   logic [5:0] kept_19;  // in steps 1-3, 6-17, 18-19
   logic kept_20;  // in steps 1-5
-  logic [24:0] kept_21;  // in steps 1-40
-  logic [15:0] kept_22;  // in steps 3-24, 25-25, 26-26, 27-27
-  logic [14:0] kept_23;  // in steps 7-9, 11-11, 13-18, 22-22, 37-38
-  logic [14:0] kept_24;  // in steps 8-8, 11-11, 15-15, 17-18
-  logic [14:0] kept_25;  // in steps 8-8, 15-19
-  logic [32:0] kept_26;  // in steps 26-28, 30-30, 32-32
-  logic [31:0] kept_27;  // in steps 28-29, 31-31, 36-39
-  logic [31:0] kept_28;  // in steps 28-29
+  logic kept_21;  // in steps 1-39
+  logic [24:0] kept_22;  // in steps 1-40
+  logic [15:0] kept_23;  // in steps 3-24, 25-25, 26-26, 27-27
+  logic [14:0] kept_24;  // in steps 7-9, 11-11, 13-18, 22-22, 37-38
+  logic [14:0] kept_25;  // in steps 8-8, 11-11, 15-15, 17-18
+  logic [14:0] kept_26;  // in steps 8-8, 15-19
+  logic [32:0] kept_27;  // in steps 26-28, 30-30, 32-32
+  logic [31:0] kept_28;  // in steps 28-29, 31-31, 36-39
+  logic [31:0] kept_29;  // in steps 28-29
   logic [15:0] factor_a;  // of the shared multiplier
   logic [15:0] factor_b;  // of the shared multiplier
   logic [31:0] product;  // of the factors before
@@ -77,317 +79,317 @@ module current_model (
   logic done;
   logic missed;
 
-  wire [23:0] wide_77 = {{4{observer_step[19]}}, observer_step};  // line 77
-  wire [23:0] sum_77 = observer_before + wide_77;  // line 77
-  wire [16:0] wide_77_2 = {i_u_i[15], i_u_i};  // line 77
-  wire [16:0] wide_77_3 = {observer_last_u[15], observer_last_u};  // line 77
-  wire [16:0] sum_77_2 = wide_77_2 + wide_77_3;  // line 77
-  wire [31:0] joined_77_2 = {{2'd0, kept_17[14:0]} + product[16:0], kept_23};  // line 77
-  wire [32:0] sum_77_3 = {joined_77_2[31], joined_77_2} + 33'd16384;  // line 77
-  wire [18:0] wide_77_4 = {kept_17[17], kept_17[17:0]};  // line 77
-  wire [16:0] wide_77_5 = {i_v_i[15], i_v_i};  // line 77
-  wire [16:0] wide_77_6 = {observer_last_v[15], observer_last_v};  // line 77
-  wire [16:0] sum_77_5 = wide_77_5 + wide_77_6;  // line 77
-  wire [31:0] joined_77_4 = {{2'd0, kept_23} + product[16:0], kept_24};  // line 77
-  wire [32:0] sum_77_6 = {joined_77_4[31], joined_77_4} + 33'd16384;  // line 77
-  wire [18:0] wide_77_7 = {kept_1[17], kept_1};  // line 77
-  wire [33:0] joined_77_5 = {{4'd0, kept_5} + product[18:0], kept_23};  // line 77
-  wire [34:0] sum_77_10 = {joined_77_5[33], joined_77_5} + 35'd16384;  // line 77
-  wire [16:0] sum_77_11 = sum_77_5 - 17'd34;  // line 77
-  wire [17:0] sum_77_12 = kept_11[17:0] - 18'd33;  // line 77
-  wire [17:0] difference_77 = -kept_11[17:0];  // line 77
-  wire [15:0] wide_77_8 = {{10{kept_9[5]}}, kept_9};  // line 77
-  wire [34:0] sum_77_13 = {{5'd0, kept_24} + product[19:0], kept_25} + 35'd8192;  // line 77
-  wire [28:0] sum_77_14 = {1'b0, product[27:0]} + 29'd4096;  // line 77
-  wire [5:0] sum_77_16 = kept_9 + product[5:0];  // line 77
-  wire [35:0] joined_77_6 = {sum_77_16, kept_24, kept_23};  // line 77
-  wire [36:0] sum_77_17 = {joined_77_6[35], joined_77_6} + 37'd16384;  // line 77
-  wire [31:0] wide_77_9 = {product[30], product[30:0]};  // line 77
-  wire [31:0] sum_77_18 = wide_77_9 + 32'd2048;  // line 77
-  wire [20:0] wide_77_10 = {kept_11[19], kept_11};  // line 77
-  wire [20:0] wide_77_11 = {sum_77_18[31], sum_77_18[31:12]};  // line 77
-  wire [9:0] sum_77_19 = sum_77[23:14] + 10'd256;  // line 77
-  wire [15:0] wide_77_12 = {{9{kept_15[6]}}, kept_15};  // line 77
-  wire [32:0] wide_77_13 = {product[31], product};  // line 77
-  wire [32:0] sum_77_20 = wide_77_13 + 33'd4194304;  // line 77
-  wire [16:0] wide_77_14 = {{7{sum_77_20[32]}}, sum_77_20[32:23]};  // line 77
-  wire [32:0] wide_77_16 = {kept_27[31], kept_27};  // line 77
-  wire [16:0] sum_77_21 = sum_77_2 - 17'd34;  // line 77
-  wire [15:0] wide_77_17 = {{10{kept_19[5]}}, kept_19};  // line 77
-  wire [5:0] sum_77_23 = kept_19 + product[5:0];  // line 77
-  wire [35:0] joined_77_7 = {sum_77_23, kept_2[14:0], kept_25};  // line 77
-  wire [36:0] sum_77_24 = {joined_77_7[35], joined_77_7} + 37'd16384;  // line 77
-  wire [33:0] sum_77_26 = {kept_26[32], kept_26} + 34'd16384;  // line 77
+  wire [23:0] wide_78 = {{4{observer_step[19]}}, observer_step};  // line 78
+  wire [23:0] sum_78 = observer_before + wide_78;  // line 78
+  wire [16:0] wide_78_2 = {i_u_i[15], i_u_i};  // line 78
+  wire [16:0] wide_78_3 = {observer_last_u[15], observer_last_u};  // line 78
+  wire [16:0] sum_78_2 = wide_78_2 + wide_78_3;  // line 78
+  wire [31:0] joined_78_2 = {{2'd0, kept_17[14:0]} + product[16:0], kept_24};  // line 78
+  wire [32:0] sum_78_3 = {joined_78_2[31], joined_78_2} + 33'd16384;  // line 78
+  wire [18:0] wide_78_4 = {kept_17[17], kept_17[17:0]};  // line 78
+  wire [16:0] wide_78_5 = {i_v_i[15], i_v_i};  // line 78
+  wire [16:0] wide_78_6 = {observer_last_v[15], observer_last_v};  // line 78
+  wire [16:0] sum_78_5 = wide_78_5 + wide_78_6;  // line 78
+  wire [31:0] joined_78_4 = {{2'd0, kept_24} + product[16:0], kept_25};  // line 78
+  wire [32:0] sum_78_6 = {joined_78_4[31], joined_78_4} + 33'd16384;  // line 78
+  wire [18:0] wide_78_7 = {kept_1[17], kept_1};  // line 78
+  wire [33:0] joined_78_5 = {{4'd0, kept_5} + product[18:0], kept_24};  // line 78
+  wire [34:0] sum_78_10 = {joined_78_5[33], joined_78_5} + 35'd16384;  // line 78
+  wire [16:0] sum_78_11 = sum_78_5 - 17'd34;  // line 78
+  wire [17:0] sum_78_12 = kept_11[17:0] - 18'd33;  // line 78
+  wire [17:0] difference_78 = -kept_11[17:0];  // line 78
+  wire [15:0] wide_78_8 = {{10{kept_9[5]}}, kept_9};  // line 78
+  wire [34:0] sum_78_13 = {{5'd0, kept_25} + product[19:0], kept_26} + 35'd8192;  // line 78
+  wire [28:0] sum_78_14 = {1'b0, product[27:0]} + 29'd4096;  // line 78
+  wire [5:0] sum_78_16 = kept_9 + product[5:0];  // line 78
+  wire [35:0] joined_78_6 = {sum_78_16, kept_25, kept_24};  // line 78
+  wire [36:0] sum_78_17 = {joined_78_6[35], joined_78_6} + 37'd16384;  // line 78
+  wire [31:0] wide_78_9 = {product[30], product[30:0]};  // line 78
+  wire [31:0] sum_78_18 = wide_78_9 + 32'd2048;  // line 78
+  wire [20:0] wide_78_10 = {kept_11[19], kept_11};  // line 78
+  wire [20:0] wide_78_11 = {sum_78_18[31], sum_78_18[31:12]};  // line 78
+  wire [9:0] sum_78_19 = sum_78[23:14] + 10'd256;  // line 78
+  wire [15:0] wide_78_12 = {{9{kept_15[6]}}, kept_15};  // line 78
+  wire [32:0] wide_78_13 = {product[31], product};  // line 78
+  wire [32:0] sum_78_20 = wide_78_13 + 33'd4194304;  // line 78
+  wire [16:0] wide_78_14 = {{7{sum_78_20[32]}}, sum_78_20[32:23]};  // line 78
+  wire [32:0] wide_78_16 = {kept_28[31], kept_28};  // line 78
+  wire [16:0] sum_78_21 = sum_78_2 - 17'd34;  // line 78
+  wire [15:0] wide_78_17 = {{10{kept_19[5]}}, kept_19};  // line 78
+  wire [5:0] sum_78_23 = kept_19 + product[5:0];  // line 78
+  wire [35:0] joined_78_7 = {sum_78_23, kept_2[14:0], kept_26};  // line 78
+  wire [36:0] sum_78_24 = {joined_78_7[35], joined_78_7} + 37'd16384;  // line 78
+  wire [33:0] sum_78_26 = {kept_27[32], kept_27} + 34'd16384;  // line 78
   wire [29:0] difference_45 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
   wire [27:0] choice_45 =  // line 45
       difference_45[29] ? ((difference_45[29:27] == 3'd7) ? difference_45[27:0] : 28'd134217728) :
       (difference_45[29:27] == 3'd0) ? difference_45[27:0] :
       28'd134217727;
-  wire [36:0] turned = {kept_17, kept_23};  // line 46
+  wire [36:0] turned = {kept_17, kept_24};  // line 46
   wire [37:0] sum_47 = {turned[36], turned} + 38'd16384;  // line 47
-  wire [31:0] sum_48 = wide_77_9 + 32'd64;  // line 48
+  wire [31:0] sum_48 = wide_78_9 + 32'd64;  // line 48
   wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 48
-  wire [7:0] choice_77_10 = (step == 6'd0) ? sum_77[21:14] ^ {8{sum_77[22]}} : kept_14;  // line 77
+  wire [7:0] choice_78_10 = (step == 6'd0) ? sum_78[21:14] ^ {8{sum_78[22]}} : kept_14;  // line 78
 
-  logic [14:0] entry_77;  // kQuarterWave
+  logic [14:0] entry_78;  // kQuarterWave
   always_comb begin
-    case (choice_77_10)
-      8'd0: entry_77 = 15'd101;
-      8'd1: entry_77 = 15'd302;
-      8'd2: entry_77 = 15'd503;
-      8'd3: entry_77 = 15'd704;
-      8'd4: entry_77 = 15'd905;
-      8'd5: entry_77 = 15'd1106;
-      8'd6: entry_77 = 15'd1307;
-      8'd7: entry_77 = 15'd1507;
-      8'd8: entry_77 = 15'd1708;
-      8'd9: entry_77 = 15'd1909;
-      8'd10: entry_77 = 15'd2110;
-      8'd11: entry_77 = 15'd2310;
-      8'd12: entry_77 = 15'd2511;
-      8'd13: entry_77 = 15'd2711;
-      8'd14: entry_77 = 15'd2911;
-      8'd15: entry_77 = 15'd3112;
-      8'd16: entry_77 = 15'd3312;
-      8'd17: entry_77 = 15'd3512;
-      8'd18: entry_77 = 15'd3712;
-      8'd19: entry_77 = 15'd3911;
-      8'd20: entry_77 = 15'd4111;
-      8'd21: entry_77 = 15'd4310;
-      8'd22: entry_77 = 15'd4509;
-      8'd23: entry_77 = 15'd4708;
-      8'd24: entry_77 = 15'd4907;
-      8'd25: entry_77 = 15'd5106;
-      8'd26: entry_77 = 15'd5305;
-      8'd27: entry_77 = 15'd5503;
-      8'd28: entry_77 = 15'd5701;
-      8'd29: entry_77 = 15'd5899;
-      8'd30: entry_77 = 15'd6096;
-      8'd31: entry_77 = 15'd6294;
-      8'd32: entry_77 = 15'd6491;
-      8'd33: entry_77 = 15'd6688;
-      8'd34: entry_77 = 15'd6885;
-      8'd35: entry_77 = 15'd7081;
-      8'd36: entry_77 = 15'd7277;
-      8'd37: entry_77 = 15'd7473;
-      8'd38: entry_77 = 15'd7669;
-      8'd39: entry_77 = 15'd7864;
-      8'd40: entry_77 = 15'd8059;
-      8'd41: entry_77 = 15'd8254;
-      8'd42: entry_77 = 15'd8448;
-      8'd43: entry_77 = 15'd8642;
-      8'd44: entry_77 = 15'd8836;
-      8'd45: entry_77 = 15'd9030;
-      8'd46: entry_77 = 15'd9223;
-      8'd47: entry_77 = 15'd9416;
-      8'd48: entry_77 = 15'd9608;
-      8'd49: entry_77 = 15'd9800;
-      8'd50: entry_77 = 15'd9992;
-      8'd51: entry_77 = 15'd10183;
-      8'd52: entry_77 = 15'd10374;
-      8'd53: entry_77 = 15'd10564;
-      8'd54: entry_77 = 15'd10754;
-      8'd55: entry_77 = 15'd10944;
-      8'd56: entry_77 = 15'd11133;
-      8'd57: entry_77 = 15'd11322;
-      8'd58: entry_77 = 15'd11511;
-      8'd59: entry_77 = 15'd11699;
-      8'd60: entry_77 = 15'd11886;
-      8'd61: entry_77 = 15'd12074;
-      8'd62: entry_77 = 15'd12260;
-      8'd63: entry_77 = 15'd12446;
-      8'd64: entry_77 = 15'd12632;
-      8'd65: entry_77 = 15'd12817;
-      8'd66: entry_77 = 15'd13002;
-      8'd67: entry_77 = 15'd13187;
-      8'd68: entry_77 = 15'd13370;
-      8'd69: entry_77 = 15'd13554;
-      8'd70: entry_77 = 15'd13736;
-      8'd71: entry_77 = 15'd13919;
-      8'd72: entry_77 = 15'd14101;
-      8'd73: entry_77 = 15'd14282;
-      8'd74: entry_77 = 15'd14462;
-      8'd75: entry_77 = 15'd14643;
-      8'd76: entry_77 = 15'd14822;
-      8'd77: entry_77 = 15'd15001;
-      8'd78: entry_77 = 15'd15180;
-      8'd79: entry_77 = 15'd15358;
-      8'd80: entry_77 = 15'd15535;
-      8'd81: entry_77 = 15'd15712;
-      8'd82: entry_77 = 15'd15888;
-      8'd83: entry_77 = 15'd16063;
-      8'd84: entry_77 = 15'd16238;
-      8'd85: entry_77 = 15'd16413;
-      8'd86: entry_77 = 15'd16586;
-      8'd87: entry_77 = 15'd16759;
-      8'd88: entry_77 = 15'd16932;
-      8'd89: entry_77 = 15'd17104;
-      8'd90: entry_77 = 15'd17275;
-      8'd91: entry_77 = 15'd17445;
-      8'd92: entry_77 = 15'd17615;
-      8'd93: entry_77 = 15'd17784;
-      8'd94: entry_77 = 15'd17953;
-      8'd95: entry_77 = 15'd18121;
-      8'd96: entry_77 = 15'd18288;
-      8'd97: entry_77 = 15'd18454;
-      8'd98: entry_77 = 15'd18620;
-      8'd99: entry_77 = 15'd18785;
-      8'd100: entry_77 = 15'd18950;
-      8'd101: entry_77 = 15'd19113;
-      8'd102: entry_77 = 15'd19276;
-      8'd103: entry_77 = 15'd19438;
-      8'd104: entry_77 = 15'd19600;
-      8'd105: entry_77 = 15'd19761;
-      8'd106: entry_77 = 15'd19921;
-      8'd107: entry_77 = 15'd20080;
-      8'd108: entry_77 = 15'd20238;
-      8'd109: entry_77 = 15'd20396;
-      8'd110: entry_77 = 15'd20553;
-      8'd111: entry_77 = 15'd20709;
-      8'd112: entry_77 = 15'd20865;
-      8'd113: entry_77 = 15'd21019;
-      8'd114: entry_77 = 15'd21173;
-      8'd115: entry_77 = 15'd21326;
-      8'd116: entry_77 = 15'd21479;
-      8'd117: entry_77 = 15'd21630;
-      8'd118: entry_77 = 15'd21781;
-      8'd119: entry_77 = 15'd21930;
-      8'd120: entry_77 = 15'd22079;
-      8'd121: entry_77 = 15'd22227;
-      8'd122: entry_77 = 15'd22375;
-      8'd123: entry_77 = 15'd22521;
-      8'd124: entry_77 = 15'd22667;
-      8'd125: entry_77 = 15'd22812;
-      8'd126: entry_77 = 15'd22956;
-      8'd127: entry_77 = 15'd23099;
-      8'd128: entry_77 = 15'd23241;
-      8'd129: entry_77 = 15'd23382;
-      8'd130: entry_77 = 15'd23522;
-      8'd131: entry_77 = 15'd23662;
-      8'd132: entry_77 = 15'd23801;
-      8'd133: entry_77 = 15'd23938;
-      8'd134: entry_77 = 15'd24075;
-      8'd135: entry_77 = 15'd24211;
-      8'd136: entry_77 = 15'd24346;
-      8'd137: entry_77 = 15'd24480;
-      8'd138: entry_77 = 15'd24613;
-      8'd139: entry_77 = 15'd24746;
-      8'd140: entry_77 = 15'd24877;
-      8'd141: entry_77 = 15'd25007;
-      8'd142: entry_77 = 15'd25137;
-      8'd143: entry_77 = 15'd25265;
-      8'd144: entry_77 = 15'd25393;
-      8'd145: entry_77 = 15'd25519;
-      8'd146: entry_77 = 15'd25645;
-      8'd147: entry_77 = 15'd25770;
-      8'd148: entry_77 = 15'd25893;
-      8'd149: entry_77 = 15'd26016;
-      8'd150: entry_77 = 15'd26138;
-      8'd151: entry_77 = 15'd26259;
-      8'd152: entry_77 = 15'd26378;
-      8'd153: entry_77 = 15'd26497;
-      8'd154: entry_77 = 15'd26615;
-      8'd155: entry_77 = 15'd26732;
-      8'd156: entry_77 = 15'd26848;
-      8'd157: entry_77 = 15'd26962;
-      8'd158: entry_77 = 15'd27076;
-      8'd159: entry_77 = 15'd27189;
-      8'd160: entry_77 = 15'd27300;
-      8'd161: entry_77 = 15'd27411;
-      8'd162: entry_77 = 15'd27521;
-      8'd163: entry_77 = 15'd27629;
-      8'd164: entry_77 = 15'd27737;
-      8'd165: entry_77 = 15'd27843;
-      8'd166: entry_77 = 15'd27949;
-      8'd167: entry_77 = 15'd28053;
-      8'd168: entry_77 = 15'd28157;
-      8'd169: entry_77 = 15'd28259;
-      8'd170: entry_77 = 15'd28360;
-      8'd171: entry_77 = 15'd28460;
-      8'd172: entry_77 = 15'd28560;
-      8'd173: entry_77 = 15'd28658;
-      8'd174: entry_77 = 15'd28755;
-      8'd175: entry_77 = 15'd28850;
-      8'd176: entry_77 = 15'd28945;
-      8'd177: entry_77 = 15'd29039;
-      8'd178: entry_77 = 15'd29131;
-      8'd179: entry_77 = 15'd29223;
-      8'd180: entry_77 = 15'd29313;
-      8'd181: entry_77 = 15'd29403;
-      8'd182: entry_77 = 15'd29491;
-      8'd183: entry_77 = 15'd29578;
-      8'd184: entry_77 = 15'd29664;
-      8'd185: entry_77 = 15'd29749;
-      8'd186: entry_77 = 15'd29832;
-      8'd187: entry_77 = 15'd29915;
-      8'd188: entry_77 = 15'd29997;
-      8'd189: entry_77 = 15'd30077;
-      8'd190: entry_77 = 15'd30156;
-      8'd191: entry_77 = 15'd30234;
-      8'd192: entry_77 = 15'd30311;
-      8'd193: entry_77 = 15'd30387;
-      8'd194: entry_77 = 15'd30462;
-      8'd195: entry_77 = 15'd30535;
-      8'd196: entry_77 = 15'd30607;
-      8'd197: entry_77 = 15'd30679;
-      8'd198: entry_77 = 15'd30749;
-      8'd199: entry_77 = 15'd30818;
-      8'd200: entry_77 = 15'd30885;
-      8'd201: entry_77 = 15'd30952;
-      8'd202: entry_77 = 15'd31017;
-      8'd203: entry_77 = 15'd31082;
-      8'd204: entry_77 = 15'd31145;
-      8'd205: entry_77 = 15'd31206;
-      8'd206: entry_77 = 15'd31267;
-      8'd207: entry_77 = 15'd31327;
-      8'd208: entry_77 = 15'd31385;
-      8'd209: entry_77 = 15'd31442;
-      8'd210: entry_77 = 15'd31498;
-      8'd211: entry_77 = 15'd31553;
-      8'd212: entry_77 = 15'd31607;
-      8'd213: entry_77 = 15'd31659;
-      8'd214: entry_77 = 15'd31710;
-      8'd215: entry_77 = 15'd31760;
-      8'd216: entry_77 = 15'd31809;
-      8'd217: entry_77 = 15'd31857;
-      8'd218: entry_77 = 15'd31903;
-      8'd219: entry_77 = 15'd31949;
-      8'd220: entry_77 = 15'd31993;
-      8'd221: entry_77 = 15'd32036;
-      8'd222: entry_77 = 15'd32077;
-      8'd223: entry_77 = 15'd32118;
-      8'd224: entry_77 = 15'd32157;
-      8'd225: entry_77 = 15'd32195;
-      8'd226: entry_77 = 15'd32232;
-      8'd227: entry_77 = 15'd32267;
-      8'd228: entry_77 = 15'd32302;
-      8'd229: entry_77 = 15'd32335;
-      8'd230: entry_77 = 15'd32367;
-      8'd231: entry_77 = 15'd32397;
-      8'd232: entry_77 = 15'd32427;
-      8'd233: entry_77 = 15'd32455;
-      8'd234: entry_77 = 15'd32482;
-      8'd235: entry_77 = 15'd32508;
-      8'd236: entry_77 = 15'd32533;
-      8'd237: entry_77 = 15'd32556;
-      8'd238: entry_77 = 15'd32578;
-      8'd239: entry_77 = 15'd32599;
-      8'd240: entry_77 = 15'd32619;
-      8'd241: entry_77 = 15'd32637;
-      8'd242: entry_77 = 15'd32655;
-      8'd243: entry_77 = 15'd32671;
-      8'd244: entry_77 = 15'd32685;
-      8'd245: entry_77 = 15'd32699;
-      8'd246: entry_77 = 15'd32711;
-      8'd247: entry_77 = 15'd32722;
-      8'd248: entry_77 = 15'd32732;
-      8'd249: entry_77 = 15'd32741;
-      8'd250: entry_77 = 15'd32748;
-      8'd251: entry_77 = 15'd32755;
-      8'd252: entry_77 = 15'd32759;
-      8'd253: entry_77 = 15'd32763;
-      8'd254: entry_77 = 15'd32766;
-      default: entry_77 = 15'd32767;
+    case (choice_78_10)
+      8'd0: entry_78 = 15'd101;
+      8'd1: entry_78 = 15'd302;
+      8'd2: entry_78 = 15'd503;
+      8'd3: entry_78 = 15'd704;
+      8'd4: entry_78 = 15'd905;
+      8'd5: entry_78 = 15'd1106;
+      8'd6: entry_78 = 15'd1307;
+      8'd7: entry_78 = 15'd1507;
+      8'd8: entry_78 = 15'd1708;
+      8'd9: entry_78 = 15'd1909;
+      8'd10: entry_78 = 15'd2110;
+      8'd11: entry_78 = 15'd2310;
+      8'd12: entry_78 = 15'd2511;
+      8'd13: entry_78 = 15'd2711;
+      8'd14: entry_78 = 15'd2911;
+      8'd15: entry_78 = 15'd3112;
+      8'd16: entry_78 = 15'd3312;
+      8'd17: entry_78 = 15'd3512;
+      8'd18: entry_78 = 15'd3712;
+      8'd19: entry_78 = 15'd3911;
+      8'd20: entry_78 = 15'd4111;
+      8'd21: entry_78 = 15'd4310;
+      8'd22: entry_78 = 15'd4509;
+      8'd23: entry_78 = 15'd4708;
+      8'd24: entry_78 = 15'd4907;
+      8'd25: entry_78 = 15'd5106;
+      8'd26: entry_78 = 15'd5305;
+      8'd27: entry_78 = 15'd5503;
+      8'd28: entry_78 = 15'd5701;
+      8'd29: entry_78 = 15'd5899;
+      8'd30: entry_78 = 15'd6096;
+      8'd31: entry_78 = 15'd6294;
+      8'd32: entry_78 = 15'd6491;
+      8'd33: entry_78 = 15'd6688;
+      8'd34: entry_78 = 15'd6885;
+      8'd35: entry_78 = 15'd7081;
+      8'd36: entry_78 = 15'd7277;
+      8'd37: entry_78 = 15'd7473;
+      8'd38: entry_78 = 15'd7669;
+      8'd39: entry_78 = 15'd7864;
+      8'd40: entry_78 = 15'd8059;
+      8'd41: entry_78 = 15'd8254;
+      8'd42: entry_78 = 15'd8448;
+      8'd43: entry_78 = 15'd8642;
+      8'd44: entry_78 = 15'd8836;
+      8'd45: entry_78 = 15'd9030;
+      8'd46: entry_78 = 15'd9223;
+      8'd47: entry_78 = 15'd9416;
+      8'd48: entry_78 = 15'd9608;
+      8'd49: entry_78 = 15'd9800;
+      8'd50: entry_78 = 15'd9992;
+      8'd51: entry_78 = 15'd10183;
+      8'd52: entry_78 = 15'd10374;
+      8'd53: entry_78 = 15'd10564;
+      8'd54: entry_78 = 15'd10754;
+      8'd55: entry_78 = 15'd10944;
+      8'd56: entry_78 = 15'd11133;
+      8'd57: entry_78 = 15'd11322;
+      8'd58: entry_78 = 15'd11511;
+      8'd59: entry_78 = 15'd11699;
+      8'd60: entry_78 = 15'd11886;
+      8'd61: entry_78 = 15'd12074;
+      8'd62: entry_78 = 15'd12260;
+      8'd63: entry_78 = 15'd12446;
+      8'd64: entry_78 = 15'd12632;
+      8'd65: entry_78 = 15'd12817;
+      8'd66: entry_78 = 15'd13002;
+      8'd67: entry_78 = 15'd13187;
+      8'd68: entry_78 = 15'd13370;
+      8'd69: entry_78 = 15'd13554;
+      8'd70: entry_78 = 15'd13736;
+      8'd71: entry_78 = 15'd13919;
+      8'd72: entry_78 = 15'd14101;
+      8'd73: entry_78 = 15'd14282;
+      8'd74: entry_78 = 15'd14462;
+      8'd75: entry_78 = 15'd14643;
+      8'd76: entry_78 = 15'd14822;
+      8'd77: entry_78 = 15'd15001;
+      8'd78: entry_78 = 15'd15180;
+      8'd79: entry_78 = 15'd15358;
+      8'd80: entry_78 = 15'd15535;
+      8'd81: entry_78 = 15'd15712;
+      8'd82: entry_78 = 15'd15888;
+      8'd83: entry_78 = 15'd16063;
+      8'd84: entry_78 = 15'd16238;
+      8'd85: entry_78 = 15'd16413;
+      8'd86: entry_78 = 15'd16586;
+      8'd87: entry_78 = 15'd16759;
+      8'd88: entry_78 = 15'd16932;
+      8'd89: entry_78 = 15'd17104;
+      8'd90: entry_78 = 15'd17275;
+      8'd91: entry_78 = 15'd17445;
+      8'd92: entry_78 = 15'd17615;
+      8'd93: entry_78 = 15'd17784;
+      8'd94: entry_78 = 15'd17953;
+      8'd95: entry_78 = 15'd18121;
+      8'd96: entry_78 = 15'd18288;
+      8'd97: entry_78 = 15'd18454;
+      8'd98: entry_78 = 15'd18620;
+      8'd99: entry_78 = 15'd18785;
+      8'd100: entry_78 = 15'd18950;
+      8'd101: entry_78 = 15'd19113;
+      8'd102: entry_78 = 15'd19276;
+      8'd103: entry_78 = 15'd19438;
+      8'd104: entry_78 = 15'd19600;
+      8'd105: entry_78 = 15'd19761;
+      8'd106: entry_78 = 15'd19921;
+      8'd107: entry_78 = 15'd20080;
+      8'd108: entry_78 = 15'd20238;
+      8'd109: entry_78 = 15'd20396;
+      8'd110: entry_78 = 15'd20553;
+      8'd111: entry_78 = 15'd20709;
+      8'd112: entry_78 = 15'd20865;
+      8'd113: entry_78 = 15'd21019;
+      8'd114: entry_78 = 15'd21173;
+      8'd115: entry_78 = 15'd21326;
+      8'd116: entry_78 = 15'd21479;
+      8'd117: entry_78 = 15'd21630;
+      8'd118: entry_78 = 15'd21781;
+      8'd119: entry_78 = 15'd21930;
+      8'd120: entry_78 = 15'd22079;
+      8'd121: entry_78 = 15'd22227;
+      8'd122: entry_78 = 15'd22375;
+      8'd123: entry_78 = 15'd22521;
+      8'd124: entry_78 = 15'd22667;
+      8'd125: entry_78 = 15'd22812;
+      8'd126: entry_78 = 15'd22956;
+      8'd127: entry_78 = 15'd23099;
+      8'd128: entry_78 = 15'd23241;
+      8'd129: entry_78 = 15'd23382;
+      8'd130: entry_78 = 15'd23522;
+      8'd131: entry_78 = 15'd23662;
+      8'd132: entry_78 = 15'd23801;
+      8'd133: entry_78 = 15'd23938;
+      8'd134: entry_78 = 15'd24075;
+      8'd135: entry_78 = 15'd24211;
+      8'd136: entry_78 = 15'd24346;
+      8'd137: entry_78 = 15'd24480;
+      8'd138: entry_78 = 15'd24613;
+      8'd139: entry_78 = 15'd24746;
+      8'd140: entry_78 = 15'd24877;
+      8'd141: entry_78 = 15'd25007;
+      8'd142: entry_78 = 15'd25137;
+      8'd143: entry_78 = 15'd25265;
+      8'd144: entry_78 = 15'd25393;
+      8'd145: entry_78 = 15'd25519;
+      8'd146: entry_78 = 15'd25645;
+      8'd147: entry_78 = 15'd25770;
+      8'd148: entry_78 = 15'd25893;
+      8'd149: entry_78 = 15'd26016;
+      8'd150: entry_78 = 15'd26138;
+      8'd151: entry_78 = 15'd26259;
+      8'd152: entry_78 = 15'd26378;
+      8'd153: entry_78 = 15'd26497;
+      8'd154: entry_78 = 15'd26615;
+      8'd155: entry_78 = 15'd26732;
+      8'd156: entry_78 = 15'd26848;
+      8'd157: entry_78 = 15'd26962;
+      8'd158: entry_78 = 15'd27076;
+      8'd159: entry_78 = 15'd27189;
+      8'd160: entry_78 = 15'd27300;
+      8'd161: entry_78 = 15'd27411;
+      8'd162: entry_78 = 15'd27521;
+      8'd163: entry_78 = 15'd27629;
+      8'd164: entry_78 = 15'd27737;
+      8'd165: entry_78 = 15'd27843;
+      8'd166: entry_78 = 15'd27949;
+      8'd167: entry_78 = 15'd28053;
+      8'd168: entry_78 = 15'd28157;
+      8'd169: entry_78 = 15'd28259;
+      8'd170: entry_78 = 15'd28360;
+      8'd171: entry_78 = 15'd28460;
+      8'd172: entry_78 = 15'd28560;
+      8'd173: entry_78 = 15'd28658;
+      8'd174: entry_78 = 15'd28755;
+      8'd175: entry_78 = 15'd28850;
+      8'd176: entry_78 = 15'd28945;
+      8'd177: entry_78 = 15'd29039;
+      8'd178: entry_78 = 15'd29131;
+      8'd179: entry_78 = 15'd29223;
+      8'd180: entry_78 = 15'd29313;
+      8'd181: entry_78 = 15'd29403;
+      8'd182: entry_78 = 15'd29491;
+      8'd183: entry_78 = 15'd29578;
+      8'd184: entry_78 = 15'd29664;
+      8'd185: entry_78 = 15'd29749;
+      8'd186: entry_78 = 15'd29832;
+      8'd187: entry_78 = 15'd29915;
+      8'd188: entry_78 = 15'd29997;
+      8'd189: entry_78 = 15'd30077;
+      8'd190: entry_78 = 15'd30156;
+      8'd191: entry_78 = 15'd30234;
+      8'd192: entry_78 = 15'd30311;
+      8'd193: entry_78 = 15'd30387;
+      8'd194: entry_78 = 15'd30462;
+      8'd195: entry_78 = 15'd30535;
+      8'd196: entry_78 = 15'd30607;
+      8'd197: entry_78 = 15'd30679;
+      8'd198: entry_78 = 15'd30749;
+      8'd199: entry_78 = 15'd30818;
+      8'd200: entry_78 = 15'd30885;
+      8'd201: entry_78 = 15'd30952;
+      8'd202: entry_78 = 15'd31017;
+      8'd203: entry_78 = 15'd31082;
+      8'd204: entry_78 = 15'd31145;
+      8'd205: entry_78 = 15'd31206;
+      8'd206: entry_78 = 15'd31267;
+      8'd207: entry_78 = 15'd31327;
+      8'd208: entry_78 = 15'd31385;
+      8'd209: entry_78 = 15'd31442;
+      8'd210: entry_78 = 15'd31498;
+      8'd211: entry_78 = 15'd31553;
+      8'd212: entry_78 = 15'd31607;
+      8'd213: entry_78 = 15'd31659;
+      8'd214: entry_78 = 15'd31710;
+      8'd215: entry_78 = 15'd31760;
+      8'd216: entry_78 = 15'd31809;
+      8'd217: entry_78 = 15'd31857;
+      8'd218: entry_78 = 15'd31903;
+      8'd219: entry_78 = 15'd31949;
+      8'd220: entry_78 = 15'd31993;
+      8'd221: entry_78 = 15'd32036;
+      8'd222: entry_78 = 15'd32077;
+      8'd223: entry_78 = 15'd32118;
+      8'd224: entry_78 = 15'd32157;
+      8'd225: entry_78 = 15'd32195;
+      8'd226: entry_78 = 15'd32232;
+      8'd227: entry_78 = 15'd32267;
+      8'd228: entry_78 = 15'd32302;
+      8'd229: entry_78 = 15'd32335;
+      8'd230: entry_78 = 15'd32367;
+      8'd231: entry_78 = 15'd32397;
+      8'd232: entry_78 = 15'd32427;
+      8'd233: entry_78 = 15'd32455;
+      8'd234: entry_78 = 15'd32482;
+      8'd235: entry_78 = 15'd32508;
+      8'd236: entry_78 = 15'd32533;
+      8'd237: entry_78 = 15'd32556;
+      8'd238: entry_78 = 15'd32578;
+      8'd239: entry_78 = 15'd32599;
+      8'd240: entry_78 = 15'd32619;
+      8'd241: entry_78 = 15'd32637;
+      8'd242: entry_78 = 15'd32655;
+      8'd243: entry_78 = 15'd32671;
+      8'd244: entry_78 = 15'd32685;
+      8'd245: entry_78 = 15'd32699;
+      8'd246: entry_78 = 15'd32711;
+      8'd247: entry_78 = 15'd32722;
+      8'd248: entry_78 = 15'd32732;
+      8'd249: entry_78 = 15'd32741;
+      8'd250: entry_78 = 15'd32748;
+      8'd251: entry_78 = 15'd32755;
+      8'd252: entry_78 = 15'd32759;
+      8'd253: entry_78 = 15'd32763;
+      8'd254: entry_78 = 15'd32766;
+      default: entry_78 = 15'd32767;
     endcase
   end
 
@@ -396,200 +398,201 @@ module current_model (
       6'd0: begin
         step <= {5'd0, start_i};
         if (enable_i) begin
-          kept_0 <= sum_77 + wide_77;
+          kept_0 <= sum_78 + wide_78;
         end else begin
           kept_0 <= initial_i;
         end
-        kept_1 <= {1'b0, wide_77_2 - wide_77_3};
-        kept_2 <= {1'b0, sum_77_2[14:0]};
-        kept_3 <= sum_77_2[16:15];
-        kept_4 <= {1'b0, wide_77_5 - wide_77_6};
-        kept_5 <= sum_77_5[14:0];
-        kept_6 <= sum_77_5[16:15];
-        kept_7 <= sum_77_11[16:1];
-        kept_8 <= $signed(sum_77_5[16:1]) > 16'sd16;
-        kept_9 <= sum_77_5[6:1];
+        kept_1 <= {1'b0, wide_78_2 - wide_78_3};
+        kept_2 <= {1'b0, sum_78_2[14:0]};
+        kept_3 <= sum_78_2[16:15];
+        kept_4 <= {1'b0, wide_78_5 - wide_78_6};
+        kept_5 <= sum_78_5[14:0];
+        kept_6 <= sum_78_5[16:15];
+        kept_7 <= sum_78_11[16:1];
+        kept_8 <= $signed(sum_78_5[16:1]) > 16'sd16;
+        kept_9 <= sum_78_5[6:1];
         kept_10 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
-        kept_11 <= {2'd0, {sum_77_2[16], sum_77_2} + {sum_77_5[16], sum_77_5}};
+        kept_11 <= {2'd0, {sum_78_2[16], sum_78_2} + {sum_78_5[16], sum_78_5}};
         kept_12 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
-        kept_13 <= sum_77_19[9];
-        kept_14 <= sum_77[21:14] ^ {8{sum_77_19[8]}};
-        kept_15 <= {sum_77[13:8], 1'b0} ^ 7'h40;
-        kept_16 <= sum_77[23];
-        kept_17 <= {6'd0, sum_77_21[16:1]};
-        kept_18 <= $signed(sum_77_2[16:1]) > 16'sd16;
-        kept_19 <= sum_77_2[6:1];
+        kept_13 <= sum_78_19[9];
+        kept_14 <= sum_78[21:14] ^ {8{sum_78_19[8]}};
+        kept_15 <= {sum_78[13:8], 1'b0} ^ 7'h40;
+        kept_16 <= sum_78[23];
+        kept_17 <= {6'd0, sum_78_21[16:1]};
+        kept_18 <= $signed(sum_78_2[16:1]) > 16'sd16;
+        kept_19 <= sum_78_2[6:1];
         kept_20 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
-        kept_21 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
+        kept_21 <= $signed(observer_way[24:9]) < $signed(edge_i);
+        kept_22 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
         factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, observer_last_dc}};
         factor_b <= {1'b0, pattern_inverse_i};
-        kQuarterWave_entry <= entry_77;
+        kQuarterWave_entry <= entry_78;
       end
       6'd1, 6'd2: begin
-        logic [15:0] difference_77_5;
-        difference_77_5 = -{1'b0, kQuarterWave_entry};  // line 77
+        logic [15:0] difference_78_5;
+        difference_78_5 = -{1'b0, kQuarterWave_entry};  // line 78
         case (step)
           6'd1: begin
-            logic [5:0] choice_77_3;
-            choice_77_3 = (kept_7 < 16'd65503) ? (kept_8 ? 6'd16 : 6'd48) : kept_9;  // line 77
+            logic [5:0] choice_78_3;
+            choice_78_3 = (kept_7 < 16'd65503) ? (kept_8 ? 6'd16 : 6'd48) : kept_9;  // line 78
             step <= step + 6'd1;
             if (kept_16) begin
-              kept_7 <= difference_77_5;
+              kept_7 <= difference_78_5;
             end else begin
               kept_7 <= {1'b0, kQuarterWave_entry};
             end
-            if (sum_77_12[17:1] < 17'd131039) begin
-              if ($signed(difference_77[17:1]) > 17'sd16) begin
+            if (sum_78_12[17:1] < 17'd131039) begin
+              if ($signed(difference_78[17:1]) > 17'sd16) begin
                 kept_9 <= 6'd16;
               end else begin
                 kept_9 <= 6'd48;
               end
             end else begin
-              kept_9 <= difference_77[6:1];
+              kept_9 <= difference_78[6:1];
             end
-            factor_a <= {{10{choice_77_3[5]}}, choice_77_3};
+            factor_a <= {{10{choice_78_3[5]}}, choice_78_3};
             factor_b <= {4'd0, pattern_dead_i};
-            kQuarterWave_entry <= entry_77;
+            kQuarterWave_entry <= entry_78;
           end
           default: begin  // 6'd2
             step <= step + 6'd1;
-            kept_8 <= sum_77_14[28];
-            kept_11 <= {5'd0, sum_77_14[27:13]};
+            kept_8 <= sum_78_14[28];
+            kept_11 <= {5'd0, sum_78_14[27:13]};
             if (kept_13) begin
-              kept_22 <= difference_77_5;
+              kept_23 <= difference_78_5;
             end else begin
-              kept_22 <= {1'b0, kQuarterWave_entry};
+              kept_23 <= {1'b0, kQuarterWave_entry};
             end
-            factor_a <= wide_77_8;
+            factor_a <= wide_78_8;
             factor_b <= {4'd0, pattern_dead_i};
           end
         endcase
       end
       6'd3: begin
-        logic [13:0] choice_77_4;
-        logic [5:0] choice_77_8;
-        choice_77_4 = kept_10 ? product[17:4] : 14'd0;  // line 77
-        choice_77_8 = (kept_17[15:0] < 16'd65503) ? (kept_18 ? 6'd16 : 6'd48) : kept_19;  // line 77
+        logic [13:0] choice_78_4;
+        logic [5:0] choice_78_8;
+        choice_78_4 = kept_10 ? product[17:4] : 14'd0;  // line 78
+        choice_78_8 = (kept_17[15:0] < 16'd65503) ? (kept_18 ? 6'd16 : 6'd48) : kept_19;  // line 78
         step <= step + 6'd1;
-        kept_17 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_77_4[13]}}, choice_77_4}};
-        factor_a <= {{10{choice_77_8[5]}}, choice_77_8};
+        kept_17 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_78_4[13]}}, choice_78_4}};
+        factor_a <= {{10{choice_78_8[5]}}, choice_78_8};
         factor_b <= {4'd0, pattern_dead_i};
       end
       6'd4: begin
-        logic [13:0] choice_77_5;
-        logic [19:0] difference_77_2;
-        logic [19:0] difference_77_3;
-        choice_77_5 = kept_12 ? product[17:4] : 14'd0;  // line 77
-        difference_77_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_77_5[13]}}, choice_77_5};
-        difference_77_3 = kept_17[19:0] - difference_77_2;  // line 77
+        logic [13:0] choice_78_5;
+        logic [19:0] difference_78_2;
+        logic [19:0] difference_78_3;
+        choice_78_5 = kept_12 ? product[17:4] : 14'd0;  // line 78
+        difference_78_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_78_5[13]}}, choice_78_5};
+        difference_78_3 = kept_17[19:0] - difference_78_2;  // line 78
         step <= step + 6'd1;
-        kept_2 <= {1'b0, difference_77_3[14:0]};
-        kept_9 <= {1'b0, difference_77_3[19:15]};
-        kept_17 <= {1'b0, {kept_17[19], kept_17[19:0]} + {difference_77_2[19], difference_77_2}};
+        kept_2 <= {1'b0, difference_78_3[14:0]};
+        kept_9 <= {1'b0, difference_78_3[19:15]};
+        kept_17 <= {1'b0, {kept_17[19], kept_17[19:0]} + {difference_78_2[19], difference_78_2}};
         factor_a <= {1'b0, kept_2[14:0]};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
-        logic [13:0] choice_77_9;
-        logic [20:0] difference_77_7;
-        choice_77_9 = kept_20 ? product[17:4] : 14'd0;  // line 77
-        difference_77_7 =  // line 77
-            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_77_9[13]}}, choice_77_9}, 1'b0} -
+        logic [13:0] choice_78_9;
+        logic [20:0] difference_78_7;
+        choice_78_9 = kept_20 ? product[17:4] : 14'd0;  // line 78
+        difference_78_7 =  // line 78
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_78_9[13]}}, choice_78_9}, 1'b0} -
             kept_17[20:0];
         step <= step + 6'd1;
-        kept_2 <= {1'b0, difference_77_7[14:0]};
-        kept_19 <= difference_77_7[20:15];
+        kept_2 <= {1'b0, difference_78_7[14:0]};
+        kept_19 <= difference_78_7[20:15];
         factor_a <= {1'b0, kept_2[14:0]};
         factor_b <= 16'd28378;
       end
       6'd6: begin
         step <= step + 6'd1;
         kept_17 <= {7'd0, product[29:15]};
-        kept_23 <= product[14:0];
+        kept_24 <= product[14:0];
         factor_a <= {{11{kept_9[4]}}, kept_9[4:0]};
         factor_b <= 16'd28378;
       end
       6'd7: begin
         step <= step + 6'd1;
-        kept_24 <= product[29:15];
-        kept_25 <= product[14:0];
+        kept_25 <= product[29:15];
+        kept_26 <= product[14:0];
         factor_a <= {{14{kept_3[1]}}, kept_3};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd8: begin
         step <= step + 6'd1;
-        kept_5 <= sum_77_13[28:14];
-        kept_9 <= sum_77_13[34:29];
+        kept_5 <= sum_78_13[28:14];
+        kept_9 <= sum_78_13[34:29];
         factor_a <= {1'b0, kept_5};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd9: begin
         step <= step + 6'd1;
-        kept_17 <= {4'd0, sum_77_3[32:15]};
+        kept_17 <= {4'd0, sum_78_3[32:15]};
         factor_a <= {{14{kept_6[1]}}, kept_6};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd10: begin
-        logic [17:0] joined_77;
-        logic [18:0] sum_77_4;
-        logic [17:0] choice_77;
-        joined_77 = {kept_1[16:0], 1'b0};  // line 77
-        sum_77_4 = {joined_77[17], joined_77} + wide_77_4;  // line 77
-        choice_77 =  // line 77
-            sum_77_4[18] ? ((sum_77_4[18:17] == 2'd3) ? sum_77_4[17:0] : 18'd131072) :
-            (sum_77_4[18:17] == 2'd0) ? sum_77_4[17:0] :
+        logic [17:0] joined_78;
+        logic [18:0] sum_78_4;
+        logic [17:0] choice_78;
+        joined_78 = {kept_1[16:0], 1'b0};  // line 78
+        sum_78_4 = {joined_78[17], joined_78} + wide_78_4;  // line 78
+        choice_78 =  // line 78
+            sum_78_4[18] ? ((sum_78_4[18:17] == 2'd3) ? sum_78_4[17:0] : 18'd131072) :
+            (sum_78_4[18:17] == 2'd0) ? sum_78_4[17:0] :
             18'd131071;
         step <= step + 6'd1;
-        kept_17 <= {4'd0, choice_77};
-        kept_23 <= product[29:15];
-        kept_24 <= product[14:0];
+        kept_17 <= {4'd0, choice_78};
+        kept_24 <= product[29:15];
+        kept_25 <= product[14:0];
         factor_a <= {1'b0, kept_5};
         factor_b <= {1'b0, kept_11[14:0]};
       end
       6'd11: begin
         step <= step + 6'd1;
-        kept_1 <= sum_77_6[32:15];
+        kept_1 <= sum_78_6[32:15];
         factor_a <= {kept_5[14], kept_5};
         factor_b <= {15'd0, kept_8};
       end
       6'd12: begin
-        logic [17:0] joined_77_3;
-        logic [18:0] sum_77_7;
-        joined_77_3 = {kept_4[16:0], 1'b0};  // line 77
-        sum_77_7 = {joined_77_3[17], joined_77_3} + wide_77_7;  // line 77
+        logic [17:0] joined_78_3;
+        logic [18:0] sum_78_7;
+        joined_78_3 = {kept_4[16:0], 1'b0};  // line 78
+        sum_78_7 = {joined_78_3[17], joined_78_3} + wide_78_7;  // line 78
         step <= step + 6'd1;
-        if (sum_77_7[18]) begin
-          if (sum_77_7[18:17] == 2'd3) begin
-            kept_1 <= sum_77_7[17:0];
+        if (sum_78_7[18]) begin
+          if (sum_78_7[18:17] == 2'd3) begin
+            kept_1 <= sum_78_7[17:0];
           end else begin
             kept_1 <= 18'd131072;
           end
-        end else if (sum_77_7[18:17] == 2'd0) begin
-          kept_1 <= sum_77_7[17:0];
+        end else if (sum_78_7[18:17] == 2'd0) begin
+          kept_1 <= sum_78_7[17:0];
         end else begin
           kept_1 <= 18'd131071;
         end
         kept_5 <= product[29:15];
         kept_10 <= product[14];
-        kept_23 <= product[14:0];
+        kept_24 <= product[14:0];
         factor_a <= {1'b0, kept_2[14:0]};
         factor_b <= {1'b0, kept_11[14:0]};
       end
       6'd13: begin
-        logic [18:0] sum_77_8;
-        logic [19:0] sum_77_9;
-        logic [2:0] part_77;
-        sum_77_8 = wide_77_4 + wide_77_7;  // line 77
-        sum_77_9 = {sum_77_8[18], sum_77_8} + {{2{kept_1[17]}}, kept_1};  // line 77
-        part_77 = sum_77_9[19:17];  // line 77
+        logic [18:0] sum_78_8;
+        logic [19:0] sum_78_9;
+        logic [2:0] part_78;
+        sum_78_8 = wide_78_4 + wide_78_7;  // line 78
+        sum_78_9 = {sum_78_8[18], sum_78_8} + {{2{kept_1[17]}}, kept_1};  // line 78
+        part_78 = sum_78_9[19:17];  // line 78
         step <= step + 6'd1;
-        case (part_77)
+        case (part_78)
           3'd0: begin
             kept_1 <= 18'd131072;
-            kept_4 <= sum_77_9[17:0];
+            kept_4 <= sum_78_9[17:0];
           end
           3'd7: begin
-            kept_1 <= sum_77_9[17:0];
+            kept_1 <= sum_78_9[17:0];
             kept_4 <= 18'd131071;
           end
           default: begin
@@ -598,57 +601,57 @@ module current_model (
           end
         endcase
         kept_2 <= {1'b0, kept_5} + {1'b0, product[14:0]};
-        kept_12 <= sum_77_9[19];
+        kept_12 <= sum_78_9[19];
         factor_a <= {kept_2[14], kept_2[14:0]};
         factor_b <= {15'd0, kept_8};
       end
       6'd14: begin
-        logic [17:0] choice_77_2;
-        choice_77_2 = kept_12 ? kept_1 : kept_4;  // line 77
+        logic [17:0] choice_78_2;
+        choice_78_2 = kept_12 ? kept_1 : kept_4;  // line 78
         step <= step + 6'd1;
-        kept_5 <= choice_77_2[14:0];
+        kept_5 <= choice_78_2[14:0];
         kept_12 <= product[14];
-        kept_14 <= {5'd0, choice_77_2[17:15]};
-        kept_24 <= product[29:15];
-        kept_25 <= product[14:0];
-        factor_a <= wide_77_8;
+        kept_14 <= {5'd0, choice_78_2[17:15]};
+        kept_25 <= product[29:15];
+        kept_26 <= product[14:0];
+        factor_a <= wide_78_8;
         factor_b <= {1'b0, kept_11[14:0]};
       end
       6'd15: begin
         step <= step + 6'd1;
-        kept_1 <= {2'd0, {1'b0, kept_24} + {1'b0, product[14:0]}};
-        factor_a <= wide_77_17;
+        kept_1 <= {2'd0, {1'b0, kept_25} + {1'b0, product[14:0]}};
+        factor_a <= wide_78_17;
         factor_b <= {1'b0, kept_11[14:0]};
       end
       6'd16: begin
-        logic [20:0] sum_77_15;
-        sum_77_15 = {5'd0, kept_2} + product[20:0];  // line 77
+        logic [20:0] sum_78_15;
+        sum_78_15 = {5'd0, kept_2} + product[20:0];  // line 78
         step <= step + 6'd1;
-        kept_9 <= sum_77_15[20:15];
-        kept_24 <= sum_77_15[14:0];
-        factor_a <= wide_77_8;
+        kept_9 <= sum_78_15[20:15];
+        kept_25 <= sum_78_15[14:0];
+        factor_a <= wide_78_8;
         factor_b <= {15'd0, kept_8};
       end
       6'd17: begin
-        logic [20:0] sum_77_22;
-        sum_77_22 = {5'd0, kept_1[15:0]} + product[20:0];  // line 77
+        logic [20:0] sum_78_22;
+        sum_78_22 = {5'd0, kept_1[15:0]} + product[20:0];  // line 78
         step <= step + 6'd1;
-        kept_2 <= {1'b0, sum_77_22[14:0]};
-        kept_19 <= sum_77_22[20:15];
-        factor_a <= wide_77_17;
+        kept_2 <= {1'b0, sum_78_22[14:0]};
+        kept_19 <= sum_78_22[20:15];
+        factor_a <= wide_78_17;
         factor_b <= {15'd0, kept_8};
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_1 <= {2'd0, sum_77_17[30:15]};
-        kept_8 <= sum_77_16[5] && {sum_77_16[4:0], kept_24, kept_10} != 21'd2097151;
-        kept_15 <= sum_77_17[36:30];
-        factor_a <= wide_77_12;
+        kept_1 <= {2'd0, sum_78_17[30:15]};
+        kept_8 <= sum_78_16[5] && {sum_78_16[4:0], kept_25, kept_10} != 21'd2097151;
+        kept_15 <= sum_78_17[36:30];
+        factor_a <= wide_78_12;
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_1 <= {2'd0, sum_77_24[30:15]};
+        kept_1 <= {2'd0, sum_78_24[30:15]};
         if (kept_8) begin
           if (kept_15 == 7'd127) begin
             kept_2 <= kept_1[15:0];
@@ -660,49 +663,49 @@ module current_model (
         end else begin
           kept_2 <= 16'd32767;
         end
-        kept_8 <= sum_77_23[5] && {sum_77_23[4:0], kept_2[14:0], kept_12} != 21'd2097151;
-        kept_15 <= sum_77_24[36:30];
+        kept_8 <= sum_78_23[5] && {sum_78_23[4:0], kept_2[14:0], kept_12} != 21'd2097151;
+        kept_15 <= sum_78_24[36:30];
         factor_a <= {1'b0, kept_5};
         factor_b <= 16'd18919;
       end
       6'd20: begin
-        logic [15:0] choice_77_6;
-        choice_77_6 =  // line 77
+        logic [15:0] choice_78_6;
+        choice_78_6 =  // line 78
             kept_8 ? ((kept_15 == 7'd127) ? kept_1[15:0] : 16'd32768) :
             (kept_15 == 7'd0) ? kept_1[15:0] :
             16'd32767;
         step <= step + 6'd1;
         kept_1 <= {2'd0, product[15:0]};
-        kept_4 <= {2'd0, choice_77_6};
+        kept_4 <= {2'd0, choice_78_6};
         factor_a <= {{13{kept_14[2]}}, kept_14[2:0]};
         factor_b <= 16'd18919;
       end
       6'd21: begin
         step <= step + 6'd1;
         kept_5 <= product[29:15];
-        kept_23 <= product[14:0];
+        kept_24 <= product[14:0];
         factor_a <= kept_2;
         factor_b <= {1'b0, words_gain_i};
       end
       6'd22: begin
         step <= step + 6'd1;
-        kept_11 <= sum_77_10[34:15];
+        kept_11 <= sum_78_10[34:15];
         factor_a <= kept_1[15:0];
         factor_b <= kept_7;
       end
       6'd23: begin
-        logic [20:0] difference_77_4;
-        difference_77_4 = wide_77_10 - wide_77_11;  // line 77
+        logic [20:0] difference_78_4;
+        difference_78_4 = wide_78_10 - wide_78_11;  // line 78
         step <= step + 6'd1;
-        kept_2 <= difference_77_4[15:0];
-        kept_8 <= difference_77_4[20];
-        kept_9 <= difference_77_4[20:15];
+        kept_2 <= difference_78_4[15:0];
+        kept_8 <= difference_78_4[20];
+        kept_9 <= difference_78_4[20:15];
         factor_a <= kept_4[15:0];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd24: begin
-        logic [16:0] difference_77_6;
-        difference_77_6 = {kept_22[15], kept_22} - wide_77_14;  // line 77
+        logic [16:0] difference_78_6;
+        difference_78_6 = {kept_23[15], kept_23} - wide_78_14;  // line 78
         step <= step + 6'd1;
         if (kept_8) begin
           if (kept_9 != 6'd63) begin
@@ -711,56 +714,56 @@ module current_model (
         end else if (kept_9 != 6'd0) begin
           kept_2 <= 16'd32767;
         end
-        kept_8 <= difference_77_6[16:15] == 2'd3;
-        kept_10 <= difference_77_6[16:15] == 2'd0;
-        kept_12 <= difference_77_6[16];
-        kept_22 <= difference_77_6[15:0];
+        kept_8 <= difference_78_6[16:15] == 2'd3;
+        kept_10 <= difference_78_6[16:15] == 2'd0;
+        kept_12 <= difference_78_6[16];
+        kept_23 <= difference_78_6[15:0];
         factor_a <= kept_1[15:0];
-        factor_b <= kept_22;
+        factor_b <= kept_23;
       end
       6'd25, 6'd27: begin
-        logic [15:0] choice_77_7;
-        logic [31:0] wide_77_15;
-        choice_77_7 =  // line 77
-            kept_12 ? (kept_8 ? kept_22 : 16'd32768) :
-            kept_10 ? kept_22 :
+        logic [15:0] choice_78_7;
+        logic [31:0] wide_78_15;
+        choice_78_7 =  // line 78
+            kept_12 ? (kept_8 ? kept_23 : 16'd32768) :
+            kept_10 ? kept_23 :
             16'd32767;
-        wide_77_15 = {{16{choice_77_7[15]}}, choice_77_7};  // line 77
+        wide_78_15 = {{16{choice_78_7[15]}}, choice_78_7};  // line 78
         case (step)
           6'd25: begin
-            logic [20:0] difference_77_8;
-            difference_77_8 = {{3{kept_17[17]}}, kept_17[17:0]} - wide_77_11;  // line 77
+            logic [20:0] difference_78_8;
+            difference_78_8 = {{3{kept_17[17]}}, kept_17[17:0]} - wide_78_11;  // line 78
             step <= step + 6'd1;
-            kept_8 <= difference_77_8[20];
-            kept_9 <= difference_77_8[20:15];
-            kept_22 <= difference_77_8[15:0];
-            kept_26 <= {1'b0, wide_77_15};
+            kept_8 <= difference_78_8[20];
+            kept_9 <= difference_78_8[20:15];
+            kept_23 <= difference_78_8[15:0];
+            kept_27 <= {1'b0, wide_78_15};
             factor_a <= kept_2;
             if (kept_12) begin
               if (kept_8) begin
-                factor_b <= kept_22;
+                factor_b <= kept_23;
               end else begin
                 factor_b <= 16'd32768;
               end
             end else if (kept_10) begin
-              factor_b <= kept_22;
+              factor_b <= kept_23;
             end else begin
               factor_b <= 16'd32767;
             end
           end
           default: begin  // 6'd27
             step <= step + 6'd1;
-            kept_27 <= product;
-            kept_28 <= wide_77_15;
+            kept_28 <= product;
+            kept_29 <= wide_78_15;
             factor_a <= kept_7;
             if (kept_12) begin
               if (kept_8) begin
-                factor_b <= kept_22;
+                factor_b <= kept_23;
               end else begin
                 factor_b <= 16'd32768;
               end
             end else if (kept_10) begin
-              factor_b <= kept_22;
+              factor_b <= kept_23;
             end else begin
               factor_b <= 16'd32767;
             end
@@ -768,65 +771,65 @@ module current_model (
         endcase
       end
       6'd26: begin
-        logic [16:0] sum_77_25;
-        sum_77_25 = {kept_7[15], kept_7} + wide_77_14;  // line 77
+        logic [16:0] sum_78_25;
+        sum_78_25 = {kept_7[15], kept_7} + wide_78_14;  // line 78
         step <= step + 6'd1;
         if (kept_8) begin
           if (kept_9 == 6'd63) begin
-            kept_7 <= kept_22;
+            kept_7 <= kept_23;
           end else begin
             kept_7 <= 16'd32768;
           end
         end else if (kept_9 == 6'd0) begin
-          kept_7 <= kept_22;
+          kept_7 <= kept_23;
         end else begin
           kept_7 <= 16'd32767;
         end
-        kept_8 <= sum_77_25[16:15] == 2'd3;
-        kept_10 <= sum_77_25[16:15] == 2'd0;
-        kept_12 <= sum_77_25[16];
-        kept_22 <= sum_77_25[15:0];
+        kept_8 <= sum_78_25[16:15] == 2'd3;
+        kept_10 <= sum_78_25[16:15] == 2'd0;
+        kept_12 <= sum_78_25[16];
+        kept_23 <= sum_78_25[15:0];
         factor_a <= emf_emf[27:12];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd28: begin
         step <= step + 6'd1;
-        kept_11 <= sum_77_18[31:12];
+        kept_11 <= sum_78_18[31:12];
         factor_a <= kept_7;
-        factor_b <= kept_26[15:0];
+        factor_b <= kept_27[15:0];
       end
       6'd29: begin
-        logic [32:0] difference_77_9;
-        difference_77_9 = wide_77_16 - wide_77_13;  // line 77
+        logic [32:0] difference_78_9;
+        difference_78_9 = wide_78_16 - wide_78_13;  // line 78
         step <= step + 6'd1;
-        kept_8 <= difference_77_9[32] && difference_77_9[31:14] != 18'd262143;
-        kept_26 <= difference_77_9;
+        kept_8 <= difference_78_9[32] && difference_78_9[31:14] != 18'd262143;
+        kept_27 <= difference_78_9;
         factor_a <= kept_2;
-        factor_b <= kept_28[15:0];
+        factor_b <= kept_29[15:0];
       end
       6'd30: begin
         step <= step + 6'd1;
         if (kept_8) begin
-          if (sum_77_26[33:30] == 4'd15) begin
-            kept_2 <= sum_77_26[30:15];
+          if (sum_78_26[33:30] == 4'd15) begin
+            kept_2 <= sum_78_26[30:15];
           end else begin
             kept_2 <= 16'd32768;
           end
-        end else if (sum_77_26[33:30] == 4'd0) begin
-          kept_2 <= sum_77_26[30:15];
+        end else if (sum_78_26[33:30] == 4'd0) begin
+          kept_2 <= sum_78_26[30:15];
         end else begin
           kept_2 <= 16'd32767;
         end
-        kept_27 <= product;
+        kept_28 <= product;
       end
       6'd31: begin
         logic [20:0] sum_44;
-        logic [32:0] sum_77_27;
-        sum_44 = {{5{kept_2[15]}}, kept_2} + wide_77_10;  // line 44
-        sum_77_27 = wide_77_16 + wide_77_13;  // line 77
+        logic [32:0] sum_78_27;
+        sum_44 = {{5{kept_2[15]}}, kept_2} + wide_78_10;  // line 44
+        sum_78_27 = wide_78_16 + wide_78_13;  // line 78
         step <= step + 6'd1;
-        kept_8 <= sum_77_27[32] && sum_77_27[31:14] != 18'd262143;
-        kept_26 <= sum_77_27;
+        kept_8 <= sum_78_27[32] && sum_78_27[31:14] != 18'd262143;
+        kept_27 <= sum_78_27;
         if (sum_44[20]) begin
           if (sum_44[20:15] == 6'd63) begin
             factor_a <= sum_44[15:0];
@@ -843,13 +846,13 @@ module current_model (
       6'd32: begin
         step <= step + 6'd1;
         if (kept_8) begin
-          if (sum_77_26[33:30] == 4'd15) begin
-            kept_2 <= sum_77_26[30:15];
+          if (sum_78_26[33:30] == 4'd15) begin
+            kept_2 <= sum_78_26[30:15];
           end else begin
             kept_2 <= 16'd32768;
           end
-        end else if (sum_77_26[33:30] == 4'd0) begin
-          kept_2 <= sum_77_26[30:15];
+        end else if (sum_78_26[33:30] == 4'd0) begin
+          kept_2 <= sum_78_26[30:15];
         end else begin
           kept_2 <= 16'd32767;
         end
@@ -883,15 +886,15 @@ module current_model (
       end
       6'd35: begin
         step <= step + 6'd1;
-        kept_27 <= {7'd0, sum_48[31:7]};
-        factor_a <= wide_77_12;
+        kept_28 <= {7'd0, sum_48[31:7]};
+        factor_a <= wide_78_12;
         factor_b <= {1'b0, words_k_speed_i};
       end
       6'd36: begin
         step <= step + 6'd1;
         kept_5 <= product[29:15];
         kept_8 <= product[14];
-        kept_23 <= product[14:0];
+        kept_24 <= product[14:0];
       end
       6'd37: begin
         logic [21:0] sum_46;
@@ -915,16 +918,16 @@ module current_model (
         end
       end
       6'd39: begin
-        logic [25:0] wide_79;
-        logic [25:0] wide_79_2;
-        logic [25:0] choice_79;
+        logic [25:0] wide_80;
+        logic [25:0] wide_80_2;
+        logic [25:0] choice_80;
         logic [19:0] step_2;
-        wide_79 = {{6{kept_11[19]}}, kept_11};  // line 79
-        wide_79_2 = {kept_27[24], kept_27[24:0]};  // line 79
-        choice_79 = observer_way[24] ? wide_79 - wide_79_2 : wide_79 + wide_79_2;  // line 79
-        step_2 =  // line 79
-            choice_79[25] ? ((choice_79[25:19] == 7'd127) ? choice_79[19:0] : 20'd524288) :
-            (choice_79[25:19] == 7'd0) ? choice_79[19:0] :
+        wide_80 = {{6{kept_11[19]}}, kept_11};  // line 80
+        wide_80_2 = {kept_28[24], kept_28[24:0]};  // line 80
+        choice_80 = kept_21 ? wide_80 - wide_80_2 : wide_80 + wide_80_2;  // line 80
+        step_2 =  // line 80
+            choice_80[25] ? ((choice_80[25:19] == 7'd127) ? choice_80[19:0] : 20'd524288) :
+            (choice_80[25:19] == 7'd0) ? choice_80[19:0] :
             20'd524287;
         step <= step + 6'd1;
         kept_17 <= {2'd0, step_2};
@@ -936,7 +939,7 @@ module current_model (
         observer_before <= kept_0;
         if (enable_i) begin
           observer_step <= kept_17[19:0];
-          observer_way <= kept_21 + {{5{kept_17[19]}}, kept_17[19:0]};
+          observer_way <= kept_22 + {{5{kept_17[19]}}, kept_17[19:0]};
           emf_step_held <= kept_11;
           error_held <= kept_2;
         end else begin
@@ -982,14 +985,15 @@ module current_model (
       kept_18 <= 1'b0;
       kept_19 <= 6'd0;
       kept_20 <= 1'b0;
-      kept_21 <= 25'd0;
-      kept_22 <= 16'd0;
-      kept_23 <= 15'd0;
+      kept_21 <= 1'b0;
+      kept_22 <= 25'd0;
+      kept_23 <= 16'd0;
       kept_24 <= 15'd0;
       kept_25 <= 15'd0;
-      kept_26 <= 33'd0;
-      kept_27 <= 32'd0;
+      kept_26 <= 15'd0;
+      kept_27 <= 33'd0;
       kept_28 <= 32'd0;
+      kept_29 <= 32'd0;
       factor_a <= 16'd0;
       factor_b <= 16'd0;
       product <= 32'd0;
@@ -1011,8 +1015,8 @@ module current_model (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_28[31:16], sum_77_3[14:0], sum_77_6[14:0], sum_77_10[14:0], sum_77_11[0],
-      sum_77_12[0], difference_77[0], sum_77_13[13:0], sum_77_14[12:0], sum_77_17[14:0],
-      sum_77_18[11:0], sum_77_19[7:0], sum_77_20[22:0], sum_77_21[0], sum_77_24[14:0],
-      sum_77_26[14:0], choice_45[5:0], sum_47[14:0], sum_48[6:0]};
+      &{1'b0, kept_29[31:16], sum_78_3[14:0], sum_78_6[14:0], sum_78_10[14:0], sum_78_11[0],
+      sum_78_12[0], difference_78[0], sum_78_13[13:0], sum_78_14[12:0], sum_78_17[14:0],
+      sum_78_18[11:0], sum_78_19[7:0], sum_78_20[22:0], sum_78_21[0], sum_78_24[14:0],
+      sum_78_26[14:0], choice_45[5:0], sum_47[14:0], sum_48[6:0]};
 endmodule

@@ -1,12 +1,13 @@
 // estimator: steplock::Estimator, printed by hlsgen from hls/sinusoidal/estimator.hpp:36.
-// A sample takes 43 clocks, and in no order fewer than 42: 255 operations, 37 products, 2 entries of tables
-// on 1 multiplier of 16 x 16 bits; 845 register bits, 406 of them between steps.
+// A sample takes 43 clocks, and in no order fewer than 42: 256 operations, 37 products, 2 entries of tables
+// on 1 multiplier of 16 x 16 bits; 846 register bits, 407 of them between steps.
 // Do not edit: change the C++ and print again.
 
 module estimator (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        enable_i,  // false: the angle is `initial`, the speed 0
+    input  logic [15:0] edge_i,  // s0.15 of 1/16 turn: a slower mean step is one backward
     input  logic [23:0] initial_i,  // u0.24
     input  logic [15:0] i_u_i,  // s0.15
     input  logic [15:0] i_v_i,  // s0.15
@@ -75,15 +76,16 @@ module estimator (
   logic kept_19;  // in steps 1-3
   logic [5:0] kept_20;  // in steps 1-3, 6-17, 18-19
   logic kept_21;  // in steps 1-5
-  logic [24:0] kept_22;  // in steps 1-41, 42-42
-  logic [15:0] kept_23;  // in steps 1-42
-  logic [15:0] kept_24;  // in steps 3-24, 25-25, 26-26, 27-27
-  logic [14:0] kept_25;  // in steps 7-9, 11-11, 13-18, 22-22, 35-39
-  logic [14:0] kept_26;  // in steps 8-8, 11-11, 15-15, 17-18, 35-39
-  logic [14:0] kept_27;  // in steps 8-8, 15-19, 38-39
-  logic [32:0] kept_28;  // in steps 26-28, 30-30, 32-32
-  logic [31:0] kept_29;  // in steps 28-29, 31-31, 36-36, 37-40, 41-41
-  logic [31:0] kept_30;  // in steps 28-29, 41-41
+  logic kept_22;  // in steps 1-41
+  logic [24:0] kept_23;  // in steps 1-41, 42-42
+  logic [15:0] kept_24;  // in steps 1-42
+  logic [15:0] kept_25;  // in steps 3-24, 25-25, 26-26, 27-27
+  logic [14:0] kept_26;  // in steps 7-9, 11-11, 13-18, 22-22, 35-39
+  logic [14:0] kept_27;  // in steps 8-8, 11-11, 15-15, 17-18, 35-39
+  logic [14:0] kept_28;  // in steps 8-8, 15-19, 38-39
+  logic [32:0] kept_29;  // in steps 26-28, 30-30, 32-32
+  logic [31:0] kept_30;  // in steps 28-29, 31-31, 36-36, 37-40, 41-41
+  logic [31:0] kept_31;  // in steps 28-29, 41-41
   logic [15:0] factor_a;  // of the shared multiplier
   logic [15:0] factor_b;  // of the shared multiplier
   logic [31:0] product;  // of the factors before
@@ -93,324 +95,324 @@ module estimator (
   logic done;
   logic missed;
 
-  wire [23:0] wide_51 = {{4{observer_step[19]}}, observer_step};  // line 51
-  wire [23:0] sum_51 = observer_before + wide_51;  // line 51
-  wire [16:0] wide_51_2 = {i_u_i[15], i_u_i};  // line 51
-  wire [16:0] wide_51_3 = {observer_last_u[15], observer_last_u};  // line 51
-  wire [16:0] sum_51_2 = wide_51_2 + wide_51_3;  // line 51
-  wire [31:0] joined_51_2 = {{2'd0, kept_18[14:0]} + product[16:0], kept_25};  // line 51
-  wire [32:0] sum_51_3 = {joined_51_2[31], joined_51_2} + 33'd16384;  // line 51
-  wire [18:0] wide_51_4 = {kept_18[17], kept_18[17:0]};  // line 51
-  wire [16:0] wide_51_5 = {i_v_i[15], i_v_i};  // line 51
-  wire [16:0] wide_51_6 = {observer_last_v[15], observer_last_v};  // line 51
-  wire [16:0] sum_51_5 = wide_51_5 + wide_51_6;  // line 51
-  wire [31:0] joined_51_4 = {{2'd0, kept_25} + product[16:0], kept_26};  // line 51
-  wire [32:0] sum_51_6 = {joined_51_4[31], joined_51_4} + 33'd16384;  // line 51
-  wire [18:0] wide_51_7 = {kept_2[17], kept_2};  // line 51
-  wire [33:0] joined_51_5 = {{4'd0, kept_6} + product[18:0], kept_25};  // line 51
-  wire [34:0] sum_51_10 = {joined_51_5[33], joined_51_5} + 35'd16384;  // line 51
-  wire [16:0] sum_51_11 = sum_51_5 - 17'd34;  // line 51
-  wire [17:0] sum_51_12 = kept_12[17:0] - 18'd33;  // line 51
-  wire [17:0] difference_51 = -kept_12[17:0];  // line 51
-  wire [15:0] wide_51_8 = {{10{kept_10[5]}}, kept_10};  // line 51
-  wire [34:0] sum_51_13 = {{5'd0, kept_26} + product[19:0], kept_27} + 35'd8192;  // line 51
-  wire [28:0] sum_51_14 = {1'b0, product[27:0]} + 29'd4096;  // line 51
-  wire [5:0] sum_51_16 = kept_10 + product[5:0];  // line 51
-  wire [35:0] joined_51_6 = {sum_51_16, kept_26, kept_25};  // line 51
-  wire [36:0] sum_51_17 = {joined_51_6[35], joined_51_6} + 37'd16384;  // line 51
-  wire [31:0] wide_51_9 = {product[30], product[30:0]};  // line 51
-  wire [31:0] sum_51_18 = wide_51_9 + 32'd2048;  // line 51
-  wire [20:0] wide_51_10 = {kept_12[19], kept_12};  // line 51
-  wire [20:0] wide_51_11 = {sum_51_18[31], sum_51_18[31:12]};  // line 51
-  wire [9:0] sum_51_19 = sum_51[23:14] + 10'd256;  // line 51
-  wire [32:0] wide_51_12 = {product[31], product};  // line 51
-  wire [32:0] sum_51_20 = wide_51_12 + 33'd4194304;  // line 51
-  wire [16:0] wide_51_13 = {{7{sum_51_20[32]}}, sum_51_20[32:23]};  // line 51
-  wire [32:0] wide_51_15 = {kept_29[31], kept_29};  // line 51
-  wire [16:0] sum_51_21 = sum_51_2 - 17'd34;  // line 51
-  wire [15:0] wide_51_16 = {{10{kept_20[5]}}, kept_20};  // line 51
-  wire [5:0] sum_51_23 = kept_20 + product[5:0];  // line 51
-  wire [35:0] joined_51_7 = {sum_51_23, kept_3[14:0], kept_27};  // line 51
-  wire [36:0] sum_51_24 = {joined_51_7[35], joined_51_7} + 37'd16384;  // line 51
-  wire [33:0] sum_51_26 = {kept_28[32], kept_28} + 34'd16384;  // line 51
-  wire [33:0] joined_53 = {{4'd0, kept_25} + product[18:0], kept_26};  // line 53
-  wire [34:0] difference_53 = 35'd1024 - {joined_53[33], joined_53};  // line 53
-  wire [29:0] difference_52 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
-  wire [27:0] choice_52 =  // line 52
-      difference_52[29] ? ((difference_52[29:27] == 3'd7) ? difference_52[27:0] : 28'd134217728) :
-      (difference_52[29:27] == 3'd0) ? difference_52[27:0] :
+  wire [23:0] wide_52 = {{4{observer_step[19]}}, observer_step};  // line 52
+  wire [23:0] sum_52 = observer_before + wide_52;  // line 52
+  wire [16:0] wide_52_2 = {i_u_i[15], i_u_i};  // line 52
+  wire [16:0] wide_52_3 = {observer_last_u[15], observer_last_u};  // line 52
+  wire [16:0] sum_52_2 = wide_52_2 + wide_52_3;  // line 52
+  wire [31:0] joined_52_2 = {{2'd0, kept_18[14:0]} + product[16:0], kept_26};  // line 52
+  wire [32:0] sum_52_3 = {joined_52_2[31], joined_52_2} + 33'd16384;  // line 52
+  wire [18:0] wide_52_4 = {kept_18[17], kept_18[17:0]};  // line 52
+  wire [16:0] wide_52_5 = {i_v_i[15], i_v_i};  // line 52
+  wire [16:0] wide_52_6 = {observer_last_v[15], observer_last_v};  // line 52
+  wire [16:0] sum_52_5 = wide_52_5 + wide_52_6;  // line 52
+  wire [31:0] joined_52_4 = {{2'd0, kept_26} + product[16:0], kept_27};  // line 52
+  wire [32:0] sum_52_6 = {joined_52_4[31], joined_52_4} + 33'd16384;  // line 52
+  wire [18:0] wide_52_7 = {kept_2[17], kept_2};  // line 52
+  wire [33:0] joined_52_5 = {{4'd0, kept_6} + product[18:0], kept_26};  // line 52
+  wire [34:0] sum_52_10 = {joined_52_5[33], joined_52_5} + 35'd16384;  // line 52
+  wire [16:0] sum_52_11 = sum_52_5 - 17'd34;  // line 52
+  wire [17:0] sum_52_12 = kept_12[17:0] - 18'd33;  // line 52
+  wire [17:0] difference_52 = -kept_12[17:0];  // line 52
+  wire [15:0] wide_52_8 = {{10{kept_10[5]}}, kept_10};  // line 52
+  wire [34:0] sum_52_13 = {{5'd0, kept_27} + product[19:0], kept_28} + 35'd8192;  // line 52
+  wire [28:0] sum_52_14 = {1'b0, product[27:0]} + 29'd4096;  // line 52
+  wire [5:0] sum_52_16 = kept_10 + product[5:0];  // line 52
+  wire [35:0] joined_52_6 = {sum_52_16, kept_27, kept_26};  // line 52
+  wire [36:0] sum_52_17 = {joined_52_6[35], joined_52_6} + 37'd16384;  // line 52
+  wire [31:0] wide_52_9 = {product[30], product[30:0]};  // line 52
+  wire [31:0] sum_52_18 = wide_52_9 + 32'd2048;  // line 52
+  wire [20:0] wide_52_10 = {kept_12[19], kept_12};  // line 52
+  wire [20:0] wide_52_11 = {sum_52_18[31], sum_52_18[31:12]};  // line 52
+  wire [9:0] sum_52_19 = sum_52[23:14] + 10'd256;  // line 52
+  wire [32:0] wide_52_12 = {product[31], product};  // line 52
+  wire [32:0] sum_52_20 = wide_52_12 + 33'd4194304;  // line 52
+  wire [16:0] wide_52_13 = {{7{sum_52_20[32]}}, sum_52_20[32:23]};  // line 52
+  wire [32:0] wide_52_15 = {kept_30[31], kept_30};  // line 52
+  wire [16:0] sum_52_21 = sum_52_2 - 17'd34;  // line 52
+  wire [15:0] wide_52_16 = {{10{kept_20[5]}}, kept_20};  // line 52
+  wire [5:0] sum_52_23 = kept_20 + product[5:0];  // line 52
+  wire [35:0] joined_52_7 = {sum_52_23, kept_3[14:0], kept_28};  // line 52
+  wire [36:0] sum_52_24 = {joined_52_7[35], joined_52_7} + 37'd16384;  // line 52
+  wire [33:0] sum_52_26 = {kept_29[32], kept_29} + 34'd16384;  // line 52
+  wire [33:0] joined_54 = {{4'd0, kept_26} + product[18:0], kept_27};  // line 54
+  wire [34:0] difference_54 = 35'd1024 - {joined_54[33], joined_54};  // line 54
+  wire [29:0] difference_53 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
+  wire [27:0] choice_53 =  // line 53
+      difference_53[29] ? ((difference_53[29:27] == 3'd7) ? difference_53[27:0] : 28'd134217728) :
+      (difference_53[29:27] == 3'd0) ? difference_53[27:0] :
       28'd134217727;
-  wire [36:0] joined_52 = {kept_18, kept_27};  // line 52
-  wire [37:0] sum_52_3 = {joined_52[36], joined_52} + 38'd16384;  // line 52
-  wire [31:0] sum_53_2 = wide_51_9 + 32'd128;  // line 53
-  wire [28:0] sum_53_3 = {speed_integral[27], speed_integral} + {{5{kept_29[23]}}, kept_29[23:0]};
-  wire [27:0] choice_53_2 =  // line 53
-      sum_53_3[28] ? ((sum_53_3[28:27] == 2'd3) ? sum_53_3[27:0] : 28'd134217728) :
-      (sum_53_3[28:27] == 2'd0) ? sum_53_3[27:0] :
+  wire [36:0] joined_53 = {kept_18, kept_28};  // line 53
+  wire [37:0] sum_53_3 = {joined_53[36], joined_53} + 38'd16384;  // line 53
+  wire [31:0] sum_54_2 = wide_52_9 + 32'd128;  // line 54
+  wire [28:0] sum_54_3 = {speed_integral[27], speed_integral} + {{5{kept_30[23]}}, kept_30[23:0]};
+  wire [27:0] choice_54_2 =  // line 54
+      sum_54_3[28] ? ((sum_54_3[28:27] == 2'd3) ? sum_54_3[27:0] : 28'd134217728) :
+      (sum_54_3[28:27] == 2'd0) ? sum_54_3[27:0] :
       28'd134217727;
-  wire [31:0] sum_52_4 = wide_51_9 + 32'd64;  // line 52
-  wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 52
-  wire [7:0] choice_51_10 = (step == 6'd0) ? sum_51[21:14] ^ {8{sum_51[22]}} : kept_15;  // line 51
+  wire [31:0] sum_53_4 = wide_52_9 + 32'd64;  // line 53
+  wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 53
+  wire [7:0] choice_52_10 = (step == 6'd0) ? sum_52[21:14] ^ {8{sum_52[22]}} : kept_15;  // line 52
 
-  logic [14:0] entry_51;  // kQuarterWave
+  logic [14:0] entry_52;  // kQuarterWave
   always_comb begin
-    case (choice_51_10)
-      8'd0: entry_51 = 15'd101;
-      8'd1: entry_51 = 15'd302;
-      8'd2: entry_51 = 15'd503;
-      8'd3: entry_51 = 15'd704;
-      8'd4: entry_51 = 15'd905;
-      8'd5: entry_51 = 15'd1106;
-      8'd6: entry_51 = 15'd1307;
-      8'd7: entry_51 = 15'd1507;
-      8'd8: entry_51 = 15'd1708;
-      8'd9: entry_51 = 15'd1909;
-      8'd10: entry_51 = 15'd2110;
-      8'd11: entry_51 = 15'd2310;
-      8'd12: entry_51 = 15'd2511;
-      8'd13: entry_51 = 15'd2711;
-      8'd14: entry_51 = 15'd2911;
-      8'd15: entry_51 = 15'd3112;
-      8'd16: entry_51 = 15'd3312;
-      8'd17: entry_51 = 15'd3512;
-      8'd18: entry_51 = 15'd3712;
-      8'd19: entry_51 = 15'd3911;
-      8'd20: entry_51 = 15'd4111;
-      8'd21: entry_51 = 15'd4310;
-      8'd22: entry_51 = 15'd4509;
-      8'd23: entry_51 = 15'd4708;
-      8'd24: entry_51 = 15'd4907;
-      8'd25: entry_51 = 15'd5106;
-      8'd26: entry_51 = 15'd5305;
-      8'd27: entry_51 = 15'd5503;
-      8'd28: entry_51 = 15'd5701;
-      8'd29: entry_51 = 15'd5899;
-      8'd30: entry_51 = 15'd6096;
-      8'd31: entry_51 = 15'd6294;
-      8'd32: entry_51 = 15'd6491;
-      8'd33: entry_51 = 15'd6688;
-      8'd34: entry_51 = 15'd6885;
-      8'd35: entry_51 = 15'd7081;
-      8'd36: entry_51 = 15'd7277;
-      8'd37: entry_51 = 15'd7473;
-      8'd38: entry_51 = 15'd7669;
-      8'd39: entry_51 = 15'd7864;
-      8'd40: entry_51 = 15'd8059;
-      8'd41: entry_51 = 15'd8254;
-      8'd42: entry_51 = 15'd8448;
-      8'd43: entry_51 = 15'd8642;
-      8'd44: entry_51 = 15'd8836;
-      8'd45: entry_51 = 15'd9030;
-      8'd46: entry_51 = 15'd9223;
-      8'd47: entry_51 = 15'd9416;
-      8'd48: entry_51 = 15'd9608;
-      8'd49: entry_51 = 15'd9800;
-      8'd50: entry_51 = 15'd9992;
-      8'd51: entry_51 = 15'd10183;
-      8'd52: entry_51 = 15'd10374;
-      8'd53: entry_51 = 15'd10564;
-      8'd54: entry_51 = 15'd10754;
-      8'd55: entry_51 = 15'd10944;
-      8'd56: entry_51 = 15'd11133;
-      8'd57: entry_51 = 15'd11322;
-      8'd58: entry_51 = 15'd11511;
-      8'd59: entry_51 = 15'd11699;
-      8'd60: entry_51 = 15'd11886;
-      8'd61: entry_51 = 15'd12074;
-      8'd62: entry_51 = 15'd12260;
-      8'd63: entry_51 = 15'd12446;
-      8'd64: entry_51 = 15'd12632;
-      8'd65: entry_51 = 15'd12817;
-      8'd66: entry_51 = 15'd13002;
-      8'd67: entry_51 = 15'd13187;
-      8'd68: entry_51 = 15'd13370;
-      8'd69: entry_51 = 15'd13554;
-      8'd70: entry_51 = 15'd13736;
-      8'd71: entry_51 = 15'd13919;
-      8'd72: entry_51 = 15'd14101;
-      8'd73: entry_51 = 15'd14282;
-      8'd74: entry_51 = 15'd14462;
-      8'd75: entry_51 = 15'd14643;
-      8'd76: entry_51 = 15'd14822;
-      8'd77: entry_51 = 15'd15001;
-      8'd78: entry_51 = 15'd15180;
-      8'd79: entry_51 = 15'd15358;
-      8'd80: entry_51 = 15'd15535;
-      8'd81: entry_51 = 15'd15712;
-      8'd82: entry_51 = 15'd15888;
-      8'd83: entry_51 = 15'd16063;
-      8'd84: entry_51 = 15'd16238;
-      8'd85: entry_51 = 15'd16413;
-      8'd86: entry_51 = 15'd16586;
-      8'd87: entry_51 = 15'd16759;
-      8'd88: entry_51 = 15'd16932;
-      8'd89: entry_51 = 15'd17104;
-      8'd90: entry_51 = 15'd17275;
-      8'd91: entry_51 = 15'd17445;
-      8'd92: entry_51 = 15'd17615;
-      8'd93: entry_51 = 15'd17784;
-      8'd94: entry_51 = 15'd17953;
-      8'd95: entry_51 = 15'd18121;
-      8'd96: entry_51 = 15'd18288;
-      8'd97: entry_51 = 15'd18454;
-      8'd98: entry_51 = 15'd18620;
-      8'd99: entry_51 = 15'd18785;
-      8'd100: entry_51 = 15'd18950;
-      8'd101: entry_51 = 15'd19113;
-      8'd102: entry_51 = 15'd19276;
-      8'd103: entry_51 = 15'd19438;
-      8'd104: entry_51 = 15'd19600;
-      8'd105: entry_51 = 15'd19761;
-      8'd106: entry_51 = 15'd19921;
-      8'd107: entry_51 = 15'd20080;
-      8'd108: entry_51 = 15'd20238;
-      8'd109: entry_51 = 15'd20396;
-      8'd110: entry_51 = 15'd20553;
-      8'd111: entry_51 = 15'd20709;
-      8'd112: entry_51 = 15'd20865;
-      8'd113: entry_51 = 15'd21019;
-      8'd114: entry_51 = 15'd21173;
-      8'd115: entry_51 = 15'd21326;
-      8'd116: entry_51 = 15'd21479;
-      8'd117: entry_51 = 15'd21630;
-      8'd118: entry_51 = 15'd21781;
-      8'd119: entry_51 = 15'd21930;
-      8'd120: entry_51 = 15'd22079;
-      8'd121: entry_51 = 15'd22227;
-      8'd122: entry_51 = 15'd22375;
-      8'd123: entry_51 = 15'd22521;
-      8'd124: entry_51 = 15'd22667;
-      8'd125: entry_51 = 15'd22812;
-      8'd126: entry_51 = 15'd22956;
-      8'd127: entry_51 = 15'd23099;
-      8'd128: entry_51 = 15'd23241;
-      8'd129: entry_51 = 15'd23382;
-      8'd130: entry_51 = 15'd23522;
-      8'd131: entry_51 = 15'd23662;
-      8'd132: entry_51 = 15'd23801;
-      8'd133: entry_51 = 15'd23938;
-      8'd134: entry_51 = 15'd24075;
-      8'd135: entry_51 = 15'd24211;
-      8'd136: entry_51 = 15'd24346;
-      8'd137: entry_51 = 15'd24480;
-      8'd138: entry_51 = 15'd24613;
-      8'd139: entry_51 = 15'd24746;
-      8'd140: entry_51 = 15'd24877;
-      8'd141: entry_51 = 15'd25007;
-      8'd142: entry_51 = 15'd25137;
-      8'd143: entry_51 = 15'd25265;
-      8'd144: entry_51 = 15'd25393;
-      8'd145: entry_51 = 15'd25519;
-      8'd146: entry_51 = 15'd25645;
-      8'd147: entry_51 = 15'd25770;
-      8'd148: entry_51 = 15'd25893;
-      8'd149: entry_51 = 15'd26016;
-      8'd150: entry_51 = 15'd26138;
-      8'd151: entry_51 = 15'd26259;
-      8'd152: entry_51 = 15'd26378;
-      8'd153: entry_51 = 15'd26497;
-      8'd154: entry_51 = 15'd26615;
-      8'd155: entry_51 = 15'd26732;
-      8'd156: entry_51 = 15'd26848;
-      8'd157: entry_51 = 15'd26962;
-      8'd158: entry_51 = 15'd27076;
-      8'd159: entry_51 = 15'd27189;
-      8'd160: entry_51 = 15'd27300;
-      8'd161: entry_51 = 15'd27411;
-      8'd162: entry_51 = 15'd27521;
-      8'd163: entry_51 = 15'd27629;
-      8'd164: entry_51 = 15'd27737;
-      8'd165: entry_51 = 15'd27843;
-      8'd166: entry_51 = 15'd27949;
-      8'd167: entry_51 = 15'd28053;
-      8'd168: entry_51 = 15'd28157;
-      8'd169: entry_51 = 15'd28259;
-      8'd170: entry_51 = 15'd28360;
-      8'd171: entry_51 = 15'd28460;
-      8'd172: entry_51 = 15'd28560;
-      8'd173: entry_51 = 15'd28658;
-      8'd174: entry_51 = 15'd28755;
-      8'd175: entry_51 = 15'd28850;
-      8'd176: entry_51 = 15'd28945;
-      8'd177: entry_51 = 15'd29039;
-      8'd178: entry_51 = 15'd29131;
-      8'd179: entry_51 = 15'd29223;
-      8'd180: entry_51 = 15'd29313;
-      8'd181: entry_51 = 15'd29403;
-      8'd182: entry_51 = 15'd29491;
-      8'd183: entry_51 = 15'd29578;
-      8'd184: entry_51 = 15'd29664;
-      8'd185: entry_51 = 15'd29749;
-      8'd186: entry_51 = 15'd29832;
-      8'd187: entry_51 = 15'd29915;
-      8'd188: entry_51 = 15'd29997;
-      8'd189: entry_51 = 15'd30077;
-      8'd190: entry_51 = 15'd30156;
-      8'd191: entry_51 = 15'd30234;
-      8'd192: entry_51 = 15'd30311;
-      8'd193: entry_51 = 15'd30387;
-      8'd194: entry_51 = 15'd30462;
-      8'd195: entry_51 = 15'd30535;
-      8'd196: entry_51 = 15'd30607;
-      8'd197: entry_51 = 15'd30679;
-      8'd198: entry_51 = 15'd30749;
-      8'd199: entry_51 = 15'd30818;
-      8'd200: entry_51 = 15'd30885;
-      8'd201: entry_51 = 15'd30952;
-      8'd202: entry_51 = 15'd31017;
-      8'd203: entry_51 = 15'd31082;
-      8'd204: entry_51 = 15'd31145;
-      8'd205: entry_51 = 15'd31206;
-      8'd206: entry_51 = 15'd31267;
-      8'd207: entry_51 = 15'd31327;
-      8'd208: entry_51 = 15'd31385;
-      8'd209: entry_51 = 15'd31442;
-      8'd210: entry_51 = 15'd31498;
-      8'd211: entry_51 = 15'd31553;
-      8'd212: entry_51 = 15'd31607;
-      8'd213: entry_51 = 15'd31659;
-      8'd214: entry_51 = 15'd31710;
-      8'd215: entry_51 = 15'd31760;
-      8'd216: entry_51 = 15'd31809;
-      8'd217: entry_51 = 15'd31857;
-      8'd218: entry_51 = 15'd31903;
-      8'd219: entry_51 = 15'd31949;
-      8'd220: entry_51 = 15'd31993;
-      8'd221: entry_51 = 15'd32036;
-      8'd222: entry_51 = 15'd32077;
-      8'd223: entry_51 = 15'd32118;
-      8'd224: entry_51 = 15'd32157;
-      8'd225: entry_51 = 15'd32195;
-      8'd226: entry_51 = 15'd32232;
-      8'd227: entry_51 = 15'd32267;
-      8'd228: entry_51 = 15'd32302;
-      8'd229: entry_51 = 15'd32335;
-      8'd230: entry_51 = 15'd32367;
-      8'd231: entry_51 = 15'd32397;
-      8'd232: entry_51 = 15'd32427;
-      8'd233: entry_51 = 15'd32455;
-      8'd234: entry_51 = 15'd32482;
-      8'd235: entry_51 = 15'd32508;
-      8'd236: entry_51 = 15'd32533;
-      8'd237: entry_51 = 15'd32556;
-      8'd238: entry_51 = 15'd32578;
-      8'd239: entry_51 = 15'd32599;
-      8'd240: entry_51 = 15'd32619;
-      8'd241: entry_51 = 15'd32637;
-      8'd242: entry_51 = 15'd32655;
-      8'd243: entry_51 = 15'd32671;
-      8'd244: entry_51 = 15'd32685;
-      8'd245: entry_51 = 15'd32699;
-      8'd246: entry_51 = 15'd32711;
-      8'd247: entry_51 = 15'd32722;
-      8'd248: entry_51 = 15'd32732;
-      8'd249: entry_51 = 15'd32741;
-      8'd250: entry_51 = 15'd32748;
-      8'd251: entry_51 = 15'd32755;
-      8'd252: entry_51 = 15'd32759;
-      8'd253: entry_51 = 15'd32763;
-      8'd254: entry_51 = 15'd32766;
-      default: entry_51 = 15'd32767;
+    case (choice_52_10)
+      8'd0: entry_52 = 15'd101;
+      8'd1: entry_52 = 15'd302;
+      8'd2: entry_52 = 15'd503;
+      8'd3: entry_52 = 15'd704;
+      8'd4: entry_52 = 15'd905;
+      8'd5: entry_52 = 15'd1106;
+      8'd6: entry_52 = 15'd1307;
+      8'd7: entry_52 = 15'd1507;
+      8'd8: entry_52 = 15'd1708;
+      8'd9: entry_52 = 15'd1909;
+      8'd10: entry_52 = 15'd2110;
+      8'd11: entry_52 = 15'd2310;
+      8'd12: entry_52 = 15'd2511;
+      8'd13: entry_52 = 15'd2711;
+      8'd14: entry_52 = 15'd2911;
+      8'd15: entry_52 = 15'd3112;
+      8'd16: entry_52 = 15'd3312;
+      8'd17: entry_52 = 15'd3512;
+      8'd18: entry_52 = 15'd3712;
+      8'd19: entry_52 = 15'd3911;
+      8'd20: entry_52 = 15'd4111;
+      8'd21: entry_52 = 15'd4310;
+      8'd22: entry_52 = 15'd4509;
+      8'd23: entry_52 = 15'd4708;
+      8'd24: entry_52 = 15'd4907;
+      8'd25: entry_52 = 15'd5106;
+      8'd26: entry_52 = 15'd5305;
+      8'd27: entry_52 = 15'd5503;
+      8'd28: entry_52 = 15'd5701;
+      8'd29: entry_52 = 15'd5899;
+      8'd30: entry_52 = 15'd6096;
+      8'd31: entry_52 = 15'd6294;
+      8'd32: entry_52 = 15'd6491;
+      8'd33: entry_52 = 15'd6688;
+      8'd34: entry_52 = 15'd6885;
+      8'd35: entry_52 = 15'd7081;
+      8'd36: entry_52 = 15'd7277;
+      8'd37: entry_52 = 15'd7473;
+      8'd38: entry_52 = 15'd7669;
+      8'd39: entry_52 = 15'd7864;
+      8'd40: entry_52 = 15'd8059;
+      8'd41: entry_52 = 15'd8254;
+      8'd42: entry_52 = 15'd8448;
+      8'd43: entry_52 = 15'd8642;
+      8'd44: entry_52 = 15'd8836;
+      8'd45: entry_52 = 15'd9030;
+      8'd46: entry_52 = 15'd9223;
+      8'd47: entry_52 = 15'd9416;
+      8'd48: entry_52 = 15'd9608;
+      8'd49: entry_52 = 15'd9800;
+      8'd50: entry_52 = 15'd9992;
+      8'd51: entry_52 = 15'd10183;
+      8'd52: entry_52 = 15'd10374;
+      8'd53: entry_52 = 15'd10564;
+      8'd54: entry_52 = 15'd10754;
+      8'd55: entry_52 = 15'd10944;
+      8'd56: entry_52 = 15'd11133;
+      8'd57: entry_52 = 15'd11322;
+      8'd58: entry_52 = 15'd11511;
+      8'd59: entry_52 = 15'd11699;
+      8'd60: entry_52 = 15'd11886;
+      8'd61: entry_52 = 15'd12074;
+      8'd62: entry_52 = 15'd12260;
+      8'd63: entry_52 = 15'd12446;
+      8'd64: entry_52 = 15'd12632;
+      8'd65: entry_52 = 15'd12817;
+      8'd66: entry_52 = 15'd13002;
+      8'd67: entry_52 = 15'd13187;
+      8'd68: entry_52 = 15'd13370;
+      8'd69: entry_52 = 15'd13554;
+      8'd70: entry_52 = 15'd13736;
+      8'd71: entry_52 = 15'd13919;
+      8'd72: entry_52 = 15'd14101;
+      8'd73: entry_52 = 15'd14282;
+      8'd74: entry_52 = 15'd14462;
+      8'd75: entry_52 = 15'd14643;
+      8'd76: entry_52 = 15'd14822;
+      8'd77: entry_52 = 15'd15001;
+      8'd78: entry_52 = 15'd15180;
+      8'd79: entry_52 = 15'd15358;
+      8'd80: entry_52 = 15'd15535;
+      8'd81: entry_52 = 15'd15712;
+      8'd82: entry_52 = 15'd15888;
+      8'd83: entry_52 = 15'd16063;
+      8'd84: entry_52 = 15'd16238;
+      8'd85: entry_52 = 15'd16413;
+      8'd86: entry_52 = 15'd16586;
+      8'd87: entry_52 = 15'd16759;
+      8'd88: entry_52 = 15'd16932;
+      8'd89: entry_52 = 15'd17104;
+      8'd90: entry_52 = 15'd17275;
+      8'd91: entry_52 = 15'd17445;
+      8'd92: entry_52 = 15'd17615;
+      8'd93: entry_52 = 15'd17784;
+      8'd94: entry_52 = 15'd17953;
+      8'd95: entry_52 = 15'd18121;
+      8'd96: entry_52 = 15'd18288;
+      8'd97: entry_52 = 15'd18454;
+      8'd98: entry_52 = 15'd18620;
+      8'd99: entry_52 = 15'd18785;
+      8'd100: entry_52 = 15'd18950;
+      8'd101: entry_52 = 15'd19113;
+      8'd102: entry_52 = 15'd19276;
+      8'd103: entry_52 = 15'd19438;
+      8'd104: entry_52 = 15'd19600;
+      8'd105: entry_52 = 15'd19761;
+      8'd106: entry_52 = 15'd19921;
+      8'd107: entry_52 = 15'd20080;
+      8'd108: entry_52 = 15'd20238;
+      8'd109: entry_52 = 15'd20396;
+      8'd110: entry_52 = 15'd20553;
+      8'd111: entry_52 = 15'd20709;
+      8'd112: entry_52 = 15'd20865;
+      8'd113: entry_52 = 15'd21019;
+      8'd114: entry_52 = 15'd21173;
+      8'd115: entry_52 = 15'd21326;
+      8'd116: entry_52 = 15'd21479;
+      8'd117: entry_52 = 15'd21630;
+      8'd118: entry_52 = 15'd21781;
+      8'd119: entry_52 = 15'd21930;
+      8'd120: entry_52 = 15'd22079;
+      8'd121: entry_52 = 15'd22227;
+      8'd122: entry_52 = 15'd22375;
+      8'd123: entry_52 = 15'd22521;
+      8'd124: entry_52 = 15'd22667;
+      8'd125: entry_52 = 15'd22812;
+      8'd126: entry_52 = 15'd22956;
+      8'd127: entry_52 = 15'd23099;
+      8'd128: entry_52 = 15'd23241;
+      8'd129: entry_52 = 15'd23382;
+      8'd130: entry_52 = 15'd23522;
+      8'd131: entry_52 = 15'd23662;
+      8'd132: entry_52 = 15'd23801;
+      8'd133: entry_52 = 15'd23938;
+      8'd134: entry_52 = 15'd24075;
+      8'd135: entry_52 = 15'd24211;
+      8'd136: entry_52 = 15'd24346;
+      8'd137: entry_52 = 15'd24480;
+      8'd138: entry_52 = 15'd24613;
+      8'd139: entry_52 = 15'd24746;
+      8'd140: entry_52 = 15'd24877;
+      8'd141: entry_52 = 15'd25007;
+      8'd142: entry_52 = 15'd25137;
+      8'd143: entry_52 = 15'd25265;
+      8'd144: entry_52 = 15'd25393;
+      8'd145: entry_52 = 15'd25519;
+      8'd146: entry_52 = 15'd25645;
+      8'd147: entry_52 = 15'd25770;
+      8'd148: entry_52 = 15'd25893;
+      8'd149: entry_52 = 15'd26016;
+      8'd150: entry_52 = 15'd26138;
+      8'd151: entry_52 = 15'd26259;
+      8'd152: entry_52 = 15'd26378;
+      8'd153: entry_52 = 15'd26497;
+      8'd154: entry_52 = 15'd26615;
+      8'd155: entry_52 = 15'd26732;
+      8'd156: entry_52 = 15'd26848;
+      8'd157: entry_52 = 15'd26962;
+      8'd158: entry_52 = 15'd27076;
+      8'd159: entry_52 = 15'd27189;
+      8'd160: entry_52 = 15'd27300;
+      8'd161: entry_52 = 15'd27411;
+      8'd162: entry_52 = 15'd27521;
+      8'd163: entry_52 = 15'd27629;
+      8'd164: entry_52 = 15'd27737;
+      8'd165: entry_52 = 15'd27843;
+      8'd166: entry_52 = 15'd27949;
+      8'd167: entry_52 = 15'd28053;
+      8'd168: entry_52 = 15'd28157;
+      8'd169: entry_52 = 15'd28259;
+      8'd170: entry_52 = 15'd28360;
+      8'd171: entry_52 = 15'd28460;
+      8'd172: entry_52 = 15'd28560;
+      8'd173: entry_52 = 15'd28658;
+      8'd174: entry_52 = 15'd28755;
+      8'd175: entry_52 = 15'd28850;
+      8'd176: entry_52 = 15'd28945;
+      8'd177: entry_52 = 15'd29039;
+      8'd178: entry_52 = 15'd29131;
+      8'd179: entry_52 = 15'd29223;
+      8'd180: entry_52 = 15'd29313;
+      8'd181: entry_52 = 15'd29403;
+      8'd182: entry_52 = 15'd29491;
+      8'd183: entry_52 = 15'd29578;
+      8'd184: entry_52 = 15'd29664;
+      8'd185: entry_52 = 15'd29749;
+      8'd186: entry_52 = 15'd29832;
+      8'd187: entry_52 = 15'd29915;
+      8'd188: entry_52 = 15'd29997;
+      8'd189: entry_52 = 15'd30077;
+      8'd190: entry_52 = 15'd30156;
+      8'd191: entry_52 = 15'd30234;
+      8'd192: entry_52 = 15'd30311;
+      8'd193: entry_52 = 15'd30387;
+      8'd194: entry_52 = 15'd30462;
+      8'd195: entry_52 = 15'd30535;
+      8'd196: entry_52 = 15'd30607;
+      8'd197: entry_52 = 15'd30679;
+      8'd198: entry_52 = 15'd30749;
+      8'd199: entry_52 = 15'd30818;
+      8'd200: entry_52 = 15'd30885;
+      8'd201: entry_52 = 15'd30952;
+      8'd202: entry_52 = 15'd31017;
+      8'd203: entry_52 = 15'd31082;
+      8'd204: entry_52 = 15'd31145;
+      8'd205: entry_52 = 15'd31206;
+      8'd206: entry_52 = 15'd31267;
+      8'd207: entry_52 = 15'd31327;
+      8'd208: entry_52 = 15'd31385;
+      8'd209: entry_52 = 15'd31442;
+      8'd210: entry_52 = 15'd31498;
+      8'd211: entry_52 = 15'd31553;
+      8'd212: entry_52 = 15'd31607;
+      8'd213: entry_52 = 15'd31659;
+      8'd214: entry_52 = 15'd31710;
+      8'd215: entry_52 = 15'd31760;
+      8'd216: entry_52 = 15'd31809;
+      8'd217: entry_52 = 15'd31857;
+      8'd218: entry_52 = 15'd31903;
+      8'd219: entry_52 = 15'd31949;
+      8'd220: entry_52 = 15'd31993;
+      8'd221: entry_52 = 15'd32036;
+      8'd222: entry_52 = 15'd32077;
+      8'd223: entry_52 = 15'd32118;
+      8'd224: entry_52 = 15'd32157;
+      8'd225: entry_52 = 15'd32195;
+      8'd226: entry_52 = 15'd32232;
+      8'd227: entry_52 = 15'd32267;
+      8'd228: entry_52 = 15'd32302;
+      8'd229: entry_52 = 15'd32335;
+      8'd230: entry_52 = 15'd32367;
+      8'd231: entry_52 = 15'd32397;
+      8'd232: entry_52 = 15'd32427;
+      8'd233: entry_52 = 15'd32455;
+      8'd234: entry_52 = 15'd32482;
+      8'd235: entry_52 = 15'd32508;
+      8'd236: entry_52 = 15'd32533;
+      8'd237: entry_52 = 15'd32556;
+      8'd238: entry_52 = 15'd32578;
+      8'd239: entry_52 = 15'd32599;
+      8'd240: entry_52 = 15'd32619;
+      8'd241: entry_52 = 15'd32637;
+      8'd242: entry_52 = 15'd32655;
+      8'd243: entry_52 = 15'd32671;
+      8'd244: entry_52 = 15'd32685;
+      8'd245: entry_52 = 15'd32699;
+      8'd246: entry_52 = 15'd32711;
+      8'd247: entry_52 = 15'd32722;
+      8'd248: entry_52 = 15'd32732;
+      8'd249: entry_52 = 15'd32741;
+      8'd250: entry_52 = 15'd32748;
+      8'd251: entry_52 = 15'd32755;
+      8'd252: entry_52 = 15'd32759;
+      8'd253: entry_52 = 15'd32763;
+      8'd254: entry_52 = 15'd32766;
+      default: entry_52 = 15'd32767;
     endcase
   end
 
@@ -419,203 +421,204 @@ module estimator (
       6'd0: begin
         step <= {5'd0, start_i};
         if (enable_i) begin
-          kept_0 <= sum_51 + wide_51;
-          kept_23 <= speed_recent_0;
+          kept_0 <= sum_52 + wide_52;
+          kept_24 <= speed_recent_0;
         end else begin
           kept_0 <= initial_i;
-          kept_23 <= 16'd0;
+          kept_24 <= 16'd0;
         end
         kept_1 <= {1'b0, speed_sum - {{3{speed_recent_7[15]}}, speed_recent_7}};
-        kept_2 <= {1'b0, wide_51_2 - wide_51_3};
-        kept_3 <= {1'b0, sum_51_2[14:0]};
-        kept_4 <= sum_51_2[16:15];
-        kept_5 <= {1'b0, wide_51_5 - wide_51_6};
-        kept_6 <= sum_51_5[14:0];
-        kept_7 <= sum_51_5[16:15];
-        kept_8 <= sum_51_11[16:1];
-        kept_9 <= $signed(sum_51_5[16:1]) > 16'sd16;
-        kept_10 <= sum_51_5[6:1];
+        kept_2 <= {1'b0, wide_52_2 - wide_52_3};
+        kept_3 <= {1'b0, sum_52_2[14:0]};
+        kept_4 <= sum_52_2[16:15];
+        kept_5 <= {1'b0, wide_52_5 - wide_52_6};
+        kept_6 <= sum_52_5[14:0];
+        kept_7 <= sum_52_5[16:15];
+        kept_8 <= sum_52_11[16:1];
+        kept_9 <= $signed(sum_52_5[16:1]) > 16'sd16;
+        kept_10 <= sum_52_5[6:1];
         kept_11 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
-        kept_12 <= {2'd0, {sum_51_2[16], sum_51_2} + {sum_51_5[16], sum_51_5}};
+        kept_12 <= {2'd0, {sum_52_2[16], sum_52_2} + {sum_52_5[16], sum_52_5}};
         kept_13 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
-        kept_14 <= sum_51_19[9];
-        kept_15 <= sum_51[21:14] ^ {8{sum_51_19[8]}};
-        kept_16 <= {sum_51[13:8], 1'b0} ^ 7'h40;
-        kept_17 <= sum_51[23];
-        kept_18 <= {6'd0, sum_51_21[16:1]};
-        kept_19 <= $signed(sum_51_2[16:1]) > 16'sd16;
-        kept_20 <= sum_51_2[6:1];
+        kept_14 <= sum_52_19[9];
+        kept_15 <= sum_52[21:14] ^ {8{sum_52_19[8]}};
+        kept_16 <= {sum_52[13:8], 1'b0} ^ 7'h40;
+        kept_17 <= sum_52[23];
+        kept_18 <= {6'd0, sum_52_21[16:1]};
+        kept_19 <= $signed(sum_52_2[16:1]) > 16'sd16;
+        kept_20 <= sum_52_2[6:1];
         kept_21 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
-        kept_22 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
+        kept_22 <= $signed(observer_way[24:9]) < $signed(edge_i);
+        kept_23 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
         factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, observer_last_dc}};
         factor_b <= {1'b0, pattern_inverse_i};
-        kQuarterWave_entry <= entry_51;
+        kQuarterWave_entry <= entry_52;
       end
       6'd1, 6'd2: begin
-        logic [15:0] difference_51_5;
-        difference_51_5 = -{1'b0, kQuarterWave_entry};  // line 51
+        logic [15:0] difference_52_5;
+        difference_52_5 = -{1'b0, kQuarterWave_entry};  // line 52
         case (step)
           6'd1: begin
-            logic [5:0] choice_51_3;
-            choice_51_3 = (kept_8 < 16'd65503) ? (kept_9 ? 6'd16 : 6'd48) : kept_10;  // line 51
+            logic [5:0] choice_52_3;
+            choice_52_3 = (kept_8 < 16'd65503) ? (kept_9 ? 6'd16 : 6'd48) : kept_10;  // line 52
             step <= step + 6'd1;
             if (kept_17) begin
-              kept_8 <= difference_51_5;
+              kept_8 <= difference_52_5;
             end else begin
               kept_8 <= {1'b0, kQuarterWave_entry};
             end
-            if (sum_51_12[17:1] < 17'd131039) begin
-              if ($signed(difference_51[17:1]) > 17'sd16) begin
+            if (sum_52_12[17:1] < 17'd131039) begin
+              if ($signed(difference_52[17:1]) > 17'sd16) begin
                 kept_10 <= 6'd16;
               end else begin
                 kept_10 <= 6'd48;
               end
             end else begin
-              kept_10 <= difference_51[6:1];
+              kept_10 <= difference_52[6:1];
             end
-            factor_a <= {{10{choice_51_3[5]}}, choice_51_3};
+            factor_a <= {{10{choice_52_3[5]}}, choice_52_3};
             factor_b <= {4'd0, pattern_dead_i};
-            kQuarterWave_entry <= entry_51;
+            kQuarterWave_entry <= entry_52;
           end
           default: begin  // 6'd2
             step <= step + 6'd1;
-            kept_9 <= sum_51_14[28];
-            kept_12 <= {5'd0, sum_51_14[27:13]};
+            kept_9 <= sum_52_14[28];
+            kept_12 <= {5'd0, sum_52_14[27:13]};
             if (kept_14) begin
-              kept_24 <= difference_51_5;
+              kept_25 <= difference_52_5;
             end else begin
-              kept_24 <= {1'b0, kQuarterWave_entry};
+              kept_25 <= {1'b0, kQuarterWave_entry};
             end
-            factor_a <= wide_51_8;
+            factor_a <= wide_52_8;
             factor_b <= {4'd0, pattern_dead_i};
           end
         endcase
       end
       6'd3: begin
-        logic [13:0] choice_51_4;
-        logic [5:0] choice_51_8;
-        choice_51_4 = kept_11 ? product[17:4] : 14'd0;  // line 51
-        choice_51_8 = (kept_18[15:0] < 16'd65503) ? (kept_19 ? 6'd16 : 6'd48) : kept_20;  // line 51
+        logic [13:0] choice_52_4;
+        logic [5:0] choice_52_8;
+        choice_52_4 = kept_11 ? product[17:4] : 14'd0;  // line 52
+        choice_52_8 = (kept_18[15:0] < 16'd65503) ? (kept_19 ? 6'd16 : 6'd48) : kept_20;  // line 52
         step <= step + 6'd1;
-        kept_18 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_51_4[13]}}, choice_51_4}};
-        factor_a <= {{10{choice_51_8[5]}}, choice_51_8};
+        kept_18 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_52_4[13]}}, choice_52_4}};
+        factor_a <= {{10{choice_52_8[5]}}, choice_52_8};
         factor_b <= {4'd0, pattern_dead_i};
       end
       6'd4: begin
-        logic [13:0] choice_51_5;
-        logic [19:0] difference_51_2;
-        logic [19:0] difference_51_3;
-        choice_51_5 = kept_13 ? product[17:4] : 14'd0;  // line 51
-        difference_51_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_51_5[13]}}, choice_51_5};
-        difference_51_3 = kept_18[19:0] - difference_51_2;  // line 51
+        logic [13:0] choice_52_5;
+        logic [19:0] difference_52_2;
+        logic [19:0] difference_52_3;
+        choice_52_5 = kept_13 ? product[17:4] : 14'd0;  // line 52
+        difference_52_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_52_5[13]}}, choice_52_5};
+        difference_52_3 = kept_18[19:0] - difference_52_2;  // line 52
         step <= step + 6'd1;
-        kept_3 <= {1'b0, difference_51_3[14:0]};
-        kept_10 <= {1'b0, difference_51_3[19:15]};
-        kept_18 <= {1'b0, {kept_18[19], kept_18[19:0]} + {difference_51_2[19], difference_51_2}};
+        kept_3 <= {1'b0, difference_52_3[14:0]};
+        kept_10 <= {1'b0, difference_52_3[19:15]};
+        kept_18 <= {1'b0, {kept_18[19], kept_18[19:0]} + {difference_52_2[19], difference_52_2}};
         factor_a <= {1'b0, kept_3[14:0]};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
-        logic [13:0] choice_51_9;
-        logic [20:0] difference_51_7;
-        choice_51_9 = kept_21 ? product[17:4] : 14'd0;  // line 51
-        difference_51_7 =  // line 51
-            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_51_9[13]}}, choice_51_9}, 1'b0} -
+        logic [13:0] choice_52_9;
+        logic [20:0] difference_52_7;
+        choice_52_9 = kept_21 ? product[17:4] : 14'd0;  // line 52
+        difference_52_7 =  // line 52
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_52_9[13]}}, choice_52_9}, 1'b0} -
             kept_18[20:0];
         step <= step + 6'd1;
-        kept_3 <= {1'b0, difference_51_7[14:0]};
-        kept_20 <= difference_51_7[20:15];
+        kept_3 <= {1'b0, difference_52_7[14:0]};
+        kept_20 <= difference_52_7[20:15];
         factor_a <= {1'b0, kept_3[14:0]};
         factor_b <= 16'd28378;
       end
       6'd6: begin
         step <= step + 6'd1;
         kept_18 <= {7'd0, product[29:15]};
-        kept_25 <= product[14:0];
+        kept_26 <= product[14:0];
         factor_a <= {{11{kept_10[4]}}, kept_10[4:0]};
         factor_b <= 16'd28378;
       end
       6'd7: begin
         step <= step + 6'd1;
-        kept_26 <= product[29:15];
-        kept_27 <= product[14:0];
+        kept_27 <= product[29:15];
+        kept_28 <= product[14:0];
         factor_a <= {{14{kept_4[1]}}, kept_4};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd8: begin
         step <= step + 6'd1;
-        kept_6 <= sum_51_13[28:14];
-        kept_10 <= sum_51_13[34:29];
+        kept_6 <= sum_52_13[28:14];
+        kept_10 <= sum_52_13[34:29];
         factor_a <= {1'b0, kept_6};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd9: begin
         step <= step + 6'd1;
-        kept_18 <= {4'd0, sum_51_3[32:15]};
+        kept_18 <= {4'd0, sum_52_3[32:15]};
         factor_a <= {{14{kept_7[1]}}, kept_7};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd10: begin
-        logic [17:0] joined_51;
-        logic [18:0] sum_51_4;
-        logic [17:0] choice_51;
-        joined_51 = {kept_2[16:0], 1'b0};  // line 51
-        sum_51_4 = {joined_51[17], joined_51} + wide_51_4;  // line 51
-        choice_51 =  // line 51
-            sum_51_4[18] ? ((sum_51_4[18:17] == 2'd3) ? sum_51_4[17:0] : 18'd131072) :
-            (sum_51_4[18:17] == 2'd0) ? sum_51_4[17:0] :
+        logic [17:0] joined_52;
+        logic [18:0] sum_52_4;
+        logic [17:0] choice_52;
+        joined_52 = {kept_2[16:0], 1'b0};  // line 52
+        sum_52_4 = {joined_52[17], joined_52} + wide_52_4;  // line 52
+        choice_52 =  // line 52
+            sum_52_4[18] ? ((sum_52_4[18:17] == 2'd3) ? sum_52_4[17:0] : 18'd131072) :
+            (sum_52_4[18:17] == 2'd0) ? sum_52_4[17:0] :
             18'd131071;
         step <= step + 6'd1;
-        kept_18 <= {4'd0, choice_51};
-        kept_25 <= product[29:15];
-        kept_26 <= product[14:0];
+        kept_18 <= {4'd0, choice_52};
+        kept_26 <= product[29:15];
+        kept_27 <= product[14:0];
         factor_a <= {1'b0, kept_6};
         factor_b <= {1'b0, kept_12[14:0]};
       end
       6'd11: begin
         step <= step + 6'd1;
-        kept_2 <= sum_51_6[32:15];
+        kept_2 <= sum_52_6[32:15];
         factor_a <= {kept_6[14], kept_6};
         factor_b <= {15'd0, kept_9};
       end
       6'd12: begin
-        logic [17:0] joined_51_3;
-        logic [18:0] sum_51_7;
-        joined_51_3 = {kept_5[16:0], 1'b0};  // line 51
-        sum_51_7 = {joined_51_3[17], joined_51_3} + wide_51_7;  // line 51
+        logic [17:0] joined_52_3;
+        logic [18:0] sum_52_7;
+        joined_52_3 = {kept_5[16:0], 1'b0};  // line 52
+        sum_52_7 = {joined_52_3[17], joined_52_3} + wide_52_7;  // line 52
         step <= step + 6'd1;
-        if (sum_51_7[18]) begin
-          if (sum_51_7[18:17] == 2'd3) begin
-            kept_2 <= sum_51_7[17:0];
+        if (sum_52_7[18]) begin
+          if (sum_52_7[18:17] == 2'd3) begin
+            kept_2 <= sum_52_7[17:0];
           end else begin
             kept_2 <= 18'd131072;
           end
-        end else if (sum_51_7[18:17] == 2'd0) begin
-          kept_2 <= sum_51_7[17:0];
+        end else if (sum_52_7[18:17] == 2'd0) begin
+          kept_2 <= sum_52_7[17:0];
         end else begin
           kept_2 <= 18'd131071;
         end
         kept_6 <= product[29:15];
         kept_11 <= product[14];
-        kept_25 <= product[14:0];
+        kept_26 <= product[14:0];
         factor_a <= {1'b0, kept_3[14:0]};
         factor_b <= {1'b0, kept_12[14:0]};
       end
       6'd13: begin
-        logic [18:0] sum_51_8;
-        logic [19:0] sum_51_9;
-        logic [2:0] part_51;
-        sum_51_8 = wide_51_4 + wide_51_7;  // line 51
-        sum_51_9 = {sum_51_8[18], sum_51_8} + {{2{kept_2[17]}}, kept_2};  // line 51
-        part_51 = sum_51_9[19:17];  // line 51
+        logic [18:0] sum_52_8;
+        logic [19:0] sum_52_9;
+        logic [2:0] part_52;
+        sum_52_8 = wide_52_4 + wide_52_7;  // line 52
+        sum_52_9 = {sum_52_8[18], sum_52_8} + {{2{kept_2[17]}}, kept_2};  // line 52
+        part_52 = sum_52_9[19:17];  // line 52
         step <= step + 6'd1;
-        case (part_51)
+        case (part_52)
           3'd0: begin
             kept_2 <= 18'd131072;
-            kept_5 <= sum_51_9[17:0];
+            kept_5 <= sum_52_9[17:0];
           end
           3'd7: begin
-            kept_2 <= sum_51_9[17:0];
+            kept_2 <= sum_52_9[17:0];
             kept_5 <= 18'd131071;
           end
           default: begin
@@ -624,57 +627,57 @@ module estimator (
           end
         endcase
         kept_3 <= {1'b0, kept_6} + {1'b0, product[14:0]};
-        kept_13 <= sum_51_9[19];
+        kept_13 <= sum_52_9[19];
         factor_a <= {kept_3[14], kept_3[14:0]};
         factor_b <= {15'd0, kept_9};
       end
       6'd14: begin
-        logic [17:0] choice_51_2;
-        choice_51_2 = kept_13 ? kept_2 : kept_5;  // line 51
+        logic [17:0] choice_52_2;
+        choice_52_2 = kept_13 ? kept_2 : kept_5;  // line 52
         step <= step + 6'd1;
-        kept_6 <= choice_51_2[14:0];
+        kept_6 <= choice_52_2[14:0];
         kept_13 <= product[14];
-        kept_15 <= {5'd0, choice_51_2[17:15]};
-        kept_26 <= product[29:15];
-        kept_27 <= product[14:0];
-        factor_a <= wide_51_8;
+        kept_15 <= {5'd0, choice_52_2[17:15]};
+        kept_27 <= product[29:15];
+        kept_28 <= product[14:0];
+        factor_a <= wide_52_8;
         factor_b <= {1'b0, kept_12[14:0]};
       end
       6'd15: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, {1'b0, kept_26} + {1'b0, product[14:0]}};
-        factor_a <= wide_51_16;
+        kept_2 <= {2'd0, {1'b0, kept_27} + {1'b0, product[14:0]}};
+        factor_a <= wide_52_16;
         factor_b <= {1'b0, kept_12[14:0]};
       end
       6'd16: begin
-        logic [20:0] sum_51_15;
-        sum_51_15 = {5'd0, kept_3} + product[20:0];  // line 51
+        logic [20:0] sum_52_15;
+        sum_52_15 = {5'd0, kept_3} + product[20:0];  // line 52
         step <= step + 6'd1;
-        kept_10 <= sum_51_15[20:15];
-        kept_26 <= sum_51_15[14:0];
-        factor_a <= wide_51_8;
+        kept_10 <= sum_52_15[20:15];
+        kept_27 <= sum_52_15[14:0];
+        factor_a <= wide_52_8;
         factor_b <= {15'd0, kept_9};
       end
       6'd17: begin
-        logic [20:0] sum_51_22;
-        sum_51_22 = {5'd0, kept_2[15:0]} + product[20:0];  // line 51
+        logic [20:0] sum_52_22;
+        sum_52_22 = {5'd0, kept_2[15:0]} + product[20:0];  // line 52
         step <= step + 6'd1;
-        kept_3 <= {1'b0, sum_51_22[14:0]};
-        kept_20 <= sum_51_22[20:15];
-        factor_a <= wide_51_16;
+        kept_3 <= {1'b0, sum_52_22[14:0]};
+        kept_20 <= sum_52_22[20:15];
+        factor_a <= wide_52_16;
         factor_b <= {15'd0, kept_9};
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, sum_51_17[30:15]};
-        kept_9 <= sum_51_16[5] && {sum_51_16[4:0], kept_26, kept_11} != 21'd2097151;
-        kept_16 <= sum_51_17[36:30];
+        kept_2 <= {2'd0, sum_52_17[30:15]};
+        kept_9 <= sum_52_16[5] && {sum_52_16[4:0], kept_27, kept_11} != 21'd2097151;
+        kept_16 <= sum_52_17[36:30];
         factor_a <= {{9{kept_16[6]}}, kept_16};
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, sum_51_24[30:15]};
+        kept_2 <= {2'd0, sum_52_24[30:15]};
         if (kept_9) begin
           if (kept_16 == 7'd127) begin
             kept_3 <= kept_2[15:0];
@@ -686,49 +689,49 @@ module estimator (
         end else begin
           kept_3 <= 16'd32767;
         end
-        kept_9 <= sum_51_23[5] && {sum_51_23[4:0], kept_3[14:0], kept_13} != 21'd2097151;
-        kept_16 <= sum_51_24[36:30];
+        kept_9 <= sum_52_23[5] && {sum_52_23[4:0], kept_3[14:0], kept_13} != 21'd2097151;
+        kept_16 <= sum_52_24[36:30];
         factor_a <= {1'b0, kept_6};
         factor_b <= 16'd18919;
       end
       6'd20: begin
-        logic [15:0] choice_51_6;
-        choice_51_6 =  // line 51
+        logic [15:0] choice_52_6;
+        choice_52_6 =  // line 52
             kept_9 ? ((kept_16 == 7'd127) ? kept_2[15:0] : 16'd32768) :
             (kept_16 == 7'd0) ? kept_2[15:0] :
             16'd32767;
         step <= step + 6'd1;
         kept_2 <= {2'd0, product[15:0]};
-        kept_5 <= {2'd0, choice_51_6};
+        kept_5 <= {2'd0, choice_52_6};
         factor_a <= {{13{kept_15[2]}}, kept_15[2:0]};
         factor_b <= 16'd18919;
       end
       6'd21: begin
         step <= step + 6'd1;
         kept_6 <= product[29:15];
-        kept_25 <= product[14:0];
+        kept_26 <= product[14:0];
         factor_a <= kept_3;
         factor_b <= {1'b0, words_gain_i};
       end
       6'd22: begin
         step <= step + 6'd1;
-        kept_12 <= sum_51_10[34:15];
+        kept_12 <= sum_52_10[34:15];
         factor_a <= kept_2[15:0];
         factor_b <= kept_8;
       end
       6'd23: begin
-        logic [20:0] difference_51_4;
-        difference_51_4 = wide_51_10 - wide_51_11;  // line 51
+        logic [20:0] difference_52_4;
+        difference_52_4 = wide_52_10 - wide_52_11;  // line 52
         step <= step + 6'd1;
-        kept_3 <= difference_51_4[15:0];
-        kept_9 <= difference_51_4[20];
-        kept_10 <= difference_51_4[20:15];
+        kept_3 <= difference_52_4[15:0];
+        kept_9 <= difference_52_4[20];
+        kept_10 <= difference_52_4[20:15];
         factor_a <= kept_5[15:0];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd24: begin
-        logic [16:0] difference_51_6;
-        difference_51_6 = {kept_24[15], kept_24} - wide_51_13;  // line 51
+        logic [16:0] difference_52_6;
+        difference_52_6 = {kept_25[15], kept_25} - wide_52_13;  // line 52
         step <= step + 6'd1;
         if (kept_9) begin
           if (kept_10 != 6'd63) begin
@@ -737,56 +740,56 @@ module estimator (
         end else if (kept_10 != 6'd0) begin
           kept_3 <= 16'd32767;
         end
-        kept_9 <= difference_51_6[16:15] == 2'd3;
-        kept_11 <= difference_51_6[16:15] == 2'd0;
-        kept_13 <= difference_51_6[16];
-        kept_24 <= difference_51_6[15:0];
+        kept_9 <= difference_52_6[16:15] == 2'd3;
+        kept_11 <= difference_52_6[16:15] == 2'd0;
+        kept_13 <= difference_52_6[16];
+        kept_25 <= difference_52_6[15:0];
         factor_a <= kept_2[15:0];
-        factor_b <= kept_24;
+        factor_b <= kept_25;
       end
       6'd25, 6'd27: begin
-        logic [15:0] choice_51_7;
-        logic [31:0] wide_51_14;
-        choice_51_7 =  // line 51
-            kept_13 ? (kept_9 ? kept_24 : 16'd32768) :
-            kept_11 ? kept_24 :
+        logic [15:0] choice_52_7;
+        logic [31:0] wide_52_14;
+        choice_52_7 =  // line 52
+            kept_13 ? (kept_9 ? kept_25 : 16'd32768) :
+            kept_11 ? kept_25 :
             16'd32767;
-        wide_51_14 = {{16{choice_51_7[15]}}, choice_51_7};  // line 51
+        wide_52_14 = {{16{choice_52_7[15]}}, choice_52_7};  // line 52
         case (step)
           6'd25: begin
-            logic [20:0] difference_51_8;
-            difference_51_8 = {{3{kept_18[17]}}, kept_18[17:0]} - wide_51_11;  // line 51
+            logic [20:0] difference_52_8;
+            difference_52_8 = {{3{kept_18[17]}}, kept_18[17:0]} - wide_52_11;  // line 52
             step <= step + 6'd1;
-            kept_9 <= difference_51_8[20];
-            kept_10 <= difference_51_8[20:15];
-            kept_24 <= difference_51_8[15:0];
-            kept_28 <= {1'b0, wide_51_14};
+            kept_9 <= difference_52_8[20];
+            kept_10 <= difference_52_8[20:15];
+            kept_25 <= difference_52_8[15:0];
+            kept_29 <= {1'b0, wide_52_14};
             factor_a <= kept_3;
             if (kept_13) begin
               if (kept_9) begin
-                factor_b <= kept_24;
+                factor_b <= kept_25;
               end else begin
                 factor_b <= 16'd32768;
               end
             end else if (kept_11) begin
-              factor_b <= kept_24;
+              factor_b <= kept_25;
             end else begin
               factor_b <= 16'd32767;
             end
           end
           default: begin  // 6'd27
             step <= step + 6'd1;
-            kept_29 <= product;
-            kept_30 <= wide_51_14;
+            kept_30 <= product;
+            kept_31 <= wide_52_14;
             factor_a <= kept_8;
             if (kept_13) begin
               if (kept_9) begin
-                factor_b <= kept_24;
+                factor_b <= kept_25;
               end else begin
                 factor_b <= 16'd32768;
               end
             end else if (kept_11) begin
-              factor_b <= kept_24;
+              factor_b <= kept_25;
             end else begin
               factor_b <= 16'd32767;
             end
@@ -794,52 +797,52 @@ module estimator (
         endcase
       end
       6'd26: begin
-        logic [16:0] sum_51_25;
-        sum_51_25 = {kept_8[15], kept_8} + wide_51_13;  // line 51
+        logic [16:0] sum_52_25;
+        sum_52_25 = {kept_8[15], kept_8} + wide_52_13;  // line 52
         step <= step + 6'd1;
         if (kept_9) begin
           if (kept_10 == 6'd63) begin
-            kept_8 <= kept_24;
+            kept_8 <= kept_25;
           end else begin
             kept_8 <= 16'd32768;
           end
         end else if (kept_10 == 6'd0) begin
-          kept_8 <= kept_24;
+          kept_8 <= kept_25;
         end else begin
           kept_8 <= 16'd32767;
         end
-        kept_9 <= sum_51_25[16:15] == 2'd3;
-        kept_11 <= sum_51_25[16:15] == 2'd0;
-        kept_13 <= sum_51_25[16];
-        kept_24 <= sum_51_25[15:0];
+        kept_9 <= sum_52_25[16:15] == 2'd3;
+        kept_11 <= sum_52_25[16:15] == 2'd0;
+        kept_13 <= sum_52_25[16];
+        kept_25 <= sum_52_25[15:0];
         factor_a <= emf_emf[27:12];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd28: begin
         step <= step + 6'd1;
-        kept_12 <= sum_51_18[31:12];
+        kept_12 <= sum_52_18[31:12];
         factor_a <= kept_8;
-        factor_b <= kept_28[15:0];
+        factor_b <= kept_29[15:0];
       end
       6'd29: begin
-        logic [32:0] difference_51_9;
-        difference_51_9 = wide_51_15 - wide_51_12;  // line 51
+        logic [32:0] difference_52_9;
+        difference_52_9 = wide_52_15 - wide_52_12;  // line 52
         step <= step + 6'd1;
-        kept_9 <= difference_51_9[32] && difference_51_9[31:14] != 18'd262143;
-        kept_28 <= difference_51_9;
+        kept_9 <= difference_52_9[32] && difference_52_9[31:14] != 18'd262143;
+        kept_29 <= difference_52_9;
         factor_a <= kept_3;
-        factor_b <= kept_30[15:0];
+        factor_b <= kept_31[15:0];
       end
       6'd30: begin
         if (enable_i) begin
           if (kept_9) begin
-            if (sum_51_26[33:30] == 4'd15) begin
-              speed_recent_0 <= sum_51_26[30:15];
+            if (sum_52_26[33:30] == 4'd15) begin
+              speed_recent_0 <= sum_52_26[30:15];
             end else begin
               speed_recent_0 <= 16'd32768;
             end
-          end else if (sum_51_26[33:30] == 4'd0) begin
-            speed_recent_0 <= sum_51_26[30:15];
+          end else if (sum_52_26[33:30] == 4'd0) begin
+            speed_recent_0 <= sum_52_26[30:15];
           end else begin
             speed_recent_0 <= 16'd32767;
           end
@@ -848,45 +851,45 @@ module estimator (
         end
         step <= step + 6'd1;
         if (kept_9) begin
-          if (sum_51_26[33:30] == 4'd15) begin
-            kept_3 <= sum_51_26[30:15];
+          if (sum_52_26[33:30] == 4'd15) begin
+            kept_3 <= sum_52_26[30:15];
           end else begin
             kept_3 <= 16'd32768;
           end
-        end else if (sum_51_26[33:30] == 4'd0) begin
-          kept_3 <= sum_51_26[30:15];
+        end else if (sum_52_26[33:30] == 4'd0) begin
+          kept_3 <= sum_52_26[30:15];
         end else begin
           kept_3 <= 16'd32767;
         end
-        kept_29 <= product;
+        kept_30 <= product;
       end
       6'd31: begin
-        logic [18:0] sum_53;
-        logic [18:0] choice_53;
-        logic [20:0] sum_52;
-        logic [32:0] sum_51_27;
-        sum_53 = kept_1[18:0] + {{3{kept_3[15]}}, kept_3};  // line 53
-        choice_53 = words_average_i ? sum_53 : {kept_3, 3'd0};  // line 53
-        sum_52 = {{5{kept_3[15]}}, kept_3} + wide_51_10;  // line 52
-        sum_51_27 = wide_51_15 + wide_51_12;  // line 51
+        logic [18:0] sum_54;
+        logic [18:0] choice_54;
+        logic [20:0] sum_53;
+        logic [32:0] sum_52_27;
+        sum_54 = kept_1[18:0] + {{3{kept_3[15]}}, kept_3};  // line 54
+        choice_54 = words_average_i ? sum_54 : {kept_3, 3'd0};  // line 54
+        sum_53 = {{5{kept_3[15]}}, kept_3} + wide_52_10;  // line 53
+        sum_52_27 = wide_52_15 + wide_52_12;  // line 52
         if (enable_i) begin
-          speed_sum <= sum_53;
+          speed_sum <= sum_54;
         end else begin
           speed_sum <= 19'd0;
         end
         step <= step + 6'd1;
-        kept_6 <= choice_53[14:0];
-        kept_9 <= sum_51_27[32] && sum_51_27[31:14] != 18'd262143;
-        kept_10 <= {2'd0, choice_53[18:15]};
-        kept_28 <= sum_51_27;
-        if (sum_52[20]) begin
-          if (sum_52[20:15] == 6'd63) begin
-            factor_a <= sum_52[15:0];
+        kept_6 <= choice_54[14:0];
+        kept_9 <= sum_52_27[32] && sum_52_27[31:14] != 18'd262143;
+        kept_10 <= {2'd0, choice_54[18:15]};
+        kept_29 <= sum_52_27;
+        if (sum_53[20]) begin
+          if (sum_53[20:15] == 6'd63) begin
+            factor_a <= sum_53[15:0];
           end else begin
             factor_a <= 16'd32768;
           end
-        end else if (sum_52[20:15] == 6'd0) begin
-          factor_a <= sum_52[15:0];
+        end else if (sum_53[20:15] == 6'd0) begin
+          factor_a <= sum_53[15:0];
         end else begin
           factor_a <= 16'd32767;
         end
@@ -895,13 +898,13 @@ module estimator (
       6'd32: begin
         step <= step + 6'd1;
         if (kept_9) begin
-          if (sum_51_26[33:30] == 4'd15) begin
-            kept_3 <= sum_51_26[30:15];
+          if (sum_52_26[33:30] == 4'd15) begin
+            kept_3 <= sum_52_26[30:15];
           end else begin
             kept_3 <= 16'd32768;
           end
-        end else if (sum_51_26[33:30] == 4'd0) begin
-          kept_3 <= sum_51_26[30:15];
+        end else if (sum_52_26[33:30] == 4'd0) begin
+          kept_3 <= sum_52_26[30:15];
         end else begin
           kept_3 <= 16'd32767;
         end
@@ -910,14 +913,14 @@ module estimator (
       end
       6'd33: begin
         if (enable_i) begin
-          if (difference_52[29]) begin
-            if (difference_52[29:27] == 3'd7) begin
-              emf_emf <= difference_52[27:0];
+          if (difference_53[29]) begin
+            if (difference_53[29:27] == 3'd7) begin
+              emf_emf <= difference_53[27:0];
             end else begin
               emf_emf <= 28'd134217728;
             end
-          end else if (difference_52[29:27] == 3'd0) begin
-            emf_emf <= difference_52[27:0];
+          end else if (difference_53[29:27] == 3'd0) begin
+            emf_emf <= difference_53[27:0];
           end else begin
             emf_emf <= 28'd134217727;
           end
@@ -925,34 +928,34 @@ module estimator (
           emf_emf <= 28'd0;
         end
         step <= step + 6'd1;
-        kept_6 <= choice_52[20:6];
-        kept_16 <= choice_52[27:21];
+        kept_6 <= choice_53[20:6];
+        kept_16 <= choice_53[27:21];
         factor_a <= kept_3;
         factor_b <= {1'b0, words_k_si_i};
       end
       6'd34: begin
         step <= step + 6'd1;
-        kept_25 <= product[29:15];
-        kept_26 <= product[14:0];
+        kept_26 <= product[29:15];
+        kept_27 <= product[14:0];
         factor_a <= kept_3;
         factor_b <= {1'b0, words_k_theta_i};
       end
       6'd35: begin
         step <= step + 6'd1;
-        kept_29 <= {8'd0, sum_53_2[31:8]};
+        kept_30 <= {8'd0, sum_54_2[31:8]};
         factor_a <= {1'b0, kept_6};
         factor_b <= {1'b0, words_k_speed_i};
       end
       6'd36: begin
         if (enable_i) begin
-          if (sum_53_3[28]) begin
-            if (sum_53_3[28:27] == 2'd3) begin
-              speed_integral <= sum_53_3[27:0];
+          if (sum_54_3[28]) begin
+            if (sum_54_3[28:27] == 2'd3) begin
+              speed_integral <= sum_54_3[27:0];
             end else begin
               speed_integral <= 28'd134217728;
             end
-          end else if (sum_53_3[28:27] == 2'd0) begin
-            speed_integral <= sum_53_3[27:0];
+          end else if (sum_54_3[28:27] == 2'd0) begin
+            speed_integral <= sum_54_3[27:0];
           end else begin
             speed_integral <= 28'd134217727;
           end
@@ -961,64 +964,64 @@ module estimator (
         end
         step <= step + 6'd1;
         if (words_voltage_i) begin
-          kept_12 <= choice_53_2[27:8];
+          kept_12 <= choice_54_2[27:8];
         end else begin
           kept_12 <= 20'd0;
         end
-        kept_29 <= {7'd0, sum_52_4[31:7]};
+        kept_30 <= {7'd0, sum_53_4[31:7]};
         factor_a <= {{9{kept_16[6]}}, kept_16};
         factor_b <= {1'b0, words_k_speed_i};
       end
       6'd37: begin
-        logic [6:0] wide_52;
-        wide_52 = {{3{kept_10[3]}}, kept_10[3:0]};  // line 52
+        logic [6:0] wide_53;
+        wide_53 = {{3{kept_10[3]}}, kept_10[3:0]};  // line 53
         step <= step + 6'd1;
         kept_6 <= product[29:15];
         kept_9 <= product[14];
-        kept_27 <= product[14:0];
-        factor_a <= {{9{wide_52[6]}}, wide_52};
+        kept_28 <= product[14:0];
+        factor_a <= {{9{wide_53[6]}}, wide_53};
         factor_b <= {1'b0, words_k_emf_i};
       end
       6'd38: begin
-        logic [21:0] sum_52_2;
-        sum_52_2 = {7'd0, kept_6} + product[21:0];  // line 52
+        logic [21:0] sum_53_2;
+        sum_53_2 = {7'd0, kept_6} + product[21:0];  // line 53
         step <= step + 6'd1;
-        kept_9 <= sum_52_2[21] && {sum_52_2[20:0], kept_9} != 22'd4194303;
-        kept_18 <= sum_52_2;
+        kept_9 <= sum_53_2[21] && {sum_53_2[20:0], kept_9} != 22'd4194303;
+        kept_18 <= sum_53_2;
       end
       6'd39: begin
         step <= step + 6'd1;
         if (kept_9) begin
-          if (sum_52_3[37:34] == 4'd15) begin
-            kept_1 <= sum_52_3[34:15];
+          if (sum_53_3[37:34] == 4'd15) begin
+            kept_1 <= sum_53_3[34:15];
           end else begin
             kept_1 <= 20'd524288;
           end
-        end else if (sum_52_3[37:34] == 4'd0) begin
-          kept_1 <= sum_52_3[34:15];
+        end else if (sum_53_3[37:34] == 4'd0) begin
+          kept_1 <= sum_53_3[34:15];
         end else begin
           kept_1 <= 20'd524287;
         end
-        kept_9 <= $signed(joined_53) > 34'sd1024;
-        kept_10 <= {1'b0, difference_53[34:30]};
-        kept_18 <= {2'd0, difference_53[30:11]};
+        kept_9 <= $signed(joined_54) > 34'sd1024;
+        kept_10 <= {1'b0, difference_54[34:30]};
+        kept_18 <= {2'd0, difference_54[30:11]};
       end
       6'd40: begin
         logic [19:0] by_voltage_emf_step;
         logic [19:0] turned_emf_step;
-        logic [26:0] wide_55;
+        logic [26:0] wide_56;
         logic [25:0] by_current_pull;
         logic [25:0] turned_pull;
-        logic [26:0] wide_55_2;
-        by_voltage_emf_step =  // line 53
+        logic [26:0] wide_56_2;
+        by_voltage_emf_step =  // line 54
             kept_9 ? ((kept_10[4:0] == 5'd31) ? kept_18[19:0] : 20'd524288) :
             (kept_10[4:0] == 5'd0) ? kept_18[19:0] :
             20'd524287;
-        turned_emf_step = words_voltage_i ? by_voltage_emf_step : kept_1;  // line 54
-        wide_55 = {{7{turned_emf_step[19]}}, turned_emf_step};  // line 55
-        by_current_pull = {kept_29[24], kept_29[24:0]};  // line 52
-        turned_pull = {{6{kept_12[19]}}, kept_12} + by_current_pull;  // line 54
-        wide_55_2 = {turned_pull[25], turned_pull};  // line 55
+        turned_emf_step = words_voltage_i ? by_voltage_emf_step : kept_1;  // line 55
+        wide_56 = {{7{turned_emf_step[19]}}, turned_emf_step};  // line 56
+        by_current_pull = {kept_30[24], kept_30[24:0]};  // line 53
+        turned_pull = {{6{kept_12[19]}}, kept_12} + by_current_pull;  // line 55
+        wide_56_2 = {turned_pull[25], turned_pull};  // line 56
         step <= step + 6'd1;
         if (enable_i) begin
           if (words_voltage_i) begin
@@ -1037,34 +1040,34 @@ module estimator (
         end else begin
           kept_1 <= 20'd0;
         end
-        kept_29 <= {5'd0, wide_55 - wide_55_2};
-        kept_30 <= {5'd0, wide_55 + wide_55_2};
+        kept_30 <= {5'd0, wide_56 - wide_56_2};
+        kept_31 <= {5'd0, wide_56 + wide_56_2};
       end
       6'd41: begin
-        logic [26:0] choice_55;
+        logic [26:0] choice_56;
         logic [19:0] step_2;
-        choice_55 = observer_way[24] ? kept_29[26:0] : kept_30[26:0];  // line 55
-        step_2 =  // line 55
-            choice_55[26] ? ((choice_55[26:19] == 8'd255) ? choice_55[19:0] : 20'd524288) :
-            (choice_55[26:19] == 8'd0) ? choice_55[19:0] :
+        choice_56 = kept_22 ? kept_30[26:0] : kept_31[26:0];  // line 56
+        step_2 =  // line 56
+            choice_56[26] ? ((choice_56[26:19] == 8'd255) ? choice_56[19:0] : 20'd524288) :
+            (choice_56[26:19] == 8'd0) ? choice_56[19:0] :
             20'd524287;
         step <= step + 6'd1;
         if (enable_i) begin
-          if (choice_55[26]) begin
-            if (choice_55[26:19] == 8'd255) begin
-              kept_12 <= choice_55[19:0];
+          if (choice_56[26]) begin
+            if (choice_56[26:19] == 8'd255) begin
+              kept_12 <= choice_56[19:0];
             end else begin
               kept_12 <= 20'd524288;
             end
-          end else if (choice_55[26:19] == 8'd0) begin
-            kept_12 <= choice_55[19:0];
+          end else if (choice_56[26:19] == 8'd0) begin
+            kept_12 <= choice_56[19:0];
           end else begin
             kept_12 <= 20'd524287;
           end
         end else begin
           kept_12 <= 20'd0;
         end
-        kept_22 <= kept_22 + {{5{step_2[19]}}, step_2};
+        kept_23 <= kept_23 + {{5{step_2[19]}}, step_2};
       end
       6'd42: begin
         observer_last_u <= i_u_i;
@@ -1073,7 +1076,7 @@ module estimator (
         observer_before <= kept_0;
         observer_step <= kept_12;
         if (enable_i) begin
-          observer_way <= kept_22;
+          observer_way <= kept_23;
           speed_recent_2 <= speed_recent_1;
           speed_recent_3 <= speed_recent_2;
           speed_recent_4 <= speed_recent_3;
@@ -1091,13 +1094,13 @@ module estimator (
           speed_recent_7 <= 16'd0;
           error_held <= 16'd0;
         end
-        speed_recent_1 <= kept_23;
+        speed_recent_1 <= kept_24;
         step <= 6'd0;
         emf_step_held <= kept_1;
       end
       default: step <= step + 6'd1;
     endcase
-    product <= product_next;  // line 52
+    product <= product_next;  // line 53
     done <= step == 6'd42;
     missed <= start_i && step != 6'd0;
     if (rst) begin
@@ -1141,15 +1144,16 @@ module estimator (
       kept_19 <= 1'b0;
       kept_20 <= 6'd0;
       kept_21 <= 1'b0;
-      kept_22 <= 25'd0;
-      kept_23 <= 16'd0;
+      kept_22 <= 1'b0;
+      kept_23 <= 25'd0;
       kept_24 <= 16'd0;
-      kept_25 <= 15'd0;
+      kept_25 <= 16'd0;
       kept_26 <= 15'd0;
       kept_27 <= 15'd0;
-      kept_28 <= 33'd0;
-      kept_29 <= 32'd0;
+      kept_28 <= 15'd0;
+      kept_29 <= 33'd0;
       kept_30 <= 32'd0;
+      kept_31 <= 32'd0;
       factor_a <= 16'd0;
       factor_b <= 16'd0;
       product <= 32'd0;
@@ -1171,9 +1175,9 @@ module estimator (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_30[31:27], sum_51_3[14:0], sum_51_6[14:0], sum_51_10[14:0], sum_51_11[0],
-      sum_51_12[0], difference_51[0], sum_51_13[13:0], sum_51_14[12:0], sum_51_17[14:0],
-      sum_51_18[11:0], sum_51_19[7:0], sum_51_20[22:0], sum_51_21[0], sum_51_24[14:0],
-      sum_51_26[14:0], difference_53[10:0], choice_52[5:0], sum_52_3[14:0], sum_53_2[7:0],
-      choice_53_2[7:0], sum_52_4[6:0]};
+      &{1'b0, kept_31[31:27], sum_52_3[14:0], sum_52_6[14:0], sum_52_10[14:0], sum_52_11[0],
+      sum_52_12[0], difference_52[0], sum_52_13[13:0], sum_52_14[12:0], sum_52_17[14:0],
+      sum_52_18[11:0], sum_52_19[7:0], sum_52_20[22:0], sum_52_21[0], sum_52_24[14:0],
+      sum_52_26[14:0], difference_54[10:0], choice_53[5:0], sum_53_3[14:0], sum_54_2[7:0],
+      choice_54_2[7:0], sum_53_4[6:0]};
 endmodule

@@ -1,7 +1,7 @@
 // sinusoidal_control: steplock::SinusoidalControl, printed by hlsgen from hls/sinusoidal/sinusoidal_control.hpp:28.
-// A sample takes 453 clocks, and in no order fewer than 453: 681 operations, 88 products, 6 entries of tables
-// as 448 instructions on 1 multiplier of 31 x 16 bits and one adder of 44; 467 register bits,
-// 107 words of memory of 32 bits. Early outputs are new after 225 clocks.
+// A sample takes 457 clocks, and in no order fewer than 457: 685 operations, 88 products, 6 entries of tables
+// as 452 instructions on 1 multiplier of 31 x 16 bits and one adder of 44; 467 register bits,
+// 106 words of memory of 32 bits. Early outputs are new after 225 clocks.
 // Do not edit: change the C++ and print again.
 
 module sinusoidal_control (
@@ -9,6 +9,7 @@ module sinusoidal_control (
     input  logic        rst,  // synchronous, active high
     input  logic        estimate_i,  // false: the angle is `initial`, the speed 0
     input  logic        regulate_i,  // the loop is closed
+    input  logic        locked_i,  // a slow estimate is to be believed
     input  logic        reverse_i,  // the wanted direction
     input  logic        slow_down_i,  // towards a stop
     input  logic        hold_i,  // one leg alone
@@ -181,28 +182,28 @@ module sinusoidal_control (
       .data_o(table__data)
   );
 
-  wire [30:0] choice_13 = program__data[38] ? result[30:0] : numbers_c_data[30:0];
-  wire [15:0] choice_14 = program__data[39] ? port[15:0] : numbers_d_data[15:0];
-  wire [46:0] product_next = $signed(choice_13) * $signed(choice_14);
-  wire choice_15 =
+  wire [30:0] choice_15 = program__data[38] ? result[30:0] : numbers_c_data[30:0];
+  wire [15:0] choice_16 = program__data[39] ? port[15:0] : numbers_d_data[15:0];
+  wire [46:0] product_next = $signed(choice_15) * $signed(choice_16);
+  wire choice_17 =
       program__data[51] ? (program__data[50] ? port[0] : sum[43]) :
       program__data[50] ? result[0] :
       condition;
-  wire differ = choice_15 ^ program__data[52];
+  wire differ = choice_17 ^ program__data[52];
   wire both_2 = program__data[40] && (!program__data[49] || differ);
   wire both_3 = program__data[43] && (!program__data[49] || !differ);
-  wire [31:0] choice_16 =
+  wire [31:0] choice_18 =
       program__data[41] ? (program__data[42] ? sum[31:0] : result) : numbers_a_data;
-  wire [25:0] choice_17 = program__data[45] ? {11'd0, table__data} : port;
-  wire [43:0] choice_18 =
+  wire [25:0] choice_19 = program__data[45] ? {11'd0, table__data} : port;
+  wire [43:0] choice_20 =
       program__data[44] ?
-      (program__data[46] ? {{18{choice_17[25]}}, choice_17} :
+      (program__data[46] ? {{18{choice_19[25]}}, choice_19} :
       program__data[45] ? {{12{result[31]}}, result} :
       product[43:0]) : {{12{numbers_b_data[31]}}, numbers_b_data};
-  wire [31:0] both_4 = choice_16 & {32{both_2}};
+  wire [31:0] both_4 = choice_18 & {32{both_2}};
   wire [44:0] sum_2 =
       {{12{both_4[31]}}, both_4, 1'b1} +
-      {(choice_18 & {44{both_3}}) ^ {44{program__data[47]}}, program__data[48]};
+      {(choice_20 & {44{both_3}}) ^ {44{program__data[47]}}, program__data[48]};
   wire [43:0] shifted = $signed(sum) >>> program__data[57:53];
   wire [4:0] part = program__data[62:58];
   wire either = shifted[43:17] == 27'd0 || shifted[43:17] == 27'd134217727;
@@ -234,22 +235,22 @@ module sinusoidal_control (
   end
 
   wire inverse = !shifted[43];
-  wire choice_19 =
-      program__data[58] ? either : shifted[43:15] == 29'd0 || shifted[43:15] == 29'd536870911;
-  wire choice_20 =
-      program__data[58] ? either_2 : shifted[43:19] == 25'd0 || shifted[43:19] == 25'd33554431;
   wire choice_21 =
-      program__data[60] ? program__data[59] || choice_20 :
-      program__data[59] ? choice_19 :
-      !program__data[58] || shifted[43:15] == 29'd0;
-  wire [31:0] choice_22 =
-      (!program__data[62] || !program__data[61] || choice_21) ? shifted[31:0] : {32{inverse}};
+      program__data[58] ? either : shifted[43:15] == 29'd0 || shifted[43:15] == 29'd536870911;
+  wire choice_22 =
+      program__data[58] ? either_2 : shifted[43:19] == 25'd0 || shifted[43:19] == 25'd33554431;
   wire choice_23 =
+      program__data[60] ? program__data[59] || choice_22 :
+      program__data[59] ? choice_21 :
+      !program__data[58] || shifted[43:15] == 29'd0;
+  wire [31:0] choice_24 =
+      (!program__data[62] || !program__data[61] || choice_23) ? shifted[31:0] : {32{inverse}};
+  wire choice_25 =
       program__data[60] ?
       (program__data[59] ? program__data[58] && shifted[18] : program__data[58] && shifted[17]) :
       program__data[59] ? !program__data[58] && shifted[15] :
       !program__data[58] && shifted[14];
-  wire choice_24 =
+  wire choice_26 =
       program__data[61] ?
       (program__data[60] ? !program__data[59] && shifted[43] :
       program__data[59] ? shifted[43] :
@@ -259,115 +260,121 @@ module sinusoidal_control (
       !program__data[58] && shifted[23]) :
       program__data[59] ? !program__data[58] && shifted[20] :
       program__data[58] && shifted[19];
-  wire choice_25 =
-      program__data[62] ? choice_24 :
-      program__data[61] ? choice_23 :
+  wire choice_27 =
+      program__data[62] ? choice_26 :
+      program__data[61] ? choice_25 :
       program__data[60] ? program__data[59] && !program__data[58] && shifted[13] :
       program__data[59] ? (program__data[58] ? shifted[6] : shifted[5]) :
       !program__data[58] && shifted[43];
-  wire [27:0] both_5 = ~entry[27:0] & {28{choice_25}};
-  wire [31:0] either_3 = (entry & choice_22) | {{4{both_5[27]}}, both_5};
-  wire choice_26 =
+  wire [27:0] both_5 = ~entry[27:0] & {28{choice_27}};
+  wire [31:0] either_3 = (entry & choice_24) | {{4{both_5[27]}}, both_5};
+  wire choice_28 =
       program__data[58] ? sum[43] ^ program__data[63] : (sum == 44'd0) ^ program__data[63];
-  wire both_6 = program__data[59] && choice_26;
+  wire both_6 = program__data[59] && choice_28;
   wire [3:0] part_2 = program__data[75:72];
 
   always_ff @(posedge clk) begin
     if (step == 9'd0) begin
       step <= {8'd0, start_i};
-    end else if (step == 9'd452) begin
+    end else if (step == 9'd456) begin
       step <= 9'd0;
     end else begin
       step <= step + 9'd1;
     end
     active <= step != 9'd0;
-    fresh <= fresh && step != 9'd452;
+    fresh <= fresh && step != 9'd456;
     result <=
         either_3 | {31'd0, program__data[62] && program__data[61] && program__data[60] && both_6};
     if (program__data[37]) begin
       if (program__data[36]) begin
-        port <= {11'd0, program__data[32] ? hold_voltage_i : control_limit_i};
+        logic [14:0] choice_8;
+        choice_8 =
+            program__data[33] ? hold_voltage_i :
+            program__data[32] ? control_limit_i :
+            control_emf_i;
+        port <= {11'd0, choice_8};
       end else if (program__data[35]) begin
         logic [14:0] choice_6;
-        logic [15:0] choice_10;
+        logic [15:0] choice_7;
+        logic [15:0] wide_2;
+        logic [15:0] choice_12;
         choice_6 =
-            program__data[33] ? (program__data[32] ? control_emf_i : control_inductance_i) :
-            program__data[32] ? control_k_i_i :
-            control_k_p_i;
-        choice_10 =
-            program__data[34] ? {1'b0, choice_6} :
-            program__data[33] ?
-            (program__data[32] ? control_set_gamma_i : {1'b0, speed_emf_high_i}) :
-            {1'b0, program__data[32] ? speed_emf_low_i : speed_stop_i};
-        port <= {{10{choice_10[15]}}, choice_10};
+            program__data[33] ? (program__data[32] ? speed_emf_high_i : speed_emf_low_i) :
+            program__data[32] ? speed_stop_i :
+            speed_slow_i;
+        choice_7 =
+            program__data[33] ? {1'b0, program__data[32] ? control_inductance_i : control_k_i_i} :
+            program__data[32] ? {1'b0, control_k_p_i} :
+            control_set_gamma_i;
+        wide_2 = {1'b0, choice_6};
+        choice_12 = program__data[34] ? choice_7 : wide_2;
+        port <= {{10{choice_12[15]}}, choice_12};
       end else begin
         logic [14:0] choice_5;
-        logic [24:0] choice_9;
+        logic [24:0] choice_11;
         choice_5 =
-            program__data[33] ? (program__data[32] ? speed_slow_i : speed_lock_i) :
-            program__data[32] ? speed_limit_i :
-            speed_k_i_i;
-        choice_9 =
+            program__data[33] ? (program__data[32] ? speed_lock_i : speed_limit_i) :
+            program__data[32] ? speed_k_i_i :
+            speed_k_p_i;
+        choice_11 =
             program__data[34] ? {10'd0, choice_5} :
-            program__data[33] ? {10'd0, program__data[32] ? speed_k_p_i : speed_filter_i} :
-            program__data[32] ? {10'd0, speed_slew_i} :
-            speed_target_i;
-        port <= {1'b0, choice_9};
+            program__data[33] ? {10'd0, program__data[32] ? speed_filter_i : speed_slew_i} :
+            program__data[32] ? speed_target_i :
+            {10'd0, estimator_k_si_i};
+        port <= {1'b0, choice_11};
       end
     end else begin
       logic [15:0] choice;
       logic [15:0] choice_2;
       logic [13:0] choice_3;
       logic [14:0] choice_4;
-      logic choice_7;
-      logic [24:0] choice_8;
+      logic choice_9;
+      logic [24:0] choice_10;
       logic [14:0] wide;
-      logic [14:0] choice_11;
-      logic [24:0] choice_12;
-      choice = program__data[32] ? b_i : a_i;
+      logic [14:0] choice_13;
+      logic [24:0] choice_14;
+      choice = program__data[32] ? a_i : {15'd0, search_i};
       choice_2 =
-          program__data[33] ? {2'd0, program__data[32] ? ended_on_v_i : ended_on_u_i} :
-          program__data[32] ? {4'd0, v_dc_i} :
-          i_v_i;
+          program__data[33] ? {2'd0, program__data[32] ? ended_on_u_i : {2'd0, v_dc_i}} :
+          program__data[32] ? i_v_i :
+          i_u_i;
       choice_3 =
-          program__data[33] ? (program__data[32] ? {2'd0, bridge_lost_i} : bridge_minimum_i) :
-          program__data[32] ? bridge_period_i :
-          ended_on_w_i;
+          program__data[33] ? (program__data[32] ? bridge_minimum_i : bridge_period_i) :
+          program__data[32] ? ended_on_w_i :
+          ended_on_v_i;
       choice_4 =
-          program__data[33] ?
-          (program__data[32] ? {14'd0, estimator_voltage_i} : bridge_inverse_i) :
-          {14'd0, program__data[32] ? bridge_sine_i : bridge_compensate_i};
-      choice_7 =
+          program__data[33] ? (program__data[32] ? bridge_inverse_i : {14'd0, bridge_sine_i}) :
+          {3'd0, program__data[32] ? {11'd0, bridge_compensate_i} : bridge_lost_i};
+      choice_9 =
           program__data[34] ?
-          (program__data[33] ? (program__data[32] ? search_i : pilot_i) :
-          program__data[32] ? hold_v_i :
-          hold_i) :
-          program__data[33] ? (program__data[32] ? slow_down_i : reverse_i) :
+          (program__data[33] ? (program__data[32] ? pilot_i : hold_v_i) :
+          program__data[32] ? hold_i :
+          slow_down_i) :
+          program__data[33] ? (program__data[32] ? reverse_i : locked_i) :
           program__data[32] ? regulate_i :
           estimate_i;
-      choice_8 =
+      choice_10 =
           program__data[34] ? {{9{choice_2[15]}}, choice_2} :
-          program__data[33] ? (program__data[32] ? {{9{i_u_i[15]}}, i_u_i} : {1'b0, initial_i}) :
+          program__data[33] ? (program__data[32] ? {1'b0, initial_i} : {{9{b_i[15]}}, b_i}) :
           {{9{choice[15]}}, choice};
       wide = {1'b0, choice_3};
-      choice_11 =
+      choice_13 =
           program__data[35] ?
           (program__data[34] ?
-          (program__data[33] ? (program__data[32] ? estimator_k_si_i : estimator_k_emf_i) :
-          program__data[32] ? estimator_k_speed_i :
-          estimator_k_e_i) :
-          program__data[33] ? (program__data[32] ? estimator_k_theta_i : estimator_gain_i) :
-          program__data[32] ? estimator_decay_i :
-          {14'd0, estimator_average_i}) :
+          (program__data[33] ? (program__data[32] ? estimator_k_emf_i : estimator_k_speed_i) :
+          program__data[32] ? estimator_k_e_i :
+          estimator_k_theta_i) :
+          program__data[33] ? (program__data[32] ? estimator_gain_i : estimator_decay_i) :
+          {14'd0, program__data[32] ? estimator_average_i : estimator_voltage_i}) :
           program__data[34] ? choice_4 :
           wide;
-      choice_12 =
-          program__data[36] ? {10'd0, choice_11} :
-          program__data[35] ? choice_8 :
-          {24'd0, choice_7};
-      port <= {choice_12[24], choice_12};
+      choice_14 =
+          program__data[36] ? {10'd0, choice_13} :
+          program__data[35] ? choice_10 :
+          {24'd0, choice_9};
+      port <= {choice_14[24], choice_14};
     end
-    condition <= choice_13[0];
+    condition <= choice_15[0];
     product <= product_next;
     sum <= sum_2[44:1];
     case (part_2)
@@ -393,7 +400,7 @@ module sinusoidal_control (
       early_on_v_held <= early_on_v_new;
       early_on_w_held <= early_on_w_new;
     end
-    if (step == 9'd452) begin
+    if (step == 9'd456) begin
       angle_held <= angle_new;
       i_gamma_held <= i_gamma_new;
       i_delta_held <= i_delta_new;
@@ -407,7 +414,7 @@ module sinusoidal_control (
       speed_stopping_held <= speed_stopping_new;
       speed_plausible_held <= speed_plausible_new;
     end
-    done <= step == 9'd452;
+    done <= step == 9'd456;
     missed <= start_i && step != 9'd0;
     if (rst) begin
       step <= 9'd0;

@@ -72,19 +72,19 @@ module sinusoidal_sequence (
   wire regulate =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire both_126 = command_run_i && command_configured_i;  // line 126
-  wire below_110 = tries < words_retries_i;  // line 110
-  wire both_78 = period_i && timer != 20'd0;  // line 78
-  wire [19:0] sum_78 = timer + {20{both_78}};  // line 78
-  wire both_164 = sum_78 == 20'd0 && first_half;  // line 164
-  wire [19:0] choice_81 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire both_82 = period_i && choice_81 != 20'd0;  // line 82
-  wire [19:0] sum_82 = choice_81 + {20{both_82}};  // line 82
-  wire either_127 = !both_126 || (command_reverse_i ^ reverse);  // line 127
-  wire [3:0] sum_113 = tries + {3'd0, below_110};  // line 113
-  wire [1:0] sum_79 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 79
+  wire both_128 = command_run_i && command_configured_i;  // line 128
+  wire below_112 = tries < words_retries_i;  // line 112
+  wire either_129 = !both_128 || (command_reverse_i ^ reverse);  // line 129
+  wire both_80 = period_i && timer != 20'd0;  // line 80
+  wire [19:0] sum_80 = timer + {20{both_80}};  // line 80
+  wire [19:0] choice_83 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
+  wire both_84 = period_i && choice_83 != 20'd0;  // line 84
+  wire [19:0] sum_84 = choice_83 + {20{both_84}};  // line 84
+  wire [3:0] sum_115 = tries + {3'd0, below_112};  // line 115
+  wire [1:0] sum_81 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 81
+  wire inverse = !(timer == 20'd0 && first_half);
   wire either = fault_pin_i || fatal_i != SinusoidalReason_kNone;
-  wire either_80 = sampled_i || regulated;  // line 80
+  wire either_82 = sampled_i || regulated;  // line 82
 
   always_ff @(posedge clk) begin
     if (state != SinusoidalState_kFault && fault_pin_i) begin
@@ -96,13 +96,13 @@ module sinusoidal_sequence (
       reason <= fatal_i;
       entered <= 1'b1;
     end else if (state == SinusoidalState_kIdle) begin
-      if (both_126) begin
+      if (both_128) begin
         state <= SinusoidalState_kCalibrate;
         reason <= SinusoidalReason_kNone;
       end
-      entered <= both_126;
+      entered <= both_128;
     end else if (state == SinusoidalState_kCalibrate) begin
-      if (both_126) begin
+      if (both_128) begin
         if (measured_i) begin
           if (words_arbitrary_i) begin
             state <= SinusoidalState_kStarting;
@@ -113,23 +113,23 @@ module sinusoidal_sequence (
       end else begin
         state <= SinusoidalState_kIdle;
       end
-      entered <= !both_126 || measured_i;
+      entered <= !both_128 || measured_i;
     end else begin
-      logic [3:0] choice_159;
+      logic [3:0] choice_160;
       logic [3:0] choice;
-      choice_159 = below_110 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 159
-      choice = (sum_78 == 20'd0) ? choice_159 : state;
+      choice_160 = below_112 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 160
+      choice = (timer == 20'd0) ? choice_160 : state;
       if (state == SinusoidalState_kPilot) begin
-        if (both_126) begin
+        if (both_128) begin
           if (failed_i == SinusoidalReason_kNone) begin
             state <= found_i ? SinusoidalState_kStarting : choice;
             reason <=
                 found_i ? reason :
-                (sum_78 == 20'd0) ? SinusoidalReason_kNoDecay :
+                (timer == 20'd0) ? SinusoidalReason_kNoDecay :
                 reason;
-            entered <= found_i || sum_78 == 20'd0;
+            entered <= found_i || timer == 20'd0;
           end else begin
-            state <= choice_159;
+            state <= choice_160;
             reason <= failed_i;
             entered <= 1'b1;
           end
@@ -138,9 +138,9 @@ module sinusoidal_sequence (
           entered <= 1'b1;
         end
       end else if (state == SinusoidalState_kPattern) begin
-        if (both_126) begin
-          state <= (sum_78 == 20'd0 && !first_half) ? SinusoidalState_kStarting : state;
-          entered <= !both_164 && sum_78 == 20'd0;
+        if (both_128) begin
+          state <= (timer == 20'd0 && !first_half) ? SinusoidalState_kStarting : state;
+          entered <= inverse && timer == 20'd0;
         end else begin
           state <= SinusoidalState_kIdle;
           entered <= 1'b1;
@@ -148,47 +148,47 @@ module sinusoidal_sequence (
       end else if (state == SinusoidalState_kStarting) begin
         logic [3:0] choice_4;
         choice_4 =
-            (sum_82 == 20'd0) ? reason :
-            (sum_78 == 20'd0) ? SinusoidalReason_kNoLock :
+            (trust == 20'd0) ? reason :
+            (timer == 20'd0) ? SinusoidalReason_kNoLock :
             reason;
         state <=
-            either_127 ? SinusoidalState_kBrake :
+            either_129 ? SinusoidalState_kBrake :
             (failed_i == SinusoidalReason_kNone) ?
-            ((sum_82 == 20'd0) ? SinusoidalState_kRun : choice) :
-            choice_159;
+            ((trust == 20'd0) ? SinusoidalState_kRun : choice) :
+            choice_160;
         reason <=
-            either_127 ? reason :
+            either_129 ? reason :
             (failed_i == SinusoidalReason_kNone) ? choice_4 :
             failed_i;
         entered <=
-            either_127 || failed_i != SinusoidalReason_kNone || sum_82 == 20'd0 || sum_78 == 20'd0;
+            either_129 || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
       end else begin
         logic [3:0] choice_2;
         logic [3:0] choice_3;
         logic choice_5;
         choice_2 =
-            either_127 ?
-            ((both_126 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
+            either_129 ?
+            ((both_128 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
             SinusoidalState_kIdle) : state;
         case (state)
           SinusoidalState_kRun: begin
-            choice_3 = (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_159;
-            choice_5 = failed_i != SinusoidalReason_kNone || either_127;
+            choice_3 = (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_160;
+            choice_5 = failed_i != SinusoidalReason_kNone || either_129;
           end
           SinusoidalState_kSlowDown: begin
             choice_3 =
-                either_127 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
-            choice_5 = !either_127 || stopping_i;
+                either_129 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
+            choice_5 = !either_129 || stopping_i;
           end
           SinusoidalState_kBrake: begin
-            choice_3 = (sum_78 == 20'd0) ? SinusoidalState_kIdle : state;
-            choice_5 = sum_78 == 20'd0;
+            choice_3 = (timer == 20'd0) ? SinusoidalState_kIdle : state;
+            choice_5 = timer == 20'd0;
           end
           SinusoidalState_kRest: begin
             choice_3 =
-                both_126 ? ((sum_78 == 20'd0) ? SinusoidalState_kCalibrate : state) :
+                both_128 ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
                 SinusoidalState_kIdle;
-            choice_5 = !both_126 || sum_78 == 20'd0;
+            choice_5 = !both_128 || timer == 20'd0;
           end
           default: begin
             choice_3 =
@@ -209,27 +209,27 @@ module sinusoidal_sequence (
     end
     case (state)
       SinusoidalState_kIdle: begin
-        timer <= sum_78;
-        trust <= sum_82;
-        if (!either && both_126) begin
+        timer <= sum_80;
+        trust <= sum_84;
+        if (!either && both_128) begin
           tries <= 4'd0;
           reverse <= command_reverse_i;
         end
-        modulated <= sum_79;
+        modulated <= sum_81;
       end
       SinusoidalState_kCalibrate: begin
         if (either) begin
-          timer <= sum_78;
-          trust <= sum_82;
-          modulated <= sum_79;
-        end else if (both_126 && measured_i && words_arbitrary_i) begin
+          timer <= sum_80;
+          trust <= sum_84;
+          modulated <= sum_81;
+        end else if (both_128 && measured_i && words_arbitrary_i) begin
           timer <= words_give_up_i;
           trust <= words_lock_i;
           modulated <= 2'd0;
           regulated <= 1'b0;
         end else begin
           if (measured_i) begin
-            if (both_126) begin
+            if (both_128) begin
               if (words_arbitrary_i) begin
                 timer <= words_give_up_i;
               end else begin
@@ -237,61 +237,62 @@ module sinusoidal_sequence (
               end
               regulated <= !words_arbitrary_i && regulated;
             end else begin
-              timer <= sum_78;
+              timer <= sum_80;
             end
-            first_half <= (both_126 && !words_arbitrary_i) || first_half;
+            first_half <= (both_128 && !words_arbitrary_i) || first_half;
           end else begin
-            timer <= sum_78;
+            timer <= sum_80;
           end
-          trust <= sum_82;
-          modulated <= sum_79;
+          trust <= sum_84;
+          modulated <= sum_81;
         end
       end
       SinusoidalState_kPilot: begin
         if (either) begin
-          timer <= sum_78;
-          trust <= sum_82;
-          modulated <= sum_79;
-        end else if (both_126 && failed_i == SinusoidalReason_kNone && found_i) begin
+          timer <= sum_80;
+          trust <= sum_84;
+          modulated <= sum_81;
+        end else if (both_128 && failed_i == SinusoidalReason_kNone && found_i) begin
           timer <= words_give_up_i;
           trust <= words_lock_i;
           modulated <= 2'd0;
           regulated <= 1'b0;
         end else begin
-          if (both_126) begin
+          if (both_128) begin
             if (failed_i == SinusoidalReason_kNone) begin
               if (found_i) begin
                 timer <= words_give_up_i;
-              end else if (sum_78 == 20'd0) begin
+              end else if (timer == 20'd0) begin
                 timer <= words_rest_i;
-                tries <= sum_113;
+                tries <= sum_115;
               end else begin
-                timer <= sum_78;
+                timer <= sum_80;
               end
               regulated <= !found_i && regulated;
             end else begin
               timer <= words_rest_i;
-              tries <= sum_113;
+              tries <= sum_115;
             end
           end else begin
-            timer <= sum_78;
+            timer <= sum_80;
           end
-          trust <= sum_82;
-          modulated <= sum_79;
+          trust <= sum_84;
+          modulated <= sum_81;
         end
       end
       SinusoidalState_kPattern: begin
         if (either) begin
-          timer <= sum_78;
-          trust <= sum_82;
-          modulated <= sum_79;
+          timer <= sum_80;
+          trust <= sum_84;
+          modulated <= sum_81;
         end else begin
           logic both;
-          both = both_126 && sum_78 == 20'd0;
+          both = both_128 && timer == 20'd0;
           if (both && !first_half) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
             modulated <= 2'd0;
+            first_half <= 1'b0;
           end else begin
             if (both) begin
               if (first_half) begin
@@ -300,76 +301,70 @@ module sinusoidal_sequence (
                 timer <= words_give_up_i;
               end
             end else begin
-              timer <= sum_78;
+              timer <= sum_80;
             end
-            trust <= sum_82;
-            modulated <= sum_79;
+            trust <= sum_84;
+            modulated <= sum_81;
+            if (both_128) begin
+              first_half <= inverse && first_half;
+            end
           end
-          if (both_126) begin
-            if (!both_164) begin
-              regulated <= sum_78 != 20'd0 && regulated;
-            end
-            first_half <= !both_164 && first_half;
+          if (both_128 && inverse) begin
+            regulated <= timer != 20'd0 && regulated;
           end
         end
       end
       SinusoidalState_kStarting: begin
         if (either) begin
-          timer <= sum_78;
-          trust <= sum_82;
-        end else if (either_127) begin
+          timer <= sum_80;
+        end else if (either_129) begin
           timer <= words_brake_i;
-          trust <= sum_82;
         end else if (failed_i == SinusoidalReason_kNone) begin
-          if (sum_82 == 20'd0) begin
-            timer <= sum_78;
-            trust <= 20'd0;
+          if (trust == 20'd0) begin
+            timer <= sum_80;
+          end else if (timer == 20'd0) begin
+            timer <= words_rest_i;
+            tries <= sum_115;
           end else begin
-            if (sum_78 == 20'd0) begin
-              timer <= words_rest_i;
-              tries <= sum_113;
-            end else begin
-              timer <= sum_78;
-            end
-            trust <= sum_82;
+            timer <= sum_80;
           end
         end else begin
           timer <= words_rest_i;
-          trust <= sum_82;
-          tries <= sum_113;
+          tries <= sum_115;
         end
-        modulated <= sum_79;
-        regulated <= either_80;
+        trust <= sum_84;
+        modulated <= sum_81;
+        regulated <= either_82;
       end
       SinusoidalState_kRun: begin
         if (failed_i == SinusoidalReason_kNone) begin
-          timer <= sum_78;
+          timer <= sum_80;
         end else if (either) begin
-          timer <= sum_78;
+          timer <= sum_80;
         end else begin
           timer <= words_rest_i;
-          tries <= sum_113;
+          tries <= sum_115;
         end
-        trust <= sum_82;
-        modulated <= sum_79;
-        regulated <= either_80;
+        trust <= sum_84;
+        modulated <= sum_81;
+        regulated <= either_82;
       end
       SinusoidalState_kSlowDown: begin
         if (either) begin
-          timer <= sum_78;
-        end else if (either_127 && stopping_i) begin
+          timer <= sum_80;
+        end else if (either_129 && stopping_i) begin
           timer <= words_brake_i;
         end else begin
-          timer <= sum_78;
+          timer <= sum_80;
         end
-        trust <= sum_82;
-        modulated <= sum_79;
-        regulated <= either_80;
+        trust <= sum_84;
+        modulated <= sum_81;
+        regulated <= either_82;
       end
       default: begin
-        timer <= sum_78;
-        trust <= sum_82;
-        modulated <= sum_79;
+        timer <= sum_80;
+        trust <= sum_84;
+        modulated <= sum_81;
       end
     endcase
     if (rst) begin

@@ -200,6 +200,7 @@ module sinusoidal_top (
       .rst(rst),
       .estimate_i(orders_estimate),
       .regulate_i(orders_regulate),
+      .locked_i(orders_locked),
       .reverse_i(orders_reverse),
       .slow_down_i(orders_slow_down),
       .hold_i(orders_hold),
@@ -396,8 +397,8 @@ module sinusoidal_top (
       .locked_o(sequence__locked)
   );
 
-  wire either_134 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 134
-  wire choice_135 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 135
+  wire either_135 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 135
+  wire choice_136 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 136
 
   wire pwm_v_on;
   wire unused_pwm_v_start;
@@ -415,7 +416,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_v_tick)
   );
 
-  wire choice_136 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 136
+  wire choice_137 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 137
 
   wire pwm_w_on;
   wire unused_pwm_w_start;
@@ -433,7 +434,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_w_tick)
   );
 
-  wire choice_137 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 137
+  wire choice_138 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 138
 
   wire guard_uh;
   wire guard_ul;
@@ -444,12 +445,12 @@ module sinusoidal_top (
   gate_guard guard (
       .clk(clk),
       .rst(rst),
-      .request_uh_i(either_134 && choice_135),
-      .request_ul_i(sequence__brake || (either_134 && !choice_135)),
-      .request_vh_i(either_134 && choice_136),
-      .request_vl_i(sequence__brake || (either_134 && !choice_136)),
-      .request_wh_i(either_134 && choice_137),
-      .request_wl_i(sequence__brake || (either_134 && !choice_137)),
+      .request_uh_i(either_135 && choice_136),
+      .request_ul_i(sequence__brake || (either_135 && !choice_136)),
+      .request_vh_i(either_135 && choice_137),
+      .request_vl_i(sequence__brake || (either_135 && !choice_137)),
+      .request_wh_i(either_135 && choice_138),
+      .request_wl_i(sequence__brake || (either_135 && !choice_138)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_bridge_dead_time_i),
@@ -487,7 +488,7 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 154
+    seen_backward <= control_i_delta[15];  // line 155
     restart <= sequence__entered;
     if (rst) begin
       orders_reverse <= 1'b0;

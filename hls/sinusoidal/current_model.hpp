@@ -58,6 +58,7 @@ class CurrentModel {
  public:
   struct In {
     bool enable = false;     // false: the angle is `initial`, the speed 0
+    Int<16> edge = 0;        // s0.15 of 1/16 turn: a slower mean step is one backward
     Angle initial = 0;       // u0.24
     Int<16> i_u = 0;         // s0.15
     Int<16> i_v = 0;         // s0.15
@@ -76,7 +77,7 @@ class CurrentModel {
   Out tick(const In& in) {
     const auto seen = observer_.observe(in);
     const Turned turned = emf_.follow(seen, in.words);
-    const Turn step = observer_.step(turned);
+    const Turn step = observer_.step(turned, in.edge);
     observer_.remember(in);
     if (!in.enable) {
       observer_.rest(in.initial);

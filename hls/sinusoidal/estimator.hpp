@@ -37,6 +37,7 @@ class Estimator {
  public:
   struct In {
     bool enable = false;     // false: the angle is `initial`, the speed 0
+    Int<16> edge = 0;        // s0.15 of 1/16 turn: a slower mean step is one backward
     Angle initial = 0;       // u0.24
     Int<16> i_u = 0;         // s0.15
     Int<16> i_v = 0;         // s0.15
@@ -52,7 +53,7 @@ class Estimator {
     const Turned by_current = emf_.follow(seen, in.words);
     const Turned by_voltage = speed_.correct(seen, in.words);
     const Turned turned = in.words.voltage ? by_voltage : by_current;
-    const Turn step = observer_.step(turned);
+    const Turn step = observer_.step(turned, in.edge);
     observer_.remember(in);
     if (!in.enable) {
       observer_.rest(in.initial);

@@ -64,10 +64,17 @@ class Observer {
             .delta = rounded(beta * cosine - alpha * sine)};
   }
 
-  // The step that the sample asks for.  The sign is that of the step's mean over 32 samples.
-  Turn step(const Turned& turned) const {
-    return saturate<Turn>(way_.negative() ? turned.emf_step - turned.pull
-                                          : turned.emf_step + turned.pull);
+  // The step that the sample asks for.  It is one backward where the mean of 32 is below zero; or
+  // below `edge`, as long as slow steps are not to be trusted.  Then the direction is that of -edge
+  // until the other is seen beyond the edge, and from there until the mean crosses zero; and an EMF
+  // against the direction of -edge is no EMF.
+  Turn step(const Turned& turned, Int<16> edge) {
+    const bool backward = wrap<Int<16>>(way_ >> 9) < (against_ ? Int<16>(0) : edge);
+    const bool trusted = edge == Int<16>(0);
+    against_ = !trusted && backward == edge.negative();
+    const bool mistaken = !trusted && !against_ && turned.emf_step.negative() != backward;
+    const Turn emf_step = mistaken ? Turn(0) : turned.emf_step;
+    return saturate<Turn>(backward ? emf_step - turned.pull : emf_step + turned.pull);
   }
 
   // The ends of the interval are remembered whether or not the estimate goes on.
@@ -81,6 +88,7 @@ class Observer {
     before_ = at;
     step_ = 0;
     way_ = 0;
+    against_ = false;
   }
   // The angle at this sample.
   Angle go_on(Turn step) {
@@ -109,6 +117,7 @@ class Observer {
   Angle before_ = 0;     // u0.24, theta_c at the last sample
   Turn step_ = 0;        // s-4.23
   Int<25> way_ = 0;      // s-4.28, 32 mean steps
+  bool against_ = false;  // turning against the direction of -edge
 };
 
 }  // namespace steplock

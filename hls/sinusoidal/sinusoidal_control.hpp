@@ -30,6 +30,7 @@ class SinusoidalControl {
   struct In {
     bool estimate = false;   // false: the angle is `initial`, the speed 0
     bool regulate = false;   // the loop is closed
+    bool locked = false;     // a slow estimate is to be believed
     bool reverse = false;    // the wanted direction
     bool slow_down = false;  // towards a stop
     bool hold = false;       // one leg alone
@@ -60,7 +61,12 @@ class SinusoidalControl {
   };
 
   Out tick(const In& in) {
+    // A rotor at rest seems to turn backward to a model with too much resistance: until the lock,
+    // the direction is the wanted one, unless the other is seen at a speed that makes a lock.
+    const Int<16> lock = wrap<Int<16>>(in.speed.lock);
+    const Int<16> edge = in.reverse ? lock : wrap<Int<16>>(-lock);
     const auto model = model_.tick({.enable = in.estimate,
+                                    .edge = in.locked ? Int<16>(0) : edge,
                                     .initial = in.initial,
                                     .i_u = in.i_u,
                                     .i_v = in.i_v,
@@ -130,7 +136,7 @@ class SinusoidalControl {
 // Whoever gives the inputs holds them.
 using SinusoidalLoop = Scheduled<
     SinusoidalControl,
-    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 453,
+    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 470,
            .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 225}>;
 
 }  // namespace steplock

@@ -75,6 +75,8 @@ class SinusoidalSequence {
                   .slow_down = state_ == SinusoidalState::kSlowDown,
                   .locked = regulating && state_ != SinusoidalState::kStarting};
     entered_ = false;
+    // As they stand at the begin of the clock: counting and deciding are a path each.
+    const bool over = timer_ == 0, trusted = trust_ == 0;
     if (in.period && timer_ != 0) timer_ = wrap<Periods>(timer_ - 1);
     if (in.period && regulated_ && modulated_ != 3) modulated_ = wrap<UInt<2>>(modulated_ + 1);
     if (in.sampled && regulating) regulated_ = true;
@@ -87,7 +89,7 @@ class SinusoidalSequence {
     } else if (alive && in.fatal != SinusoidalReason::kNone) {
       end(in.fatal);
     } else {
-      walk(in);
+      walk(in, over, trusted);
     }
     return out;
   }
@@ -121,11 +123,10 @@ class SinusoidalSequence {
     enter(SinusoidalState::kStarting);
   }
 
-  void walk(const In& in) {
+  void walk(const In& in, bool over, bool trusted) {
     const SequenceWords& words = in.words;
     const bool run = in.command.run && in.command.configured;
     const bool leave = !run || in.command.reverse != reverse_;
-    const bool over = timer_ == 0;
     const bool failed = in.failed != SinusoidalReason::kNone;
     switch (state_) {
       case SinusoidalState::kIdle:
@@ -174,7 +175,7 @@ class SinusoidalSequence {
           enter(SinusoidalState::kBrake);
         } else if (failed) {
           fail(in.failed, words);
-        } else if (trust_ == 0) {
+        } else if (trusted) {
           enter(SinusoidalState::kRun);
         } else if (over) {
           fail(SinusoidalReason::kNoLock, words);

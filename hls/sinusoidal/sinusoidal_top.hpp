@@ -14,7 +14,7 @@
 // and give their codes with `valid` so early that the sample is done before the next period.
 //
 //     `sample` to new on-clocks          227 clocks, if the codes come at once
-//     `sample` to `done`                 455 clocks: less than a period
+//     `sample` to `done`                 472 clocks: less than a period
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -81,6 +81,7 @@ class SinusoidalTop {
          .over_current = pilot.waiting ? words.pilot.decayed : words.fault.over_current});
     const auto control = control_.tick({{.estimate = orders_.estimate,
                                          .regulate = orders_.regulate,
+                                         .locked = orders_.locked,
                                          .reverse = orders_.reverse,
                                          .slow_down = orders_.slow_down,
                                          .hold = orders_.hold,

@@ -66,14 +66,16 @@ double rated_torque(const design::Settings& s) {
 
 std::vector<Point> measure(const design::Settings& believed, const design::Settings& real,
                            const Case& c, const PaperOptions& options, const std::string& what) {
-  constexpr double kLeast = 60, kStarted = 0.9;  // r/min where a start locks; s after which it has
+  constexpr double kStarted = 0.9;  // s, after which a start has locked
+  const auto start = design::sinusoidal::design_drive(believed).parameters.start;
+  const double locks = 1.2 * design::sinusoidal::rpm_of(believed, start.lock_speed);
   const double settle = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 0.6 : 0.4;
   const double turn = 60 / c.rpm / believed.motor.pole_pairs;
   // What of its hunting does not go with the turns moves the rotor by a degree or two at both ends.
   const double turns = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 4 : 2;
   const double span = turn * std::max(turns, std::round(0.3 / turn));
   const auto rig = make_rig(
-      c.engine, steady(believed, c.estimator, std::max(c.rpm, kLeast), c.i_gamma), real, 130);
+      c.engine, steady(believed, c.estimator, std::max(c.rpm, locks), c.i_gamma), real, 130);
   rig->run_until(kStarted);
   rig->set_speed(c.rpm);
   rig->run_until(kStarted + settle / 2);

@@ -109,6 +109,60 @@ TEST(CurrentModel, ItConvergesFromAllRoundInBothDirections) {
   }
 }
 
+// s0.15 of 1/16 turn.
+Int<16> edge(double turns) { return word(16 * turns); }
+
+// What is believed a quarter too much takes 0.2 R from the EMF: at rest, a speed backward.
+TEST(CurrentModel, BelowItsEdgeARotorAtRestDoesNotSeemToTurnBackward) {
+  for (const double way : {1.0, -1.0}) {
+    for (const double slow : {0.0, 0.02}) {
+      Turning motor(0, 0, way * 0.3, 0);
+      CurrentModel dut;
+      CurrentModel::In in = in_of(motor);
+      in.enable = false;
+      dut.tick(in);
+      double turned = 0;
+      for (int n = 0; n < 1000; ++n) {
+        motor.step();
+        in = in_of(motor);
+        in.words.decay = kDecay * 5 / 4;
+        in.edge = edge(-way * slow);
+        turned += way * turns_of(dut.tick(in).step);
+      }
+      if (slow == 0) {
+        EXPECT_LT(turned, -15.0 / 360) << "the mistake shows, by far more than rounding";
+      } else {
+        EXPECT_NEAR(turned, 0, tolerance(1)) << "rounding alone";
+      }
+    }
+  }
+}
+
+TEST(CurrentModel, BeyondItsEdgeItFollowsBackwardAndDoSlowerStepsUntilZero) {
+  for (const double way : {1.0, -1.0}) {
+    Turning motor(0, -way * 0.01, 0.1, 192);
+    CurrentModel dut, slower;
+    CurrentModel::In in = in_of(motor);
+    in.enable = false;
+    dut.tick(in);
+    slower.tick(in);
+    double far = 0, farther = 0;
+    for (int n = 0; n < 6000; ++n) {
+      motor.step();
+      in = in_of(motor);
+      in.edge = edge(-way * (n < 3000 ? 0.005 : 0.02));
+      const auto out = dut.tick(in);
+      in.edge = edge(-way * 0.02);
+      const auto other = slower.tick(in);
+      if (n < 5000) continue;
+      far = std::max(far, std::abs(exact::wrapped(angle_of(out.angle) - motor.angle())));
+      farther = std::max(farther, std::abs(exact::wrapped(angle_of(other.angle) - motor.angle())));
+    }
+    EXPECT_LT(far, tolerance(0.01) + 0.03);
+    EXPECT_GT(farther, kPi / 2) << "that never was beyond it is taken as mistaken";
+  }
+}
+
 TEST(CurrentModel, WithoutEnableItStandsAtItsStart) {
   Turning motor(0, 0.01, 0.2, 192);
   CurrentModel dut;

@@ -21,6 +21,8 @@ class Source {
     in.v_dc = any(2600, 2800);
     in.ended = {any(580, 620), any(580, 620), any(580, 620)};
     in.initial = 123456;
+    in.locked = samples_ / 40 % 2 != 0;
+    in.reverse = samples_ / 80 % 2 != 0;
     in.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
                  .inverse = 18641};
     in.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
@@ -37,8 +39,10 @@ class Source {
   int samples_ = 0;
 };
 
+// Until the lock a mean step below the lock's speed is in the wanted direction.
 Estimator::In estimator_in(const SinusoidalControl::In& in) {
-  return {.enable = in.estimate, .initial = in.initial, .i_u = in.i_u, .i_v = in.i_v,
+  const int lock = int(in.speed.lock.raw());
+  return {.enable = in.estimate, .edge = in.locked ? 0 : in.reverse ? lock : -lock, .initial = in.initial, .i_u = in.i_u, .i_v = in.i_v,
           .v_dc = in.v_dc,
           .pattern = {.on_u = in.ended.on_u, .on_v = in.ended.on_v, .on_w = in.ended.on_w,
                       .period = in.bridge.period, .dead = in.bridge.lost,
@@ -56,7 +60,7 @@ TEST(SinusoidalControl, TheAngleIsOfThisSampleAndTheSpeedIsPassedOn) {
     const auto in = source.next();
     const auto out = control.tick(in);
     const auto model = estimator.tick(estimator_in(in));
-    const auto speed = regulator.tick({.enable = in.regulate, .step = model.step,
+    const auto speed = regulator.tick({.enable = in.regulate, .reverse = in.reverse, .step = model.step,
                                        .emf_step = model.emf_step, .words = in.speed});
     ASSERT_EQ(out.angle, model.angle) << sample;
     ASSERT_EQ(out.speed.speed, speed.speed) << sample;

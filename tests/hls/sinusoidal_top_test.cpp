@@ -121,7 +121,7 @@ TEST(SinusoidalTop, OverCurrentEndsAPilotPulseToo) {
 
 // The pattern's on-time follows 1 / v_dc, which needs a few samples from reset: until then it is another
 // in every period.
-TEST(SinusoidalTop, OnTimesAreNew227ClocksAfterTheSampleAndAllIsDoneAfter455) {
+TEST(SinusoidalTop, OnTimesAreNew227ClocksAfterTheSampleAndAllIsDoneAfter472) {
   EXPECT_EQ(227, 2 + SinusoidalLoop::kEarly);
   EXPECT_LT(227 / 24e6, 10e-6) << "at 24 MHz";
   Bench b;
@@ -136,9 +136,9 @@ TEST(SinusoidalTop, OnTimesAreNew227ClocksAfterTheSampleAndAllIsDoneAfter455) {
     if (!b.out.done) {
       EXPECT_EQ(clocks, 227);
       ++changed;
-      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 455 - 227);
+      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 472 - 227);
     }
-    EXPECT_EQ(455, 2 + SinusoidalLoop::kClocks);
+    EXPECT_EQ(472, 2 + SinusoidalLoop::kClocks);
   }
   EXPECT_GT(changed, 0);
 }

@@ -16,6 +16,17 @@ double longest(Modulation m, double v_dc) {
   return kRoot * v_dc * (m == Modulation::kSpaceVector ? 1 / std::numbers::sqrt3 : 0.5);
 }
 
+// How far resistance and inductance may be from what the file says.
+constexpr double kMistaken = 0.2;
+
+// rad/s, of the speed's regulator, whose filter is four times as fast.  An inductance that is mistaken
+// by dL turns the estimate by dL i / K_E: kp (dL / K_E) filter is to be half, or the loop swings by itself.
+double calm_bandwidth(const Settings& s, const Motor& m) {
+  const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
+  const double torque = m.pole_pairs * m.k_e;  // N m/A
+  return std::sqrt(0.5 * torque * torque / (4 * inertia * kMistaken * m.inductance_q));
+}
+
 void set_motor(const Settings& s, Design& d) {
   auto& m = d.parameters.motor;
   const double round = s.motor.inductance_h - s.motor.mutual_h;
@@ -79,7 +90,10 @@ void set_start(const Settings& s, Design& d) {
   const double stiffness = p.motor.pole_pairs * d.rated_torque * t.pattern_current / rated;
   t.pattern_s = z.pattern_s.value_or(
       std::clamp(24 * std::sqrt(inertia / stiffness), 0.05, 5.0) + 10 * p.motor.inductance_q / p.motor.resistance);
-  const double lock = z.lock_rpm.value_or(std::max(0.02 * d.no_load_rpm, 4 * d.slowest_rpm));
+  const double mistaken =
+      kMistaken * p.motor.resistance * p.speed.limit / p.motor.k_e;  // rad/s, at rest
+  const double lock = z.lock_rpm.value_or(
+      std::max({0.02 * d.no_load_rpm, 4 * d.slowest_rpm, 1.1 * rpm_of(s, mistaken)}));
   t.lock_speed = speed_of(s, lock);
   t.stop_speed = speed_of(s, z.stop_rpm.value_or(lock));
   t.lock_s = z.lock_s;
@@ -137,8 +151,8 @@ Design design_drive(const Settings& s) {
   set_motor(s, d);
   const auto& y = s.sinusoidal;
   d.current_bandwidth = y.current_bandwidth_rad_s.value_or(std::min(0.12 / period, 3000.0));
-  d.speed_bandwidth =
-      y.speed_bandwidth_rad_s.value_or(std::min(d.current_bandwidth / 4, 150.0));
+  d.speed_bandwidth = y.speed_bandwidth_rad_s.value_or(
+      std::min({d.current_bandwidth / 4, 150.0, calm_bandwidth(s, d.parameters.motor)}));
   d.emf_bandwidth =
       y.emf_bandwidth_rad_s.value_or(std::min(4 * d.speed_bandwidth, 0.3 / period));
   d.parameters.pwm = {.period = period,

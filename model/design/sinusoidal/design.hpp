@@ -9,6 +9,9 @@
 //     pilot     p torque impulse / J times the way to the reverse: what a pulse turns the rotor; the
 //               torque is the whole of a short pulse's current, and of a long one's, which lies
 //               within 34 degrees of the magnet, the sine of that
+//               bandwidth: the angle's error that a fifth of L_q makes under a current moves with that
+//               current, and so the speed seen; what comes back through kp and filter is half at most
+//     lock      above the speed that a fifth of R at the current's limit looks like at rest, by a tenth
 //     slowest   K_E w T / L_q = half a step of the converter: one radian of error just shows
 //
 // Doc: docs/sinusoidal.md   Test: tests/model/design/sinusoidal_rules_test.cpp

@@ -31,6 +31,8 @@ class CurrentModelEstimator {
     previous_ = angle - speed * period_;
   }
 
+  void set_edge(double speed) { way_.set_edge(speed); }
+
   const Estimate& update(const Interval& interval) {
     now_.angle = wrapped(previous_ + now_.speed * period_);
     const double middle = previous_ + 0.5 * now_.speed * period_;
@@ -42,7 +44,7 @@ class CurrentModelEstimator {
     const Vector error = seen_from(middle, interval.current - model);
 
     emf_ -= p_.k_e * error.y;
-    const double step = emf_ / motor_.k_e * period_ + way_.sign() * p_.k_theta * error.x;
+    const double step = way_.believed(emf_ / motor_.k_e) * period_ + way_.sign() * p_.k_theta * error.x;
     previous_ = now_.angle;
     now_.speed = step / period_;
     way_.update(now_.speed);

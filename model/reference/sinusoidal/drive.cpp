@@ -110,9 +110,14 @@ void Drive::control(const Phases& current, double v_dc) {
         .voltage = clarke(applied_(ended_duty_, mean, 0.5 * (v_dc + v_dc_))),
         .before = clarke(current_),
         .current = i};
+    // A rotor at rest seems to turn backward to a model with too much resistance: until the lock, the
+    // direction is the wanted one, unless the other is seen at a speed that makes a lock.
+    const double edge = state_ == State::kStarting ? -way_ * p_.start.lock_speed : 0;
     if (p_.estimator == design::Estimator::kCurrent) {
+      current_model_.set_edge(edge);
       current_model_.update(interval);
     } else {
+      voltage_model_.set_edge(edge);
       voltage_model_.update(interval);
     }
   }

@@ -33,12 +33,22 @@ struct Interval {
 // its place, as steady as the right one.
 class Way {
  public:
-  void start(double speed) { smooth_ = speed; }
-  void update(double speed) { smooth_ += (speed - smooth_) / 32; }
-  double sign() const { return smooth_ < 0 ? -1 : 1; }
+  void start(double speed) { smooth_ = speed, against_ = false; }
+  void update(double speed) {
+    smooth_ += (speed - smooth_) / 32;
+    against_ = edge_ != 0 && sign() * edge_ > 0;
+  }
+  double sign() const { return smooth_ < (against_ ? 0 : edge_) ? -1 : 1; }
+  // An EMF's speed, or none if it is against the wanted direction while slow speeds are not believed.
+  double believed(double speed) const {
+    return !against_ && speed * edge_ > 0 ? 0 : speed;
+  }
+  void set_edge(double speed) { edge_ = speed; }
 
  private:
   double smooth_ = 0;
+  double edge_ = 0;       // rad/s against the wanted direction, 0: all speeds are believed
+  bool against_ = false;  // turning against it, since beyond the edge
 };
 
 // The estimate at the present sample, and on to the next.
@@ -64,6 +74,9 @@ class VoltageModelEstimator {
     next_ = 0;
   }
 
+  // A mean speed below it is one backward: 0, or what is too slow to be believed, in rad/s.
+  void set_edge(double speed) { way_.set_edge(speed); }
+
   // The sample has come that ends `interval`; the estimate is for its instant, theta_c' for the time
   // until the next one.
   const Estimate& update(const Interval& interval) {
@@ -80,7 +93,7 @@ class VoltageModelEstimator {
     integral_ += p_.k_si * period_ * e.x;
     const double correction = -way_.sign() * (p_.k_sp * e.x + integral_);
     previous_ = now_.angle;
-    now_.speed = hypothetical + correction;
+    now_.speed = way_.believed(hypothetical) + correction;
     way_.update(now_.speed);
     now_.emf = motor_.k_e * hypothetical;
     now_.error = e.x;
