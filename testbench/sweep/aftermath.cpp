@@ -117,23 +117,24 @@ void Aftermath::turn(double time, double angle, const DriveView& view) {
   const double drive = rpm_of_steps(view.steps_per_second, settings_.pole_pairs);
   mark_ = Mark{time, angle};
   findings_.dip = std::max(findings_.dip, 1 - rotor / set);
-  const bool other = rotor < Witness::kStandStill * set ||
-                     std::abs(rotor - drive) > Witness::kOtherSpeed * std::max({rotor, drive, 0.1 * set});
+  const bool other = rotor < StartJudge::kStandStill * set ||
+                     std::abs(rotor - drive) > StartJudge::kOtherSpeed * std::max({rotor, drive, 0.1 * set});
   const bool in_step = claims_ && !astray_ && !other;
   if (!claims_ || in_step) {
     silent_since_ = std::nullopt;
   } else if (!silent_since_) {
     silent_since_ = time;
   }
-  const bool well = in_step && std::abs(rotor - set) <= kAtSpeed * set;
+  const bool well = in_step && std::abs(rotor - set) <= StartJudge::kAtSpeed * set;
   if (!well) last_unwell_ = time;
   claims_ = claims_lock(state_);
   astray_ = false;
-  if (silent_since_ && time - *silent_since_ >= kNoticeTime) {
+  if (silent_since_ && time - *silent_since_ >= StartJudge::kNoticeTime) {
     findings_.outcome = After::kSilentStepOut;
     decided_ = true;
   } else if (!disturbance_->for_good &&
-             time - std::max(last_unwell_, disturbance_->until_s) >= kHeldTurns * settings_.electrical_turn_s()) {
+             time - std::max(last_unwell_, disturbance_->until_s) >=
+                 StartJudge::kHeldTurns * settings_.electrical_turn_s()) {
     findings_.outcome = After::kRecovered;
     findings_.recovery_s = last_unwell_ - disturbance_->from_s;
     decided_ = true;
@@ -142,7 +143,7 @@ void Aftermath::turn(double time, double angle, const DriveView& view) {
 
 void Aftermath::time_is_over() {
   if (decided_ || !disturbance_) return;
-  if (findings_.end_s - last_unwell_ < kHeldTurns * settings_.electrical_turn_s()) return;
+  if (findings_.end_s - last_unwell_ < StartJudge::kHeldTurns * settings_.electrical_turn_s()) return;
   findings_.outcome = After::kRecovered;
   findings_.recovery_s = last_unwell_ - disturbance_->from_s;
 }

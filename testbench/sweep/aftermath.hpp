@@ -3,7 +3,7 @@
 //
 //     in step     the drive claims a lock, each commutation of the last electrical turn was within 60
 //                 degrees of its place, and the drive's speed is the rotor's (within a quarter)
-//     well        in step, and the turn's mean speed within kAtSpeed of the set speed
+//     well        in step, and the turn's mean speed within StartJudge::kAtSpeed of the set speed
 //     recovered   well for kHeldTurns turns on end, the disturbance over; a fault for good: still well
 //                 when the time is over
 //     latched     the fault is latched
@@ -59,9 +59,6 @@ struct Disturbed {
 
 class Aftermath {
  public:
-  static constexpr double kHeldTurns = Witness::kHeldTurns, kAtSpeed = Witness::kAtSpeed,
-                          kNoticeTime = Witness::kNoticeTime;
-
   explicit Aftermath(const WitnessSettings&, Recorder* recorder = nullptr);
 
   // As a Recorder's.

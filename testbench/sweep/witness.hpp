@@ -15,11 +15,6 @@ namespace steplock {
 
 class Witness {
  public:
-  static constexpr double kHeldTurns = StartJudge::kHeldTurns, kAtSpeed = StartJudge::kAtSpeed,
-                          kNoticeTime = StartJudge::kNoticeTime,
-                          kOtherSpeed = StartJudge::kOtherSpeed,
-                          kStandStill = StartJudge::kStandStill;
-
   explicit Witness(const WitnessSettings&, Recorder* recorder = nullptr);
 
   // As a Recorder's.

@@ -84,7 +84,7 @@ TEST(Witness, AClaimOfLockOnARotorThatStandsIsASilentStepOut) {
   EXPECT_EQ(story.findings().outcome, Outcome::kSilentStepOut);
   EXPECT_GT(story.findings().slips, 0u);
   // The drive had kNoticeTime to notice; looks come once in 0.1 s.
-  EXPECT_NEAR(story.findings().end_s, Witness::kNoticeTime, 0.25);
+  EXPECT_NEAR(story.findings().end_s, StartJudge::kNoticeTime, 0.25);
 }
 
 // Hall sensors that never change cause no commutation: only the speed tells.
