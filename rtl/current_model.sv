@@ -1,6 +1,6 @@
 // current_model: steplock::CurrentModel, printed by hlsgen from hls/sinusoidal/current_model.hpp:57.
-// A sample takes 41 clocks, and in no order fewer than 40: 222 operations, 34 products, 2 entries of tables
-// on 1 multiplier of 16 x 16 bits; 635 register bits, 371 of them between steps.
+// A sample takes 42 clocks, and in no order fewer than 41: 232 operations, 34 products, 2 entries of tables
+// on 1 multiplier of 16 x 16 bits; 638 register bits, 373 of them between steps.
 // Do not edit: change the C++ and print again.
 
 module current_model (
@@ -38,38 +38,41 @@ module current_model (
   logic [23:0] observer_before;  // u0.24, theta_c at the last sample
   logic [19:0] observer_step;  // s-4.23
   logic [24:0] observer_way;  // s-4.28, 32 mean steps
+  logic observer_against;  // turning against the direction of -edge
   logic [27:0] emf_emf;
   logic [5:0] step;  // 0: waiting for a start
-  logic [23:0] kept_0;  // in steps 1-40
-  logic [17:0] kept_1;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
-  logic [15:0] kept_2;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-29, 31-31 seen_delta, 33-40 seen_gamma
-  logic [1:0] kept_3;  // in steps 1-7
-  logic [17:0] kept_4;  // in steps 1-12, 14-14, 21-23
-  logic [14:0] kept_5;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 34-34, 37-37
-  logic [1:0] kept_6;  // in steps 1-9
-  logic [15:0] kept_7;  // in steps 1-1, 2-26, 27-28
-  logic kept_8;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 32-32, 37-37, 38-38
-  logic [5:0] kept_9;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26
-  logic kept_10;  // in steps 1-3, 13-18, 25-25, 27-27
-  logic [19:0] kept_11;  // in steps 1-1, 3-15, 23-23, 29-31, 39-40 turned_emf_step
-  logic kept_12;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
-  logic kept_13;  // in steps 1-2
-  logic [7:0] kept_14;  // in steps 1-1, 15-20
-  logic [6:0] kept_15;  // in steps 1-18, 19-19, 20-20, 34-35
-  logic kept_16;  // in steps 1-1
-  logic [21:0] kept_17;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 38-38, 40-40 step
-  logic kept_18;  // in steps 1-3
-  logic [5:0] kept_19;  // in steps 1-3, 6-17, 18-19
-  logic kept_20;  // in steps 1-5
-  logic kept_21;  // in steps 1-39
-  logic [24:0] kept_22;  // in steps 1-40
-  logic [15:0] kept_23;  // in steps 3-24, 25-25, 26-26, 27-27
-  logic [14:0] kept_24;  // in steps 7-9, 11-11, 13-18, 22-22, 37-38
-  logic [14:0] kept_25;  // in steps 8-8, 11-11, 15-15, 17-18
-  logic [14:0] kept_26;  // in steps 8-8, 15-19
-  logic [32:0] kept_27;  // in steps 26-28, 30-30, 32-32
-  logic [31:0] kept_28;  // in steps 28-29, 31-31, 36-39
-  logic [31:0] kept_29;  // in steps 28-29
+  logic [23:0] kept_0;  // in steps 1-41
+  logic kept_1;  // in steps 1-39, 40-40
+  logic kept_2;  // in steps 1-39
+  logic [17:0] kept_3;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
+  logic [15:0] kept_4;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-29, 31-31 seen_delta, 33-41 seen_gamma
+  logic [1:0] kept_5;  // in steps 1-7
+  logic [17:0] kept_6;  // in steps 1-12, 14-14, 21-23
+  logic [14:0] kept_7;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 34-34, 37-37
+  logic [1:0] kept_8;  // in steps 1-9
+  logic [15:0] kept_9;  // in steps 1-1, 2-26, 27-28
+  logic kept_10;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 32-32, 37-37, 38-38
+  logic [5:0] kept_11;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26
+  logic kept_12;  // in steps 1-3, 13-18, 25-25, 27-27
+  logic [19:0] kept_13;  // in steps 1-1, 3-15, 23-23, 29-31, 39-41 turned_emf_step
+  logic kept_14;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
+  logic kept_15;  // in steps 1-2
+  logic [7:0] kept_16;  // in steps 1-1, 15-20
+  logic [6:0] kept_17;  // in steps 1-18, 19-19, 20-20, 34-35, 40-40
+  logic kept_18;  // in steps 1-1
+  logic [21:0] kept_19;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 38-38, 40-40 step, 41-41
+  logic kept_20;  // in steps 1-3
+  logic [5:0] kept_21;  // in steps 1-3, 6-17, 18-19
+  logic kept_22;  // in steps 1-5
+  logic [24:0] kept_23;  // in steps 1-40
+  logic kept_24;  // in steps 1-41
+  logic [15:0] kept_25;  // in steps 3-24, 25-25, 26-26, 27-27
+  logic [14:0] kept_26;  // in steps 7-9, 11-11, 13-18, 22-22, 37-38
+  logic [14:0] kept_27;  // in steps 8-8, 11-11, 15-15, 17-18
+  logic [14:0] kept_28;  // in steps 8-8, 15-19
+  logic [32:0] kept_29;  // in steps 26-28, 30-30, 32-32
+  logic [31:0] kept_30;  // in steps 28-29, 31-31, 36-39
+  logic [31:0] kept_31;  // in steps 28-29
   logic [15:0] factor_a;  // of the shared multiplier
   logic [15:0] factor_b;  // of the shared multiplier
   logic [31:0] product;  // of the factors before
@@ -84,52 +87,52 @@ module current_model (
   wire [16:0] wide_78_2 = {i_u_i[15], i_u_i};  // line 78
   wire [16:0] wide_78_3 = {observer_last_u[15], observer_last_u};  // line 78
   wire [16:0] sum_78_2 = wide_78_2 + wide_78_3;  // line 78
-  wire [31:0] joined_78_2 = {{2'd0, kept_17[14:0]} + product[16:0], kept_24};  // line 78
+  wire [31:0] joined_78_2 = {{2'd0, kept_19[14:0]} + product[16:0], kept_26};  // line 78
   wire [32:0] sum_78_3 = {joined_78_2[31], joined_78_2} + 33'd16384;  // line 78
-  wire [18:0] wide_78_4 = {kept_17[17], kept_17[17:0]};  // line 78
+  wire [18:0] wide_78_4 = {kept_19[17], kept_19[17:0]};  // line 78
   wire [16:0] wide_78_5 = {i_v_i[15], i_v_i};  // line 78
   wire [16:0] wide_78_6 = {observer_last_v[15], observer_last_v};  // line 78
   wire [16:0] sum_78_5 = wide_78_5 + wide_78_6;  // line 78
-  wire [31:0] joined_78_4 = {{2'd0, kept_24} + product[16:0], kept_25};  // line 78
+  wire [31:0] joined_78_4 = {{2'd0, kept_26} + product[16:0], kept_27};  // line 78
   wire [32:0] sum_78_6 = {joined_78_4[31], joined_78_4} + 33'd16384;  // line 78
-  wire [18:0] wide_78_7 = {kept_1[17], kept_1};  // line 78
-  wire [33:0] joined_78_5 = {{4'd0, kept_5} + product[18:0], kept_24};  // line 78
+  wire [18:0] wide_78_7 = {kept_3[17], kept_3};  // line 78
+  wire [33:0] joined_78_5 = {{4'd0, kept_7} + product[18:0], kept_26};  // line 78
   wire [34:0] sum_78_10 = {joined_78_5[33], joined_78_5} + 35'd16384;  // line 78
   wire [16:0] sum_78_11 = sum_78_5 - 17'd34;  // line 78
-  wire [17:0] sum_78_12 = kept_11[17:0] - 18'd33;  // line 78
-  wire [17:0] difference_78 = -kept_11[17:0];  // line 78
-  wire [15:0] wide_78_8 = {{10{kept_9[5]}}, kept_9};  // line 78
-  wire [34:0] sum_78_13 = {{5'd0, kept_25} + product[19:0], kept_26} + 35'd8192;  // line 78
+  wire [17:0] sum_78_12 = kept_13[17:0] - 18'd33;  // line 78
+  wire [17:0] difference_78 = -kept_13[17:0];  // line 78
+  wire [15:0] wide_78_8 = {{10{kept_11[5]}}, kept_11};  // line 78
+  wire [34:0] sum_78_13 = {{5'd0, kept_27} + product[19:0], kept_28} + 35'd8192;  // line 78
   wire [28:0] sum_78_14 = {1'b0, product[27:0]} + 29'd4096;  // line 78
-  wire [5:0] sum_78_16 = kept_9 + product[5:0];  // line 78
-  wire [35:0] joined_78_6 = {sum_78_16, kept_25, kept_24};  // line 78
+  wire [5:0] sum_78_16 = kept_11 + product[5:0];  // line 78
+  wire [35:0] joined_78_6 = {sum_78_16, kept_27, kept_26};  // line 78
   wire [36:0] sum_78_17 = {joined_78_6[35], joined_78_6} + 37'd16384;  // line 78
   wire [31:0] wide_78_9 = {product[30], product[30:0]};  // line 78
   wire [31:0] sum_78_18 = wide_78_9 + 32'd2048;  // line 78
-  wire [20:0] wide_78_10 = {kept_11[19], kept_11};  // line 78
+  wire [20:0] wide_78_10 = {kept_13[19], kept_13};  // line 78
   wire [20:0] wide_78_11 = {sum_78_18[31], sum_78_18[31:12]};  // line 78
   wire [9:0] sum_78_19 = sum_78[23:14] + 10'd256;  // line 78
-  wire [15:0] wide_78_12 = {{9{kept_15[6]}}, kept_15};  // line 78
+  wire [15:0] wide_78_12 = {{9{kept_17[6]}}, kept_17};  // line 78
   wire [32:0] wide_78_13 = {product[31], product};  // line 78
   wire [32:0] sum_78_20 = wide_78_13 + 33'd4194304;  // line 78
   wire [16:0] wide_78_14 = {{7{sum_78_20[32]}}, sum_78_20[32:23]};  // line 78
-  wire [32:0] wide_78_16 = {kept_28[31], kept_28};  // line 78
+  wire [32:0] wide_78_16 = {kept_30[31], kept_30};  // line 78
   wire [16:0] sum_78_21 = sum_78_2 - 17'd34;  // line 78
-  wire [15:0] wide_78_17 = {{10{kept_19[5]}}, kept_19};  // line 78
-  wire [5:0] sum_78_23 = kept_19 + product[5:0];  // line 78
-  wire [35:0] joined_78_7 = {sum_78_23, kept_2[14:0], kept_26};  // line 78
+  wire [15:0] wide_78_17 = {{10{kept_21[5]}}, kept_21};  // line 78
+  wire [5:0] sum_78_23 = kept_21 + product[5:0];  // line 78
+  wire [35:0] joined_78_7 = {sum_78_23, kept_4[14:0], kept_28};  // line 78
   wire [36:0] sum_78_24 = {joined_78_7[35], joined_78_7} + 37'd16384;  // line 78
-  wire [33:0] sum_78_26 = {kept_27[32], kept_27} + 34'd16384;  // line 78
+  wire [33:0] sum_78_26 = {kept_29[32], kept_29} + 34'd16384;  // line 78
   wire [29:0] difference_45 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
   wire [27:0] choice_45 =  // line 45
       difference_45[29] ? ((difference_45[29:27] == 3'd7) ? difference_45[27:0] : 28'd134217728) :
       (difference_45[29:27] == 3'd0) ? difference_45[27:0] :
       28'd134217727;
-  wire [36:0] turned = {kept_17, kept_24};  // line 46
+  wire [36:0] turned = {kept_19, kept_26};  // line 46
   wire [37:0] sum_47 = {turned[36], turned} + 38'd16384;  // line 47
   wire [31:0] sum_48 = wide_78_9 + 32'd64;  // line 48
   wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 48
-  wire [7:0] choice_78_10 = (step == 6'd0) ? sum_78[21:14] ^ {8{sum_78[22]}} : kept_14;  // line 78
+  wire [7:0] choice_78_10 = (step == 6'd0) ? sum_78[21:14] ^ {8{sum_78[22]}} : kept_16;  // line 78
 
   logic [14:0] entry_78;  // kQuarterWave
   always_comb begin
@@ -396,34 +399,41 @@ module current_model (
   always_ff @(posedge clk) begin
     case (step)
       6'd0: begin
+        logic below_80;
+        logic equal_80;
+        below_80 = $signed(observer_way[24:9]) < $signed(observer_against ? 16'd0 : edge_i);
+        equal_80 = edge_i[15] == below_80;  // line 80
         step <= {5'd0, start_i};
         if (enable_i) begin
           kept_0 <= sum_78 + wide_78;
+          kept_24 <= equal_80 && edge_i != 16'd0;
         end else begin
           kept_0 <= initial_i;
+          kept_24 <= 1'b0;
         end
-        kept_1 <= {1'b0, wide_78_2 - wide_78_3};
-        kept_2 <= {1'b0, sum_78_2[14:0]};
-        kept_3 <= sum_78_2[16:15];
-        kept_4 <= {1'b0, wide_78_5 - wide_78_6};
-        kept_5 <= sum_78_5[14:0];
-        kept_6 <= sum_78_5[16:15];
-        kept_7 <= sum_78_11[16:1];
-        kept_8 <= $signed(sum_78_5[16:1]) > 16'sd16;
-        kept_9 <= sum_78_5[6:1];
-        kept_10 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
-        kept_11 <= {2'd0, {sum_78_2[16], sum_78_2} + {sum_78_5[16], sum_78_5}};
-        kept_12 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
-        kept_13 <= sum_78_19[9];
-        kept_14 <= sum_78[21:14] ^ {8{sum_78_19[8]}};
-        kept_15 <= {sum_78[13:8], 1'b0} ^ 7'h40;
-        kept_16 <= sum_78[23];
-        kept_17 <= {6'd0, sum_78_21[16:1]};
-        kept_18 <= $signed(sum_78_2[16:1]) > 16'sd16;
-        kept_19 <= sum_78_2[6:1];
-        kept_20 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
-        kept_21 <= $signed(observer_way[24:9]) < $signed(edge_i);
-        kept_22 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
+        kept_1 <= below_80;
+        kept_2 <= edge_i == 16'd0 || equal_80;
+        kept_3 <= {1'b0, wide_78_2 - wide_78_3};
+        kept_4 <= {1'b0, sum_78_2[14:0]};
+        kept_5 <= sum_78_2[16:15];
+        kept_6 <= {1'b0, wide_78_5 - wide_78_6};
+        kept_7 <= sum_78_5[14:0];
+        kept_8 <= sum_78_5[16:15];
+        kept_9 <= sum_78_11[16:1];
+        kept_10 <= $signed(sum_78_5[16:1]) > 16'sd16;
+        kept_11 <= sum_78_5[6:1];
+        kept_12 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
+        kept_13 <= {2'd0, {sum_78_2[16], sum_78_2} + {sum_78_5[16], sum_78_5}};
+        kept_14 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
+        kept_15 <= sum_78_19[9];
+        kept_16 <= sum_78[21:14] ^ {8{sum_78_19[8]}};
+        kept_17 <= {sum_78[13:8], 1'b0} ^ 7'h40;
+        kept_18 <= sum_78[23];
+        kept_19 <= {6'd0, sum_78_21[16:1]};
+        kept_20 <= $signed(sum_78_2[16:1]) > 16'sd16;
+        kept_21 <= sum_78_2[6:1];
+        kept_22 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
+        kept_23 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
         factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, observer_last_dc}};
         factor_b <= {1'b0, pattern_inverse_i};
         kQuarterWave_entry <= entry_78;
@@ -434,21 +444,21 @@ module current_model (
         case (step)
           6'd1: begin
             logic [5:0] choice_78_3;
-            choice_78_3 = (kept_7 < 16'd65503) ? (kept_8 ? 6'd16 : 6'd48) : kept_9;  // line 78
+            choice_78_3 = (kept_9 < 16'd65503) ? (kept_10 ? 6'd16 : 6'd48) : kept_11;  // line 78
             step <= step + 6'd1;
-            if (kept_16) begin
-              kept_7 <= difference_78_5;
+            if (kept_18) begin
+              kept_9 <= difference_78_5;
             end else begin
-              kept_7 <= {1'b0, kQuarterWave_entry};
+              kept_9 <= {1'b0, kQuarterWave_entry};
             end
             if (sum_78_12[17:1] < 17'd131039) begin
               if ($signed(difference_78[17:1]) > 17'sd16) begin
-                kept_9 <= 6'd16;
+                kept_11 <= 6'd16;
               end else begin
-                kept_9 <= 6'd48;
+                kept_11 <= 6'd48;
               end
             end else begin
-              kept_9 <= difference_78[6:1];
+              kept_11 <= difference_78[6:1];
             end
             factor_a <= {{10{choice_78_3[5]}}, choice_78_3};
             factor_b <= {4'd0, pattern_dead_i};
@@ -456,12 +466,12 @@ module current_model (
           end
           default: begin  // 6'd2
             step <= step + 6'd1;
-            kept_8 <= sum_78_14[28];
-            kept_11 <= {5'd0, sum_78_14[27:13]};
-            if (kept_13) begin
-              kept_23 <= difference_78_5;
+            kept_10 <= sum_78_14[28];
+            kept_13 <= {5'd0, sum_78_14[27:13]};
+            if (kept_15) begin
+              kept_25 <= difference_78_5;
             end else begin
-              kept_23 <= {1'b0, kQuarterWave_entry};
+              kept_25 <= {1'b0, kQuarterWave_entry};
             end
             factor_a <= wide_78_8;
             factor_b <= {4'd0, pattern_dead_i};
@@ -471,10 +481,10 @@ module current_model (
       6'd3: begin
         logic [13:0] choice_78_4;
         logic [5:0] choice_78_8;
-        choice_78_4 = kept_10 ? product[17:4] : 14'd0;  // line 78
-        choice_78_8 = (kept_17[15:0] < 16'd65503) ? (kept_18 ? 6'd16 : 6'd48) : kept_19;  // line 78
+        choice_78_4 = kept_12 ? product[17:4] : 14'd0;  // line 78
+        choice_78_8 = (kept_19[15:0] < 16'd65503) ? (kept_20 ? 6'd16 : 6'd48) : kept_21;  // line 78
         step <= step + 6'd1;
-        kept_17 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_78_4[13]}}, choice_78_4}};
+        kept_19 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_78_4[13]}}, choice_78_4}};
         factor_a <= {{10{choice_78_8[5]}}, choice_78_8};
         factor_b <= {4'd0, pattern_dead_i};
       end
@@ -482,288 +492,288 @@ module current_model (
         logic [13:0] choice_78_5;
         logic [19:0] difference_78_2;
         logic [19:0] difference_78_3;
-        choice_78_5 = kept_12 ? product[17:4] : 14'd0;  // line 78
+        choice_78_5 = kept_14 ? product[17:4] : 14'd0;  // line 78
         difference_78_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_78_5[13]}}, choice_78_5};
-        difference_78_3 = kept_17[19:0] - difference_78_2;  // line 78
+        difference_78_3 = kept_19[19:0] - difference_78_2;  // line 78
         step <= step + 6'd1;
-        kept_2 <= {1'b0, difference_78_3[14:0]};
-        kept_9 <= {1'b0, difference_78_3[19:15]};
-        kept_17 <= {1'b0, {kept_17[19], kept_17[19:0]} + {difference_78_2[19], difference_78_2}};
-        factor_a <= {1'b0, kept_2[14:0]};
+        kept_4 <= {1'b0, difference_78_3[14:0]};
+        kept_11 <= {1'b0, difference_78_3[19:15]};
+        kept_19 <= {1'b0, {kept_19[19], kept_19[19:0]} + {difference_78_2[19], difference_78_2}};
+        factor_a <= {1'b0, kept_4[14:0]};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
         logic [13:0] choice_78_9;
         logic [20:0] difference_78_7;
-        choice_78_9 = kept_20 ? product[17:4] : 14'd0;  // line 78
+        choice_78_9 = kept_22 ? product[17:4] : 14'd0;  // line 78
         difference_78_7 =  // line 78
             {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_78_9[13]}}, choice_78_9}, 1'b0} -
-            kept_17[20:0];
+            kept_19[20:0];
         step <= step + 6'd1;
-        kept_2 <= {1'b0, difference_78_7[14:0]};
-        kept_19 <= difference_78_7[20:15];
-        factor_a <= {1'b0, kept_2[14:0]};
+        kept_4 <= {1'b0, difference_78_7[14:0]};
+        kept_21 <= difference_78_7[20:15];
+        factor_a <= {1'b0, kept_4[14:0]};
         factor_b <= 16'd28378;
       end
       6'd6: begin
         step <= step + 6'd1;
-        kept_17 <= {7'd0, product[29:15]};
-        kept_24 <= product[14:0];
-        factor_a <= {{11{kept_9[4]}}, kept_9[4:0]};
+        kept_19 <= {7'd0, product[29:15]};
+        kept_26 <= product[14:0];
+        factor_a <= {{11{kept_11[4]}}, kept_11[4:0]};
         factor_b <= 16'd28378;
       end
       6'd7: begin
         step <= step + 6'd1;
-        kept_25 <= product[29:15];
-        kept_26 <= product[14:0];
-        factor_a <= {{14{kept_3[1]}}, kept_3};
+        kept_27 <= product[29:15];
+        kept_28 <= product[14:0];
+        factor_a <= {{14{kept_5[1]}}, kept_5};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd8: begin
         step <= step + 6'd1;
-        kept_5 <= sum_78_13[28:14];
-        kept_9 <= sum_78_13[34:29];
-        factor_a <= {1'b0, kept_5};
+        kept_7 <= sum_78_13[28:14];
+        kept_11 <= sum_78_13[34:29];
+        factor_a <= {1'b0, kept_7};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd9: begin
         step <= step + 6'd1;
-        kept_17 <= {4'd0, sum_78_3[32:15]};
-        factor_a <= {{14{kept_6[1]}}, kept_6};
+        kept_19 <= {4'd0, sum_78_3[32:15]};
+        factor_a <= {{14{kept_8[1]}}, kept_8};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd10: begin
         logic [17:0] joined_78;
         logic [18:0] sum_78_4;
         logic [17:0] choice_78;
-        joined_78 = {kept_1[16:0], 1'b0};  // line 78
+        joined_78 = {kept_3[16:0], 1'b0};  // line 78
         sum_78_4 = {joined_78[17], joined_78} + wide_78_4;  // line 78
         choice_78 =  // line 78
             sum_78_4[18] ? ((sum_78_4[18:17] == 2'd3) ? sum_78_4[17:0] : 18'd131072) :
             (sum_78_4[18:17] == 2'd0) ? sum_78_4[17:0] :
             18'd131071;
         step <= step + 6'd1;
-        kept_17 <= {4'd0, choice_78};
-        kept_24 <= product[29:15];
-        kept_25 <= product[14:0];
-        factor_a <= {1'b0, kept_5};
-        factor_b <= {1'b0, kept_11[14:0]};
+        kept_19 <= {4'd0, choice_78};
+        kept_26 <= product[29:15];
+        kept_27 <= product[14:0];
+        factor_a <= {1'b0, kept_7};
+        factor_b <= {1'b0, kept_13[14:0]};
       end
       6'd11: begin
         step <= step + 6'd1;
-        kept_1 <= sum_78_6[32:15];
-        factor_a <= {kept_5[14], kept_5};
-        factor_b <= {15'd0, kept_8};
+        kept_3 <= sum_78_6[32:15];
+        factor_a <= {kept_7[14], kept_7};
+        factor_b <= {15'd0, kept_10};
       end
       6'd12: begin
         logic [17:0] joined_78_3;
         logic [18:0] sum_78_7;
-        joined_78_3 = {kept_4[16:0], 1'b0};  // line 78
+        joined_78_3 = {kept_6[16:0], 1'b0};  // line 78
         sum_78_7 = {joined_78_3[17], joined_78_3} + wide_78_7;  // line 78
         step <= step + 6'd1;
         if (sum_78_7[18]) begin
           if (sum_78_7[18:17] == 2'd3) begin
-            kept_1 <= sum_78_7[17:0];
+            kept_3 <= sum_78_7[17:0];
           end else begin
-            kept_1 <= 18'd131072;
+            kept_3 <= 18'd131072;
           end
         end else if (sum_78_7[18:17] == 2'd0) begin
-          kept_1 <= sum_78_7[17:0];
+          kept_3 <= sum_78_7[17:0];
         end else begin
-          kept_1 <= 18'd131071;
+          kept_3 <= 18'd131071;
         end
-        kept_5 <= product[29:15];
-        kept_10 <= product[14];
-        kept_24 <= product[14:0];
-        factor_a <= {1'b0, kept_2[14:0]};
-        factor_b <= {1'b0, kept_11[14:0]};
+        kept_7 <= product[29:15];
+        kept_12 <= product[14];
+        kept_26 <= product[14:0];
+        factor_a <= {1'b0, kept_4[14:0]};
+        factor_b <= {1'b0, kept_13[14:0]};
       end
       6'd13: begin
         logic [18:0] sum_78_8;
         logic [19:0] sum_78_9;
         logic [2:0] part_78;
         sum_78_8 = wide_78_4 + wide_78_7;  // line 78
-        sum_78_9 = {sum_78_8[18], sum_78_8} + {{2{kept_1[17]}}, kept_1};  // line 78
+        sum_78_9 = {sum_78_8[18], sum_78_8} + {{2{kept_3[17]}}, kept_3};  // line 78
         part_78 = sum_78_9[19:17];  // line 78
         step <= step + 6'd1;
         case (part_78)
           3'd0: begin
-            kept_1 <= 18'd131072;
-            kept_4 <= sum_78_9[17:0];
+            kept_3 <= 18'd131072;
+            kept_6 <= sum_78_9[17:0];
           end
           3'd7: begin
-            kept_1 <= sum_78_9[17:0];
-            kept_4 <= 18'd131071;
+            kept_3 <= sum_78_9[17:0];
+            kept_6 <= 18'd131071;
           end
           default: begin
-            kept_1 <= 18'd131072;
-            kept_4 <= 18'd131071;
+            kept_3 <= 18'd131072;
+            kept_6 <= 18'd131071;
           end
         endcase
-        kept_2 <= {1'b0, kept_5} + {1'b0, product[14:0]};
-        kept_12 <= sum_78_9[19];
-        factor_a <= {kept_2[14], kept_2[14:0]};
-        factor_b <= {15'd0, kept_8};
+        kept_4 <= {1'b0, kept_7} + {1'b0, product[14:0]};
+        kept_14 <= sum_78_9[19];
+        factor_a <= {kept_4[14], kept_4[14:0]};
+        factor_b <= {15'd0, kept_10};
       end
       6'd14: begin
         logic [17:0] choice_78_2;
-        choice_78_2 = kept_12 ? kept_1 : kept_4;  // line 78
+        choice_78_2 = kept_14 ? kept_3 : kept_6;  // line 78
         step <= step + 6'd1;
-        kept_5 <= choice_78_2[14:0];
-        kept_12 <= product[14];
-        kept_14 <= {5'd0, choice_78_2[17:15]};
-        kept_25 <= product[29:15];
-        kept_26 <= product[14:0];
+        kept_7 <= choice_78_2[14:0];
+        kept_14 <= product[14];
+        kept_16 <= {5'd0, choice_78_2[17:15]};
+        kept_27 <= product[29:15];
+        kept_28 <= product[14:0];
         factor_a <= wide_78_8;
-        factor_b <= {1'b0, kept_11[14:0]};
+        factor_b <= {1'b0, kept_13[14:0]};
       end
       6'd15: begin
         step <= step + 6'd1;
-        kept_1 <= {2'd0, {1'b0, kept_25} + {1'b0, product[14:0]}};
+        kept_3 <= {2'd0, {1'b0, kept_27} + {1'b0, product[14:0]}};
         factor_a <= wide_78_17;
-        factor_b <= {1'b0, kept_11[14:0]};
+        factor_b <= {1'b0, kept_13[14:0]};
       end
       6'd16: begin
         logic [20:0] sum_78_15;
-        sum_78_15 = {5'd0, kept_2} + product[20:0];  // line 78
+        sum_78_15 = {5'd0, kept_4} + product[20:0];  // line 78
         step <= step + 6'd1;
-        kept_9 <= sum_78_15[20:15];
-        kept_25 <= sum_78_15[14:0];
+        kept_11 <= sum_78_15[20:15];
+        kept_27 <= sum_78_15[14:0];
         factor_a <= wide_78_8;
-        factor_b <= {15'd0, kept_8};
+        factor_b <= {15'd0, kept_10};
       end
       6'd17: begin
         logic [20:0] sum_78_22;
-        sum_78_22 = {5'd0, kept_1[15:0]} + product[20:0];  // line 78
+        sum_78_22 = {5'd0, kept_3[15:0]} + product[20:0];  // line 78
         step <= step + 6'd1;
-        kept_2 <= {1'b0, sum_78_22[14:0]};
-        kept_19 <= sum_78_22[20:15];
+        kept_4 <= {1'b0, sum_78_22[14:0]};
+        kept_21 <= sum_78_22[20:15];
         factor_a <= wide_78_17;
-        factor_b <= {15'd0, kept_8};
+        factor_b <= {15'd0, kept_10};
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_1 <= {2'd0, sum_78_17[30:15]};
-        kept_8 <= sum_78_16[5] && {sum_78_16[4:0], kept_25, kept_10} != 21'd2097151;
-        kept_15 <= sum_78_17[36:30];
+        kept_3 <= {2'd0, sum_78_17[30:15]};
+        kept_10 <= sum_78_16[5] && {sum_78_16[4:0], kept_27, kept_12} != 21'd2097151;
+        kept_17 <= sum_78_17[36:30];
         factor_a <= wide_78_12;
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_1 <= {2'd0, sum_78_24[30:15]};
-        if (kept_8) begin
-          if (kept_15 == 7'd127) begin
-            kept_2 <= kept_1[15:0];
+        kept_3 <= {2'd0, sum_78_24[30:15]};
+        if (kept_10) begin
+          if (kept_17 == 7'd127) begin
+            kept_4 <= kept_3[15:0];
           end else begin
-            kept_2 <= 16'd32768;
+            kept_4 <= 16'd32768;
           end
-        end else if (kept_15 == 7'd0) begin
-          kept_2 <= kept_1[15:0];
+        end else if (kept_17 == 7'd0) begin
+          kept_4 <= kept_3[15:0];
         end else begin
-          kept_2 <= 16'd32767;
+          kept_4 <= 16'd32767;
         end
-        kept_8 <= sum_78_23[5] && {sum_78_23[4:0], kept_2[14:0], kept_12} != 21'd2097151;
-        kept_15 <= sum_78_24[36:30];
-        factor_a <= {1'b0, kept_5};
+        kept_10 <= sum_78_23[5] && {sum_78_23[4:0], kept_4[14:0], kept_14} != 21'd2097151;
+        kept_17 <= sum_78_24[36:30];
+        factor_a <= {1'b0, kept_7};
         factor_b <= 16'd18919;
       end
       6'd20: begin
         logic [15:0] choice_78_6;
         choice_78_6 =  // line 78
-            kept_8 ? ((kept_15 == 7'd127) ? kept_1[15:0] : 16'd32768) :
-            (kept_15 == 7'd0) ? kept_1[15:0] :
+            kept_10 ? ((kept_17 == 7'd127) ? kept_3[15:0] : 16'd32768) :
+            (kept_17 == 7'd0) ? kept_3[15:0] :
             16'd32767;
         step <= step + 6'd1;
-        kept_1 <= {2'd0, product[15:0]};
-        kept_4 <= {2'd0, choice_78_6};
-        factor_a <= {{13{kept_14[2]}}, kept_14[2:0]};
+        kept_3 <= {2'd0, product[15:0]};
+        kept_6 <= {2'd0, choice_78_6};
+        factor_a <= {{13{kept_16[2]}}, kept_16[2:0]};
         factor_b <= 16'd18919;
       end
       6'd21: begin
         step <= step + 6'd1;
-        kept_5 <= product[29:15];
-        kept_24 <= product[14:0];
-        factor_a <= kept_2;
+        kept_7 <= product[29:15];
+        kept_26 <= product[14:0];
+        factor_a <= kept_4;
         factor_b <= {1'b0, words_gain_i};
       end
       6'd22: begin
         step <= step + 6'd1;
-        kept_11 <= sum_78_10[34:15];
-        factor_a <= kept_1[15:0];
-        factor_b <= kept_7;
+        kept_13 <= sum_78_10[34:15];
+        factor_a <= kept_3[15:0];
+        factor_b <= kept_9;
       end
       6'd23: begin
         logic [20:0] difference_78_4;
         difference_78_4 = wide_78_10 - wide_78_11;  // line 78
         step <= step + 6'd1;
-        kept_2 <= difference_78_4[15:0];
-        kept_8 <= difference_78_4[20];
-        kept_9 <= difference_78_4[20:15];
-        factor_a <= kept_4[15:0];
+        kept_4 <= difference_78_4[15:0];
+        kept_10 <= difference_78_4[20];
+        kept_11 <= difference_78_4[20:15];
+        factor_a <= kept_6[15:0];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd24: begin
         logic [16:0] difference_78_6;
-        difference_78_6 = {kept_23[15], kept_23} - wide_78_14;  // line 78
+        difference_78_6 = {kept_25[15], kept_25} - wide_78_14;  // line 78
         step <= step + 6'd1;
-        if (kept_8) begin
-          if (kept_9 != 6'd63) begin
-            kept_2 <= 16'd32768;
+        if (kept_10) begin
+          if (kept_11 != 6'd63) begin
+            kept_4 <= 16'd32768;
           end
-        end else if (kept_9 != 6'd0) begin
-          kept_2 <= 16'd32767;
+        end else if (kept_11 != 6'd0) begin
+          kept_4 <= 16'd32767;
         end
-        kept_8 <= difference_78_6[16:15] == 2'd3;
-        kept_10 <= difference_78_6[16:15] == 2'd0;
-        kept_12 <= difference_78_6[16];
-        kept_23 <= difference_78_6[15:0];
-        factor_a <= kept_1[15:0];
-        factor_b <= kept_23;
+        kept_10 <= difference_78_6[16:15] == 2'd3;
+        kept_12 <= difference_78_6[16:15] == 2'd0;
+        kept_14 <= difference_78_6[16];
+        kept_25 <= difference_78_6[15:0];
+        factor_a <= kept_3[15:0];
+        factor_b <= kept_25;
       end
       6'd25, 6'd27: begin
         logic [15:0] choice_78_7;
         logic [31:0] wide_78_15;
         choice_78_7 =  // line 78
-            kept_12 ? (kept_8 ? kept_23 : 16'd32768) :
-            kept_10 ? kept_23 :
+            kept_14 ? (kept_10 ? kept_25 : 16'd32768) :
+            kept_12 ? kept_25 :
             16'd32767;
         wide_78_15 = {{16{choice_78_7[15]}}, choice_78_7};  // line 78
         case (step)
           6'd25: begin
             logic [20:0] difference_78_8;
-            difference_78_8 = {{3{kept_17[17]}}, kept_17[17:0]} - wide_78_11;  // line 78
+            difference_78_8 = {{3{kept_19[17]}}, kept_19[17:0]} - wide_78_11;  // line 78
             step <= step + 6'd1;
-            kept_8 <= difference_78_8[20];
-            kept_9 <= difference_78_8[20:15];
-            kept_23 <= difference_78_8[15:0];
-            kept_27 <= {1'b0, wide_78_15};
-            factor_a <= kept_2;
-            if (kept_12) begin
-              if (kept_8) begin
-                factor_b <= kept_23;
+            kept_10 <= difference_78_8[20];
+            kept_11 <= difference_78_8[20:15];
+            kept_25 <= difference_78_8[15:0];
+            kept_29 <= {1'b0, wide_78_15};
+            factor_a <= kept_4;
+            if (kept_14) begin
+              if (kept_10) begin
+                factor_b <= kept_25;
               end else begin
                 factor_b <= 16'd32768;
               end
-            end else if (kept_10) begin
-              factor_b <= kept_23;
+            end else if (kept_12) begin
+              factor_b <= kept_25;
             end else begin
               factor_b <= 16'd32767;
             end
           end
           default: begin  // 6'd27
             step <= step + 6'd1;
-            kept_28 <= product;
-            kept_29 <= wide_78_15;
-            factor_a <= kept_7;
-            if (kept_12) begin
-              if (kept_8) begin
-                factor_b <= kept_23;
+            kept_30 <= product;
+            kept_31 <= wide_78_15;
+            factor_a <= kept_9;
+            if (kept_14) begin
+              if (kept_10) begin
+                factor_b <= kept_25;
               end else begin
                 factor_b <= 16'd32768;
               end
-            end else if (kept_10) begin
-              factor_b <= kept_23;
+            end else if (kept_12) begin
+              factor_b <= kept_25;
             end else begin
               factor_b <= 16'd32767;
             end
@@ -772,64 +782,64 @@ module current_model (
       end
       6'd26: begin
         logic [16:0] sum_78_25;
-        sum_78_25 = {kept_7[15], kept_7} + wide_78_14;  // line 78
+        sum_78_25 = {kept_9[15], kept_9} + wide_78_14;  // line 78
         step <= step + 6'd1;
-        if (kept_8) begin
-          if (kept_9 == 6'd63) begin
-            kept_7 <= kept_23;
+        if (kept_10) begin
+          if (kept_11 == 6'd63) begin
+            kept_9 <= kept_25;
           end else begin
-            kept_7 <= 16'd32768;
+            kept_9 <= 16'd32768;
           end
-        end else if (kept_9 == 6'd0) begin
-          kept_7 <= kept_23;
+        end else if (kept_11 == 6'd0) begin
+          kept_9 <= kept_25;
         end else begin
-          kept_7 <= 16'd32767;
+          kept_9 <= 16'd32767;
         end
-        kept_8 <= sum_78_25[16:15] == 2'd3;
-        kept_10 <= sum_78_25[16:15] == 2'd0;
-        kept_12 <= sum_78_25[16];
-        kept_23 <= sum_78_25[15:0];
+        kept_10 <= sum_78_25[16:15] == 2'd3;
+        kept_12 <= sum_78_25[16:15] == 2'd0;
+        kept_14 <= sum_78_25[16];
+        kept_25 <= sum_78_25[15:0];
         factor_a <= emf_emf[27:12];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd28: begin
         step <= step + 6'd1;
-        kept_11 <= sum_78_18[31:12];
-        factor_a <= kept_7;
-        factor_b <= kept_27[15:0];
+        kept_13 <= sum_78_18[31:12];
+        factor_a <= kept_9;
+        factor_b <= kept_29[15:0];
       end
       6'd29: begin
         logic [32:0] difference_78_9;
         difference_78_9 = wide_78_16 - wide_78_13;  // line 78
         step <= step + 6'd1;
-        kept_8 <= difference_78_9[32] && difference_78_9[31:14] != 18'd262143;
-        kept_27 <= difference_78_9;
-        factor_a <= kept_2;
-        factor_b <= kept_29[15:0];
+        kept_10 <= difference_78_9[32] && difference_78_9[31:14] != 18'd262143;
+        kept_29 <= difference_78_9;
+        factor_a <= kept_4;
+        factor_b <= kept_31[15:0];
       end
       6'd30: begin
         step <= step + 6'd1;
-        if (kept_8) begin
+        if (kept_10) begin
           if (sum_78_26[33:30] == 4'd15) begin
-            kept_2 <= sum_78_26[30:15];
+            kept_4 <= sum_78_26[30:15];
           end else begin
-            kept_2 <= 16'd32768;
+            kept_4 <= 16'd32768;
           end
         end else if (sum_78_26[33:30] == 4'd0) begin
-          kept_2 <= sum_78_26[30:15];
+          kept_4 <= sum_78_26[30:15];
         end else begin
-          kept_2 <= 16'd32767;
+          kept_4 <= 16'd32767;
         end
-        kept_28 <= product;
+        kept_30 <= product;
       end
       6'd31: begin
         logic [20:0] sum_44;
         logic [32:0] sum_78_27;
-        sum_44 = {{5{kept_2[15]}}, kept_2} + wide_78_10;  // line 44
+        sum_44 = {{5{kept_4[15]}}, kept_4} + wide_78_10;  // line 44
         sum_78_27 = wide_78_16 + wide_78_13;  // line 78
         step <= step + 6'd1;
-        kept_8 <= sum_78_27[32] && sum_78_27[31:14] != 18'd262143;
-        kept_27 <= sum_78_27;
+        kept_10 <= sum_78_27[32] && sum_78_27[31:14] != 18'd262143;
+        kept_29 <= sum_78_27;
         if (sum_44[20]) begin
           if (sum_44[20:15] == 6'd63) begin
             factor_a <= sum_44[15:0];
@@ -845,16 +855,16 @@ module current_model (
       end
       6'd32: begin
         step <= step + 6'd1;
-        if (kept_8) begin
+        if (kept_10) begin
           if (sum_78_26[33:30] == 4'd15) begin
-            kept_2 <= sum_78_26[30:15];
+            kept_4 <= sum_78_26[30:15];
           end else begin
-            kept_2 <= 16'd32768;
+            kept_4 <= 16'd32768;
           end
         end else if (sum_78_26[33:30] == 4'd0) begin
-          kept_2 <= sum_78_26[30:15];
+          kept_4 <= sum_78_26[30:15];
         end else begin
-          kept_2 <= 16'd32767;
+          kept_4 <= 16'd32767;
         end
       end
       6'd33: begin
@@ -874,86 +884,98 @@ module current_model (
           emf_emf <= 28'd0;
         end
         step <= step + 6'd1;
-        kept_5 <= choice_45[20:6];
-        kept_15 <= choice_45[27:21];
-        factor_a <= kept_2;
+        kept_7 <= choice_45[20:6];
+        kept_17 <= choice_45[27:21];
+        factor_a <= kept_4;
         factor_b <= {1'b0, words_k_theta_i};
       end
       6'd34: begin
         step <= step + 6'd1;
-        factor_a <= {1'b0, kept_5};
+        factor_a <= {1'b0, kept_7};
         factor_b <= {1'b0, words_k_speed_i};
       end
       6'd35: begin
         step <= step + 6'd1;
-        kept_28 <= {7'd0, sum_48[31:7]};
+        kept_30 <= {7'd0, sum_48[31:7]};
         factor_a <= wide_78_12;
         factor_b <= {1'b0, words_k_speed_i};
       end
       6'd36: begin
         step <= step + 6'd1;
-        kept_5 <= product[29:15];
-        kept_8 <= product[14];
-        kept_24 <= product[14:0];
+        kept_7 <= product[29:15];
+        kept_10 <= product[14];
+        kept_26 <= product[14:0];
       end
       6'd37: begin
         logic [21:0] sum_46;
-        sum_46 = {7'd0, kept_5} + product[21:0];  // line 46
+        sum_46 = {7'd0, kept_7} + product[21:0];  // line 46
         step <= step + 6'd1;
-        kept_8 <= sum_46[21] && {sum_46[20:0], kept_8} != 22'd4194303;
-        kept_17 <= sum_46;
+        kept_10 <= sum_46[21] && {sum_46[20:0], kept_10} != 22'd4194303;
+        kept_19 <= sum_46;
       end
       6'd38: begin
         step <= step + 6'd1;
-        if (kept_8) begin
+        if (kept_10) begin
           if (sum_47[37:34] == 4'd15) begin
-            kept_11 <= sum_47[34:15];
+            kept_13 <= sum_47[34:15];
           end else begin
-            kept_11 <= 20'd524288;
+            kept_13 <= 20'd524288;
           end
         end else if (sum_47[37:34] == 4'd0) begin
-          kept_11 <= sum_47[34:15];
+          kept_13 <= sum_47[34:15];
         end else begin
-          kept_11 <= 20'd524287;
+          kept_13 <= 20'd524287;
         end
       end
       6'd39: begin
+        logic [19:0] choice_80;
         logic [25:0] wide_80;
         logic [25:0] wide_80_2;
-        logic [25:0] choice_80;
-        logic [19:0] step_2;
-        wide_80 = {{6{kept_11[19]}}, kept_11};  // line 80
-        wide_80_2 = {kept_28[24], kept_28[24:0]};  // line 80
-        choice_80 = kept_21 ? wide_80 - wide_80_2 : wide_80 + wide_80_2;  // line 80
-        step_2 =  // line 80
-            choice_80[25] ? ((choice_80[25:19] == 7'd127) ? choice_80[19:0] : 20'd524288) :
-            (choice_80[25:19] == 7'd0) ? choice_80[19:0] :
-            20'd524287;
+        logic [25:0] choice_80_2;
+        choice_80 = (kept_2 || kept_13[19] == kept_1) ? kept_13 : 20'd0;  // line 80
+        wide_80 = {{6{choice_80[19]}}, choice_80};  // line 80
+        wide_80_2 = {kept_30[24], kept_30[24:0]};  // line 80
+        choice_80_2 = kept_1 ? wide_80 - wide_80_2 : wide_80 + wide_80_2;  // line 80
         step <= step + 6'd1;
-        kept_17 <= {2'd0, step_2};
+        kept_1 <= choice_80_2[25];
+        kept_17 <= choice_80_2[25:19];
+        kept_19 <= {2'd0, choice_80_2[19:0]};
       end
       6'd40: begin
+        if (enable_i) begin
+          logic [19:0] step_2;
+          step_2 =  // line 80
+              kept_1 ? ((kept_17 == 7'd127) ? kept_19[19:0] : 20'd524288) :
+              (kept_17 == 7'd0) ? kept_19[19:0] :
+              20'd524287;
+          observer_way <= kept_23 + {{5{step_2[19]}}, step_2};
+          kept_19 <= {2'd0, step_2};
+        end else begin
+          observer_way <= 25'd0;
+          kept_19 <= 22'd0;
+        end
+        step <= step + 6'd1;
+      end
+      6'd41: begin
         observer_last_u <= i_u_i;
         observer_last_v <= i_v_i;
         observer_last_dc <= v_dc_i;
         observer_before <= kept_0;
+        observer_step <= kept_19[19:0];
+        observer_against <= kept_24;
+        step <= 6'd0;
         if (enable_i) begin
-          observer_step <= kept_17[19:0];
-          observer_way <= kept_22 + {{5{kept_17[19]}}, kept_17[19:0]};
-          emf_step_held <= kept_11;
-          error_held <= kept_2;
+          emf_step_held <= kept_13;
+          error_held <= kept_4;
         end else begin
-          observer_step <= 20'd0;
-          observer_way <= 25'd0;
           emf_step_held <= 20'd0;
           error_held <= 16'd0;
         end
-        step <= 6'd0;
       end
       default: step <= step + 6'd1;
     endcase
     product <= product_next;  // line 48
-    done <= step == 6'd40;
+    done <= step == 6'd41;
     missed <= start_i && step != 6'd0;
     if (rst) begin
       observer_last_u <= 16'sd0;
@@ -962,38 +984,41 @@ module current_model (
       observer_before <= 24'd0;
       observer_step <= 20'sd0;
       observer_way <= 25'sd0;
+      observer_against <= 1'b0;
       emf_emf <= 28'sd0;
       step <= 6'd0;
       kept_0 <= 24'd0;
-      kept_1 <= 18'd0;
-      kept_2 <= 16'd0;
-      kept_3 <= 2'd0;
-      kept_4 <= 18'd0;
-      kept_5 <= 15'd0;
-      kept_6 <= 2'd0;
-      kept_7 <= 16'd0;
-      kept_8 <= 1'b0;
-      kept_9 <= 6'd0;
+      kept_1 <= 1'b0;
+      kept_2 <= 1'b0;
+      kept_3 <= 18'd0;
+      kept_4 <= 16'd0;
+      kept_5 <= 2'd0;
+      kept_6 <= 18'd0;
+      kept_7 <= 15'd0;
+      kept_8 <= 2'd0;
+      kept_9 <= 16'd0;
       kept_10 <= 1'b0;
-      kept_11 <= 20'd0;
+      kept_11 <= 6'd0;
       kept_12 <= 1'b0;
-      kept_13 <= 1'b0;
-      kept_14 <= 8'd0;
-      kept_15 <= 7'd0;
-      kept_16 <= 1'b0;
-      kept_17 <= 22'd0;
+      kept_13 <= 20'd0;
+      kept_14 <= 1'b0;
+      kept_15 <= 1'b0;
+      kept_16 <= 8'd0;
+      kept_17 <= 7'd0;
       kept_18 <= 1'b0;
-      kept_19 <= 6'd0;
+      kept_19 <= 22'd0;
       kept_20 <= 1'b0;
-      kept_21 <= 1'b0;
-      kept_22 <= 25'd0;
-      kept_23 <= 16'd0;
-      kept_24 <= 15'd0;
-      kept_25 <= 15'd0;
+      kept_21 <= 6'd0;
+      kept_22 <= 1'b0;
+      kept_23 <= 25'd0;
+      kept_24 <= 1'b0;
+      kept_25 <= 16'd0;
       kept_26 <= 15'd0;
-      kept_27 <= 33'd0;
-      kept_28 <= 32'd0;
-      kept_29 <= 32'd0;
+      kept_27 <= 15'd0;
+      kept_28 <= 15'd0;
+      kept_29 <= 33'd0;
+      kept_30 <= 32'd0;
+      kept_31 <= 32'd0;
       factor_a <= 16'd0;
       factor_b <= 16'd0;
       product <= 32'd0;
@@ -1015,7 +1040,7 @@ module current_model (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_29[31:16], sum_78_3[14:0], sum_78_6[14:0], sum_78_10[14:0], sum_78_11[0],
+      &{1'b0, kept_31[31:16], sum_78_3[14:0], sum_78_6[14:0], sum_78_10[14:0], sum_78_11[0],
       sum_78_12[0], difference_78[0], sum_78_13[13:0], sum_78_14[12:0], sum_78_17[14:0],
       sum_78_18[11:0], sum_78_19[7:0], sum_78_20[22:0], sum_78_21[0], sum_78_24[14:0],
       sum_78_26[14:0], choice_45[5:0], sum_47[14:0], sum_48[6:0]};

@@ -45,65 +45,71 @@ module drive_protection (
       slow <= 20'd0;
       emf <= 20'd0;
       lost <= 4'd0;
-    end else if (sampled_i) begin
-      logic [20:0] sum_75;
-      logic [19:0] choice_57;
-      logic [19:0] choice_57_2;
-      logic [20:0] sum_56;
-      logic [19:0] choice_56;
-      logic [19:0] choice_56_2;
-      logic both_55;
-      logic [20:0] sum_55;
-      logic [19:0] choice_55;
-      logic both_59;
-      sum_75 = {1'b0, slow} + 21'd1;  // line 75
-      choice_57 =  // line 57
-          slow_i ? ((sum_75[20] && sum_75[19:0] != 20'd1048575) ? 20'd1048575 : sum_75[19:0]) :
-          (slow == 20'd0) ? 20'd0 :
-          slow - 20'd1;
-      choice_57_2 = locked_i ? choice_57 : 20'd0;  // line 57
-      sum_56 = {1'b0, emf} + 21'd1;  // line 56
-      choice_56 = (sum_56[20] && sum_56[19:0] != 20'd1048575) ? 20'd1048575 : sum_56[19:0];
-      choice_56_2 = (!(locked_i && fast_i) || plausible_i) ? 20'd0 : choice_56;  // line 56
-      both_55 = regulating_i && saturated_i;  // line 55
-      sum_55 = {1'b0, saturated} + 21'd1;  // line 55
-      choice_55 = (sum_55[20] && sum_55[19:0] != 20'd1048575) ? 20'd1048575 : sum_55[19:0];
-      both_59 = words_saturated_i != 20'd0 && words_saturated_i < (both_55 ? choice_55 : 20'd0);
-      if (over_current_i) begin
-        fatal <= SinusoidalReason_kOverCurrent;
-      end else begin
-        fatal <= SinusoidalReason_kNone;
-      end
-      if (both_59) begin
-        failed <= SinusoidalReason_kSaturated;
-        emf <= choice_56_2;
-      end else if (words_emf_i != 20'd0 && words_emf_i < choice_56_2) begin
-        failed <= SinusoidalReason_kEmf;
-        emf <= choice_56;
-      end else begin
-        if (words_slow_i != 20'd0 && words_slow_i < choice_57_2) begin
-          failed <= SinusoidalReason_kTooSlow;
+    end else begin
+      if (sampled_i) begin
+        if (over_current_i) begin
+          fatal <= SinusoidalReason_kOverCurrent;
         end else begin
-          failed <= SinusoidalReason_kNone;
+          fatal <= SinusoidalReason_kNone;
         end
-        emf <= choice_56_2;
-      end
-      if (both_59 || both_55) begin
-        saturated <= choice_55;
-      end else begin
-        saturated <= 20'd0;
-      end
-      slow <= choice_57_2;
-      lost <= 4'd0;
-    end else if (period_i && awaited) begin
-      logic [4:0] sum_64;
-      sum_64 = {1'b0, lost} + 5'd1;  // line 64
-      if (words_lost_samples_i == 4'd0 || sum_64 < {1'b0, words_lost_samples_i}) begin
-        if (!(sum_64[4] && sum_64[3:0] != 4'd15)) begin
-          lost <= sum_64[3:0];
+        if (regulating_i && saturated_i) begin
+          logic [20:0] sum_60;
+          sum_60 = {1'b0, saturated} + 21'd1;  // line 60
+          if (sum_60[20] && sum_60[19:0] != 20'd1048575) begin
+            saturated <= 20'd1048575;
+          end else begin
+            saturated <= sum_60[19:0];
+          end
+        end else begin
+          saturated <= 20'd0;
         end
+        if (locked_i) begin
+          if (slow_i) begin
+            logic [20:0] sum_76;
+            sum_76 = {1'b0, slow} + 21'd1;  // line 76
+            if (sum_76[20] && sum_76[19:0] != 20'd1048575) begin
+              slow <= 20'd1048575;
+            end else begin
+              slow <= sum_76[19:0];
+            end
+          end else if (slow != 20'd0) begin
+            slow <= slow - 20'd1;
+          end
+          if (!fast_i || plausible_i) begin
+            emf <= 20'd0;
+          end else begin
+            logic [20:0] sum_61;
+            sum_61 = {1'b0, emf} + 21'd1;  // line 61
+            if (sum_61[20] && sum_61[19:0] != 20'd1048575) begin
+              emf <= 20'd1048575;
+            end else begin
+              emf <= sum_61[19:0];
+            end
+          end
+        end else begin
+          slow <= 20'd0;
+          emf <= 20'd0;
+        end
+        lost <= 4'd0;
+      end else if (period_i && awaited) begin
+        logic [4:0] sum_65;
+        sum_65 = {1'b0, lost} + 5'd1;  // line 65
+        if (words_lost_samples_i == 4'd0 || sum_65 < {1'b0, words_lost_samples_i}) begin
+          if (!(sum_65[4] && sum_65[3:0] != 4'd15)) begin
+            lost <= sum_65[3:0];
+          end
+        end else begin
+          fatal <= SinusoidalReason_kLostSample;
+        end
+      end
+      if (words_saturated_i != 20'd0 && words_saturated_i < saturated) begin
+        failed <= SinusoidalReason_kSaturated;
+      end else if (words_emf_i != 20'd0 && words_emf_i < emf) begin
+        failed <= SinusoidalReason_kEmf;
+      end else if (words_slow_i != 20'd0 && words_slow_i < slow) begin
+        failed <= SinusoidalReason_kTooSlow;
       end else begin
-        fatal <= SinusoidalReason_kLostSample;
+        failed <= SinusoidalReason_kNone;
       end
     end
     awaited <= period_i || (awaited && !sampled_i);

@@ -1,6 +1,6 @@
 // estimator: steplock::Estimator, printed by hlsgen from hls/sinusoidal/estimator.hpp:36.
-// A sample takes 43 clocks, and in no order fewer than 42: 256 operations, 37 products, 2 entries of tables
-// on 1 multiplier of 16 x 16 bits; 846 register bits, 407 of them between steps.
+// A sample takes 43 clocks, and in no order fewer than 42: 266 operations, 37 products, 2 entries of tables
+// on 1 multiplier of 16 x 16 bits; 849 register bits, 409 of them between steps.
 // Do not edit: change the C++ and print again.
 
 module estimator (
@@ -42,6 +42,7 @@ module estimator (
   logic [23:0] observer_before;  // u0.24, theta_c at the last sample
   logic [19:0] observer_step;  // s-4.23
   logic [24:0] observer_way;  // s-4.28, 32 mean steps
+  logic observer_against;  // turning against the direction of -edge
   logic [27:0] emf_emf;
   logic [15:0] speed_recent_0;  // Delta i_delta
   logic [15:0] speed_recent_1;  // Delta i_delta
@@ -55,37 +56,39 @@ module estimator (
   logic [27:0] speed_integral;
   logic [5:0] step;  // 0: waiting for a start
   logic [23:0] kept_0;  // in steps 1-42
-  logic [19:0] kept_1;  // in steps 1-31, 40-40 by_current_emf_step, 41-42
-  logic [17:0] kept_2;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
-  logic [15:0] kept_3;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-29, 31-31 seen_delta, 33-42 seen_gamma
-  logic [1:0] kept_4;  // in steps 1-7
-  logic [17:0] kept_5;  // in steps 1-12, 14-14, 21-23
-  logic [14:0] kept_6;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 32-32, 34-35, 38-38
-  logic [1:0] kept_7;  // in steps 1-9
-  logic [15:0] kept_8;  // in steps 1-1, 2-26, 27-28
-  logic kept_9;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 32-32, 38-38, 39-39, 40-40
-  logic [5:0] kept_10;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26, 32-37, 40-40
-  logic kept_11;  // in steps 1-3, 13-18, 25-25, 27-27
-  logic [19:0] kept_12;  // in steps 1-1, 3-15, 23-23, 29-31, 37-40, 42-42
-  logic kept_13;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
-  logic kept_14;  // in steps 1-2
-  logic [7:0] kept_15;  // in steps 1-1, 15-20
-  logic [6:0] kept_16;  // in steps 1-18, 19-19, 20-20, 34-36
-  logic kept_17;  // in steps 1-1
-  logic [21:0] kept_18;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 39-39, 40-40 by_voltage_emf_step
-  logic kept_19;  // in steps 1-3
-  logic [5:0] kept_20;  // in steps 1-3, 6-17, 18-19
-  logic kept_21;  // in steps 1-5
-  logic kept_22;  // in steps 1-41
-  logic [24:0] kept_23;  // in steps 1-41, 42-42
-  logic [15:0] kept_24;  // in steps 1-42
-  logic [15:0] kept_25;  // in steps 3-24, 25-25, 26-26, 27-27
-  logic [14:0] kept_26;  // in steps 7-9, 11-11, 13-18, 22-22, 35-39
-  logic [14:0] kept_27;  // in steps 8-8, 11-11, 15-15, 17-18, 35-39
-  logic [14:0] kept_28;  // in steps 8-8, 15-19, 38-39
-  logic [32:0] kept_29;  // in steps 26-28, 30-30, 32-32
-  logic [31:0] kept_30;  // in steps 28-29, 31-31, 36-36, 37-40, 41-41
-  logic [31:0] kept_31;  // in steps 28-29, 41-41
+  logic kept_1;  // in steps 1-41
+  logic kept_2;  // in steps 1-39
+  logic [19:0] kept_3;  // in steps 1-31, 39-39 by_current_emf_step, 40-40, 42-42
+  logic [17:0] kept_4;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
+  logic [15:0] kept_5;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-29, 31-31 seen_delta, 33-42 seen_gamma
+  logic [1:0] kept_6;  // in steps 1-7
+  logic [17:0] kept_7;  // in steps 1-12, 14-14, 21-23
+  logic [14:0] kept_8;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 32-32, 34-34, 35-38
+  logic [1:0] kept_9;  // in steps 1-9
+  logic [15:0] kept_10;  // in steps 1-1, 2-26, 27-28
+  logic kept_11;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 32-32, 37-37, 38-38, 39-39
+  logic [5:0] kept_12;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26, 32-36, 39-39
+  logic kept_13;  // in steps 1-3, 13-18, 25-25, 27-27
+  logic [19:0] kept_14;  // in steps 1-1, 3-15, 23-23, 29-31, 37-40
+  logic kept_15;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
+  logic kept_16;  // in steps 1-2
+  logic [7:0] kept_17;  // in steps 1-1, 15-20
+  logic [6:0] kept_18;  // in steps 1-18, 19-19, 20-20, 34-35
+  logic kept_19;  // in steps 1-1
+  logic [21:0] kept_20;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 38-38, 39-39 by_voltage_emf_step, 40-42
+  logic kept_21;  // in steps 1-3
+  logic [5:0] kept_22;  // in steps 1-3, 6-17, 18-19
+  logic kept_23;  // in steps 1-5
+  logic [24:0] kept_24;  // in steps 1-41, 42-42
+  logic kept_25;  // in steps 1-42
+  logic [15:0] kept_26;  // in steps 1-42
+  logic [15:0] kept_27;  // in steps 3-24, 25-25, 26-26, 27-27
+  logic [14:0] kept_28;  // in steps 7-9, 11-11, 13-18, 22-22, 35-38
+  logic [14:0] kept_29;  // in steps 8-8, 11-11, 15-15, 17-18, 37-37
+  logic [14:0] kept_30;  // in steps 8-8, 15-19, 37-38
+  logic [32:0] kept_31;  // in steps 26-28, 30-30, 32-32
+  logic [31:0] kept_32;  // in steps 28-29, 31-31, 36-36, 40-40, 41-41
+  logic [31:0] kept_33;  // in steps 28-29, 41-41
   logic [15:0] factor_a;  // of the shared multiplier
   logic [15:0] factor_b;  // of the shared multiplier
   logic [31:0] product;  // of the factors before
@@ -100,59 +103,60 @@ module estimator (
   wire [16:0] wide_52_2 = {i_u_i[15], i_u_i};  // line 52
   wire [16:0] wide_52_3 = {observer_last_u[15], observer_last_u};  // line 52
   wire [16:0] sum_52_2 = wide_52_2 + wide_52_3;  // line 52
-  wire [31:0] joined_52_2 = {{2'd0, kept_18[14:0]} + product[16:0], kept_26};  // line 52
+  wire [31:0] joined_52_2 = {{2'd0, kept_20[14:0]} + product[16:0], kept_28};  // line 52
   wire [32:0] sum_52_3 = {joined_52_2[31], joined_52_2} + 33'd16384;  // line 52
-  wire [18:0] wide_52_4 = {kept_18[17], kept_18[17:0]};  // line 52
+  wire [18:0] wide_52_4 = {kept_20[17], kept_20[17:0]};  // line 52
   wire [16:0] wide_52_5 = {i_v_i[15], i_v_i};  // line 52
   wire [16:0] wide_52_6 = {observer_last_v[15], observer_last_v};  // line 52
   wire [16:0] sum_52_5 = wide_52_5 + wide_52_6;  // line 52
-  wire [31:0] joined_52_4 = {{2'd0, kept_26} + product[16:0], kept_27};  // line 52
+  wire [31:0] joined_52_4 = {{2'd0, kept_28} + product[16:0], kept_29};  // line 52
   wire [32:0] sum_52_6 = {joined_52_4[31], joined_52_4} + 33'd16384;  // line 52
-  wire [18:0] wide_52_7 = {kept_2[17], kept_2};  // line 52
-  wire [33:0] joined_52_5 = {{4'd0, kept_6} + product[18:0], kept_26};  // line 52
-  wire [34:0] sum_52_10 = {joined_52_5[33], joined_52_5} + 35'd16384;  // line 52
+  wire [18:0] wide_52_7 = {kept_4[17], kept_4};  // line 52
+  wire [33:0] joined_52_5 = {{4'd0, kept_8} + product[18:0], kept_28};  // line 52
+  wire [34:0] wide_52_8 = {joined_52_5[33], joined_52_5};  // line 52
+  wire [34:0] sum_52_10 = wide_52_8 + 35'd16384;  // line 52
   wire [16:0] sum_52_11 = sum_52_5 - 17'd34;  // line 52
-  wire [17:0] sum_52_12 = kept_12[17:0] - 18'd33;  // line 52
-  wire [17:0] difference_52 = -kept_12[17:0];  // line 52
-  wire [15:0] wide_52_8 = {{10{kept_10[5]}}, kept_10};  // line 52
-  wire [34:0] sum_52_13 = {{5'd0, kept_27} + product[19:0], kept_28} + 35'd8192;  // line 52
+  wire [17:0] sum_52_12 = kept_14[17:0] - 18'd33;  // line 52
+  wire [17:0] difference_52 = -kept_14[17:0];  // line 52
+  wire [15:0] wide_52_9 = {{10{kept_12[5]}}, kept_12};  // line 52
+  wire [34:0] sum_52_13 = {{5'd0, kept_29} + product[19:0], kept_30} + 35'd8192;  // line 52
   wire [28:0] sum_52_14 = {1'b0, product[27:0]} + 29'd4096;  // line 52
-  wire [5:0] sum_52_16 = kept_10 + product[5:0];  // line 52
-  wire [35:0] joined_52_6 = {sum_52_16, kept_27, kept_26};  // line 52
+  wire [5:0] sum_52_16 = kept_12 + product[5:0];  // line 52
+  wire [35:0] joined_52_6 = {sum_52_16, kept_29, kept_28};  // line 52
   wire [36:0] sum_52_17 = {joined_52_6[35], joined_52_6} + 37'd16384;  // line 52
-  wire [31:0] wide_52_9 = {product[30], product[30:0]};  // line 52
-  wire [31:0] sum_52_18 = wide_52_9 + 32'd2048;  // line 52
-  wire [20:0] wide_52_10 = {kept_12[19], kept_12};  // line 52
-  wire [20:0] wide_52_11 = {sum_52_18[31], sum_52_18[31:12]};  // line 52
+  wire [31:0] wide_52_10 = {product[30], product[30:0]};  // line 52
+  wire [31:0] sum_52_18 = wide_52_10 + 32'd2048;  // line 52
+  wire [20:0] wide_52_11 = {kept_14[19], kept_14};  // line 52
+  wire [20:0] wide_52_12 = {sum_52_18[31], sum_52_18[31:12]};  // line 52
   wire [9:0] sum_52_19 = sum_52[23:14] + 10'd256;  // line 52
-  wire [32:0] wide_52_12 = {product[31], product};  // line 52
-  wire [32:0] sum_52_20 = wide_52_12 + 33'd4194304;  // line 52
-  wire [16:0] wide_52_13 = {{7{sum_52_20[32]}}, sum_52_20[32:23]};  // line 52
-  wire [32:0] wide_52_15 = {kept_30[31], kept_30};  // line 52
+  wire [15:0] wide_52_13 = {{9{kept_18[6]}}, kept_18};  // line 52
+  wire [32:0] wide_52_14 = {product[31], product};  // line 52
+  wire [32:0] sum_52_20 = wide_52_14 + 33'd4194304;  // line 52
+  wire [16:0] wide_52_15 = {{7{sum_52_20[32]}}, sum_52_20[32:23]};  // line 52
+  wire [32:0] wide_52_17 = {kept_32[31], kept_32};  // line 52
   wire [16:0] sum_52_21 = sum_52_2 - 17'd34;  // line 52
-  wire [15:0] wide_52_16 = {{10{kept_20[5]}}, kept_20};  // line 52
-  wire [5:0] sum_52_23 = kept_20 + product[5:0];  // line 52
-  wire [35:0] joined_52_7 = {sum_52_23, kept_3[14:0], kept_28};  // line 52
+  wire [15:0] wide_52_18 = {{10{kept_22[5]}}, kept_22};  // line 52
+  wire [5:0] sum_52_23 = kept_22 + product[5:0];  // line 52
+  wire [35:0] joined_52_7 = {sum_52_23, kept_5[14:0], kept_30};  // line 52
   wire [36:0] sum_52_24 = {joined_52_7[35], joined_52_7} + 37'd16384;  // line 52
-  wire [33:0] sum_52_26 = {kept_29[32], kept_29} + 34'd16384;  // line 52
-  wire [33:0] joined_54 = {{4'd0, kept_26} + product[18:0], kept_27};  // line 54
-  wire [34:0] difference_54 = 35'd1024 - {joined_54[33], joined_54};  // line 54
+  wire [33:0] sum_52_26 = {kept_31[32], kept_31} + 34'd16384;  // line 52
+  wire [34:0] difference_54 = 35'd1024 - wide_52_8;  // line 54
   wire [29:0] difference_53 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
   wire [27:0] choice_53 =  // line 53
       difference_53[29] ? ((difference_53[29:27] == 3'd7) ? difference_53[27:0] : 28'd134217728) :
       (difference_53[29:27] == 3'd0) ? difference_53[27:0] :
       28'd134217727;
-  wire [36:0] joined_53 = {kept_18, kept_28};  // line 53
+  wire [36:0] joined_53 = {kept_20, kept_30};  // line 53
   wire [37:0] sum_53_3 = {joined_53[36], joined_53} + 38'd16384;  // line 53
-  wire [31:0] sum_54_2 = wide_52_9 + 32'd128;  // line 54
-  wire [28:0] sum_54_3 = {speed_integral[27], speed_integral} + {{5{kept_30[23]}}, kept_30[23:0]};
+  wire [31:0] sum_54_2 = wide_52_10 + 32'd128;  // line 54
+  wire [28:0] sum_54_3 = {speed_integral[27], speed_integral} + {{5{kept_32[23]}}, kept_32[23:0]};
   wire [27:0] choice_54_2 =  // line 54
       sum_54_3[28] ? ((sum_54_3[28:27] == 2'd3) ? sum_54_3[27:0] : 28'd134217728) :
       (sum_54_3[28:27] == 2'd0) ? sum_54_3[27:0] :
       28'd134217727;
-  wire [31:0] sum_53_4 = wide_52_9 + 32'd64;  // line 53
+  wire [31:0] sum_53_4 = wide_52_10 + 32'd64;  // line 53
   wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 53
-  wire [7:0] choice_52_10 = (step == 6'd0) ? sum_52[21:14] ^ {8{sum_52[22]}} : kept_15;  // line 52
+  wire [7:0] choice_52_10 = (step == 6'd0) ? sum_52[21:14] ^ {8{sum_52[22]}} : kept_17;  // line 52
 
   logic [14:0] entry_52;  // kQuarterWave
   always_comb begin
@@ -419,37 +423,44 @@ module estimator (
   always_ff @(posedge clk) begin
     case (step)
       6'd0: begin
+        logic below_56;
+        logic equal_56;
+        below_56 = $signed(observer_way[24:9]) < $signed(observer_against ? 16'd0 : edge_i);
+        equal_56 = edge_i[15] == below_56;  // line 56
         step <= {5'd0, start_i};
         if (enable_i) begin
           kept_0 <= sum_52 + wide_52;
-          kept_24 <= speed_recent_0;
+          kept_25 <= equal_56 && edge_i != 16'd0;
+          kept_26 <= speed_recent_0;
         end else begin
           kept_0 <= initial_i;
-          kept_24 <= 16'd0;
+          kept_25 <= 1'b0;
+          kept_26 <= 16'd0;
         end
-        kept_1 <= {1'b0, speed_sum - {{3{speed_recent_7[15]}}, speed_recent_7}};
-        kept_2 <= {1'b0, wide_52_2 - wide_52_3};
-        kept_3 <= {1'b0, sum_52_2[14:0]};
-        kept_4 <= sum_52_2[16:15];
-        kept_5 <= {1'b0, wide_52_5 - wide_52_6};
-        kept_6 <= sum_52_5[14:0];
-        kept_7 <= sum_52_5[16:15];
-        kept_8 <= sum_52_11[16:1];
-        kept_9 <= $signed(sum_52_5[16:1]) > 16'sd16;
-        kept_10 <= sum_52_5[6:1];
-        kept_11 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
-        kept_12 <= {2'd0, {sum_52_2[16], sum_52_2} + {sum_52_5[16], sum_52_5}};
-        kept_13 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
-        kept_14 <= sum_52_19[9];
-        kept_15 <= sum_52[21:14] ^ {8{sum_52_19[8]}};
-        kept_16 <= {sum_52[13:8], 1'b0} ^ 7'h40;
-        kept_17 <= sum_52[23];
-        kept_18 <= {6'd0, sum_52_21[16:1]};
-        kept_19 <= $signed(sum_52_2[16:1]) > 16'sd16;
-        kept_20 <= sum_52_2[6:1];
-        kept_21 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
-        kept_22 <= $signed(observer_way[24:9]) < $signed(edge_i);
-        kept_23 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
+        kept_1 <= below_56;
+        kept_2 <= edge_i == 16'd0 || equal_56;
+        kept_3 <= {1'b0, speed_sum - {{3{speed_recent_7[15]}}, speed_recent_7}};
+        kept_4 <= {1'b0, wide_52_2 - wide_52_3};
+        kept_5 <= {1'b0, sum_52_2[14:0]};
+        kept_6 <= sum_52_2[16:15];
+        kept_7 <= {1'b0, wide_52_5 - wide_52_6};
+        kept_8 <= sum_52_5[14:0];
+        kept_9 <= sum_52_5[16:15];
+        kept_10 <= sum_52_11[16:1];
+        kept_11 <= $signed(sum_52_5[16:1]) > 16'sd16;
+        kept_12 <= sum_52_5[6:1];
+        kept_13 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
+        kept_14 <= {2'd0, {sum_52_2[16], sum_52_2} + {sum_52_5[16], sum_52_5}};
+        kept_15 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
+        kept_16 <= sum_52_19[9];
+        kept_17 <= sum_52[21:14] ^ {8{sum_52_19[8]}};
+        kept_18 <= {sum_52[13:8], 1'b0} ^ 7'h40;
+        kept_19 <= sum_52[23];
+        kept_20 <= {6'd0, sum_52_21[16:1]};
+        kept_21 <= $signed(sum_52_2[16:1]) > 16'sd16;
+        kept_22 <= sum_52_2[6:1];
+        kept_23 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
+        kept_24 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
         factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, observer_last_dc}};
         factor_b <= {1'b0, pattern_inverse_i};
         kQuarterWave_entry <= entry_52;
@@ -460,21 +471,21 @@ module estimator (
         case (step)
           6'd1: begin
             logic [5:0] choice_52_3;
-            choice_52_3 = (kept_8 < 16'd65503) ? (kept_9 ? 6'd16 : 6'd48) : kept_10;  // line 52
+            choice_52_3 = (kept_10 < 16'd65503) ? (kept_11 ? 6'd16 : 6'd48) : kept_12;  // line 52
             step <= step + 6'd1;
-            if (kept_17) begin
-              kept_8 <= difference_52_5;
+            if (kept_19) begin
+              kept_10 <= difference_52_5;
             end else begin
-              kept_8 <= {1'b0, kQuarterWave_entry};
+              kept_10 <= {1'b0, kQuarterWave_entry};
             end
             if (sum_52_12[17:1] < 17'd131039) begin
               if ($signed(difference_52[17:1]) > 17'sd16) begin
-                kept_10 <= 6'd16;
+                kept_12 <= 6'd16;
               end else begin
-                kept_10 <= 6'd48;
+                kept_12 <= 6'd48;
               end
             end else begin
-              kept_10 <= difference_52[6:1];
+              kept_12 <= difference_52[6:1];
             end
             factor_a <= {{10{choice_52_3[5]}}, choice_52_3};
             factor_b <= {4'd0, pattern_dead_i};
@@ -482,14 +493,14 @@ module estimator (
           end
           default: begin  // 6'd2
             step <= step + 6'd1;
-            kept_9 <= sum_52_14[28];
-            kept_12 <= {5'd0, sum_52_14[27:13]};
-            if (kept_14) begin
-              kept_25 <= difference_52_5;
+            kept_11 <= sum_52_14[28];
+            kept_14 <= {5'd0, sum_52_14[27:13]};
+            if (kept_16) begin
+              kept_27 <= difference_52_5;
             end else begin
-              kept_25 <= {1'b0, kQuarterWave_entry};
+              kept_27 <= {1'b0, kQuarterWave_entry};
             end
-            factor_a <= wide_52_8;
+            factor_a <= wide_52_9;
             factor_b <= {4'd0, pattern_dead_i};
           end
         endcase
@@ -497,10 +508,10 @@ module estimator (
       6'd3: begin
         logic [13:0] choice_52_4;
         logic [5:0] choice_52_8;
-        choice_52_4 = kept_11 ? product[17:4] : 14'd0;  // line 52
-        choice_52_8 = (kept_18[15:0] < 16'd65503) ? (kept_19 ? 6'd16 : 6'd48) : kept_20;  // line 52
+        choice_52_4 = kept_13 ? product[17:4] : 14'd0;  // line 52
+        choice_52_8 = (kept_20[15:0] < 16'd65503) ? (kept_21 ? 6'd16 : 6'd48) : kept_22;  // line 52
         step <= step + 6'd1;
-        kept_18 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_52_4[13]}}, choice_52_4}};
+        kept_20 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_52_4[13]}}, choice_52_4}};
         factor_a <= {{10{choice_52_8[5]}}, choice_52_8};
         factor_b <= {4'd0, pattern_dead_i};
       end
@@ -508,288 +519,288 @@ module estimator (
         logic [13:0] choice_52_5;
         logic [19:0] difference_52_2;
         logic [19:0] difference_52_3;
-        choice_52_5 = kept_13 ? product[17:4] : 14'd0;  // line 52
+        choice_52_5 = kept_15 ? product[17:4] : 14'd0;  // line 52
         difference_52_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_52_5[13]}}, choice_52_5};
-        difference_52_3 = kept_18[19:0] - difference_52_2;  // line 52
+        difference_52_3 = kept_20[19:0] - difference_52_2;  // line 52
         step <= step + 6'd1;
-        kept_3 <= {1'b0, difference_52_3[14:0]};
-        kept_10 <= {1'b0, difference_52_3[19:15]};
-        kept_18 <= {1'b0, {kept_18[19], kept_18[19:0]} + {difference_52_2[19], difference_52_2}};
-        factor_a <= {1'b0, kept_3[14:0]};
+        kept_5 <= {1'b0, difference_52_3[14:0]};
+        kept_12 <= {1'b0, difference_52_3[19:15]};
+        kept_20 <= {1'b0, {kept_20[19], kept_20[19:0]} + {difference_52_2[19], difference_52_2}};
+        factor_a <= {1'b0, kept_5[14:0]};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
         logic [13:0] choice_52_9;
         logic [20:0] difference_52_7;
-        choice_52_9 = kept_21 ? product[17:4] : 14'd0;  // line 52
+        choice_52_9 = kept_23 ? product[17:4] : 14'd0;  // line 52
         difference_52_7 =  // line 52
             {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_52_9[13]}}, choice_52_9}, 1'b0} -
-            kept_18[20:0];
+            kept_20[20:0];
         step <= step + 6'd1;
-        kept_3 <= {1'b0, difference_52_7[14:0]};
-        kept_20 <= difference_52_7[20:15];
-        factor_a <= {1'b0, kept_3[14:0]};
+        kept_5 <= {1'b0, difference_52_7[14:0]};
+        kept_22 <= difference_52_7[20:15];
+        factor_a <= {1'b0, kept_5[14:0]};
         factor_b <= 16'd28378;
       end
       6'd6: begin
         step <= step + 6'd1;
-        kept_18 <= {7'd0, product[29:15]};
-        kept_26 <= product[14:0];
-        factor_a <= {{11{kept_10[4]}}, kept_10[4:0]};
+        kept_20 <= {7'd0, product[29:15]};
+        kept_28 <= product[14:0];
+        factor_a <= {{11{kept_12[4]}}, kept_12[4:0]};
         factor_b <= 16'd28378;
       end
       6'd7: begin
         step <= step + 6'd1;
-        kept_27 <= product[29:15];
-        kept_28 <= product[14:0];
-        factor_a <= {{14{kept_4[1]}}, kept_4};
+        kept_29 <= product[29:15];
+        kept_30 <= product[14:0];
+        factor_a <= {{14{kept_6[1]}}, kept_6};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd8: begin
         step <= step + 6'd1;
-        kept_6 <= sum_52_13[28:14];
-        kept_10 <= sum_52_13[34:29];
-        factor_a <= {1'b0, kept_6};
+        kept_8 <= sum_52_13[28:14];
+        kept_12 <= sum_52_13[34:29];
+        factor_a <= {1'b0, kept_8};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd9: begin
         step <= step + 6'd1;
-        kept_18 <= {4'd0, sum_52_3[32:15]};
-        factor_a <= {{14{kept_7[1]}}, kept_7};
+        kept_20 <= {4'd0, sum_52_3[32:15]};
+        factor_a <= {{14{kept_9[1]}}, kept_9};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd10: begin
         logic [17:0] joined_52;
         logic [18:0] sum_52_4;
         logic [17:0] choice_52;
-        joined_52 = {kept_2[16:0], 1'b0};  // line 52
+        joined_52 = {kept_4[16:0], 1'b0};  // line 52
         sum_52_4 = {joined_52[17], joined_52} + wide_52_4;  // line 52
         choice_52 =  // line 52
             sum_52_4[18] ? ((sum_52_4[18:17] == 2'd3) ? sum_52_4[17:0] : 18'd131072) :
             (sum_52_4[18:17] == 2'd0) ? sum_52_4[17:0] :
             18'd131071;
         step <= step + 6'd1;
-        kept_18 <= {4'd0, choice_52};
-        kept_26 <= product[29:15];
-        kept_27 <= product[14:0];
-        factor_a <= {1'b0, kept_6};
-        factor_b <= {1'b0, kept_12[14:0]};
+        kept_20 <= {4'd0, choice_52};
+        kept_28 <= product[29:15];
+        kept_29 <= product[14:0];
+        factor_a <= {1'b0, kept_8};
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd11: begin
         step <= step + 6'd1;
-        kept_2 <= sum_52_6[32:15];
-        factor_a <= {kept_6[14], kept_6};
-        factor_b <= {15'd0, kept_9};
+        kept_4 <= sum_52_6[32:15];
+        factor_a <= {kept_8[14], kept_8};
+        factor_b <= {15'd0, kept_11};
       end
       6'd12: begin
         logic [17:0] joined_52_3;
         logic [18:0] sum_52_7;
-        joined_52_3 = {kept_5[16:0], 1'b0};  // line 52
+        joined_52_3 = {kept_7[16:0], 1'b0};  // line 52
         sum_52_7 = {joined_52_3[17], joined_52_3} + wide_52_7;  // line 52
         step <= step + 6'd1;
         if (sum_52_7[18]) begin
           if (sum_52_7[18:17] == 2'd3) begin
-            kept_2 <= sum_52_7[17:0];
+            kept_4 <= sum_52_7[17:0];
           end else begin
-            kept_2 <= 18'd131072;
+            kept_4 <= 18'd131072;
           end
         end else if (sum_52_7[18:17] == 2'd0) begin
-          kept_2 <= sum_52_7[17:0];
+          kept_4 <= sum_52_7[17:0];
         end else begin
-          kept_2 <= 18'd131071;
+          kept_4 <= 18'd131071;
         end
-        kept_6 <= product[29:15];
-        kept_11 <= product[14];
-        kept_26 <= product[14:0];
-        factor_a <= {1'b0, kept_3[14:0]};
-        factor_b <= {1'b0, kept_12[14:0]};
+        kept_8 <= product[29:15];
+        kept_13 <= product[14];
+        kept_28 <= product[14:0];
+        factor_a <= {1'b0, kept_5[14:0]};
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd13: begin
         logic [18:0] sum_52_8;
         logic [19:0] sum_52_9;
         logic [2:0] part_52;
         sum_52_8 = wide_52_4 + wide_52_7;  // line 52
-        sum_52_9 = {sum_52_8[18], sum_52_8} + {{2{kept_2[17]}}, kept_2};  // line 52
+        sum_52_9 = {sum_52_8[18], sum_52_8} + {{2{kept_4[17]}}, kept_4};  // line 52
         part_52 = sum_52_9[19:17];  // line 52
         step <= step + 6'd1;
         case (part_52)
           3'd0: begin
-            kept_2 <= 18'd131072;
-            kept_5 <= sum_52_9[17:0];
+            kept_4 <= 18'd131072;
+            kept_7 <= sum_52_9[17:0];
           end
           3'd7: begin
-            kept_2 <= sum_52_9[17:0];
-            kept_5 <= 18'd131071;
+            kept_4 <= sum_52_9[17:0];
+            kept_7 <= 18'd131071;
           end
           default: begin
-            kept_2 <= 18'd131072;
-            kept_5 <= 18'd131071;
+            kept_4 <= 18'd131072;
+            kept_7 <= 18'd131071;
           end
         endcase
-        kept_3 <= {1'b0, kept_6} + {1'b0, product[14:0]};
-        kept_13 <= sum_52_9[19];
-        factor_a <= {kept_3[14], kept_3[14:0]};
-        factor_b <= {15'd0, kept_9};
+        kept_5 <= {1'b0, kept_8} + {1'b0, product[14:0]};
+        kept_15 <= sum_52_9[19];
+        factor_a <= {kept_5[14], kept_5[14:0]};
+        factor_b <= {15'd0, kept_11};
       end
       6'd14: begin
         logic [17:0] choice_52_2;
-        choice_52_2 = kept_13 ? kept_2 : kept_5;  // line 52
+        choice_52_2 = kept_15 ? kept_4 : kept_7;  // line 52
         step <= step + 6'd1;
-        kept_6 <= choice_52_2[14:0];
-        kept_13 <= product[14];
-        kept_15 <= {5'd0, choice_52_2[17:15]};
-        kept_27 <= product[29:15];
-        kept_28 <= product[14:0];
-        factor_a <= wide_52_8;
-        factor_b <= {1'b0, kept_12[14:0]};
+        kept_8 <= choice_52_2[14:0];
+        kept_15 <= product[14];
+        kept_17 <= {5'd0, choice_52_2[17:15]};
+        kept_29 <= product[29:15];
+        kept_30 <= product[14:0];
+        factor_a <= wide_52_9;
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd15: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, {1'b0, kept_27} + {1'b0, product[14:0]}};
-        factor_a <= wide_52_16;
-        factor_b <= {1'b0, kept_12[14:0]};
+        kept_4 <= {2'd0, {1'b0, kept_29} + {1'b0, product[14:0]}};
+        factor_a <= wide_52_18;
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd16: begin
         logic [20:0] sum_52_15;
-        sum_52_15 = {5'd0, kept_3} + product[20:0];  // line 52
+        sum_52_15 = {5'd0, kept_5} + product[20:0];  // line 52
         step <= step + 6'd1;
-        kept_10 <= sum_52_15[20:15];
-        kept_27 <= sum_52_15[14:0];
-        factor_a <= wide_52_8;
-        factor_b <= {15'd0, kept_9};
+        kept_12 <= sum_52_15[20:15];
+        kept_29 <= sum_52_15[14:0];
+        factor_a <= wide_52_9;
+        factor_b <= {15'd0, kept_11};
       end
       6'd17: begin
         logic [20:0] sum_52_22;
-        sum_52_22 = {5'd0, kept_2[15:0]} + product[20:0];  // line 52
+        sum_52_22 = {5'd0, kept_4[15:0]} + product[20:0];  // line 52
         step <= step + 6'd1;
-        kept_3 <= {1'b0, sum_52_22[14:0]};
-        kept_20 <= sum_52_22[20:15];
-        factor_a <= wide_52_16;
-        factor_b <= {15'd0, kept_9};
+        kept_5 <= {1'b0, sum_52_22[14:0]};
+        kept_22 <= sum_52_22[20:15];
+        factor_a <= wide_52_18;
+        factor_b <= {15'd0, kept_11};
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, sum_52_17[30:15]};
-        kept_9 <= sum_52_16[5] && {sum_52_16[4:0], kept_27, kept_11} != 21'd2097151;
-        kept_16 <= sum_52_17[36:30];
-        factor_a <= {{9{kept_16[6]}}, kept_16};
+        kept_4 <= {2'd0, sum_52_17[30:15]};
+        kept_11 <= sum_52_16[5] && {sum_52_16[4:0], kept_29, kept_13} != 21'd2097151;
+        kept_18 <= sum_52_17[36:30];
+        factor_a <= wide_52_13;
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, sum_52_24[30:15]};
-        if (kept_9) begin
-          if (kept_16 == 7'd127) begin
-            kept_3 <= kept_2[15:0];
+        kept_4 <= {2'd0, sum_52_24[30:15]};
+        if (kept_11) begin
+          if (kept_18 == 7'd127) begin
+            kept_5 <= kept_4[15:0];
           end else begin
-            kept_3 <= 16'd32768;
+            kept_5 <= 16'd32768;
           end
-        end else if (kept_16 == 7'd0) begin
-          kept_3 <= kept_2[15:0];
+        end else if (kept_18 == 7'd0) begin
+          kept_5 <= kept_4[15:0];
         end else begin
-          kept_3 <= 16'd32767;
+          kept_5 <= 16'd32767;
         end
-        kept_9 <= sum_52_23[5] && {sum_52_23[4:0], kept_3[14:0], kept_13} != 21'd2097151;
-        kept_16 <= sum_52_24[36:30];
-        factor_a <= {1'b0, kept_6};
+        kept_11 <= sum_52_23[5] && {sum_52_23[4:0], kept_5[14:0], kept_15} != 21'd2097151;
+        kept_18 <= sum_52_24[36:30];
+        factor_a <= {1'b0, kept_8};
         factor_b <= 16'd18919;
       end
       6'd20: begin
         logic [15:0] choice_52_6;
         choice_52_6 =  // line 52
-            kept_9 ? ((kept_16 == 7'd127) ? kept_2[15:0] : 16'd32768) :
-            (kept_16 == 7'd0) ? kept_2[15:0] :
+            kept_11 ? ((kept_18 == 7'd127) ? kept_4[15:0] : 16'd32768) :
+            (kept_18 == 7'd0) ? kept_4[15:0] :
             16'd32767;
         step <= step + 6'd1;
-        kept_2 <= {2'd0, product[15:0]};
-        kept_5 <= {2'd0, choice_52_6};
-        factor_a <= {{13{kept_15[2]}}, kept_15[2:0]};
+        kept_4 <= {2'd0, product[15:0]};
+        kept_7 <= {2'd0, choice_52_6};
+        factor_a <= {{13{kept_17[2]}}, kept_17[2:0]};
         factor_b <= 16'd18919;
       end
       6'd21: begin
         step <= step + 6'd1;
-        kept_6 <= product[29:15];
-        kept_26 <= product[14:0];
-        factor_a <= kept_3;
+        kept_8 <= product[29:15];
+        kept_28 <= product[14:0];
+        factor_a <= kept_5;
         factor_b <= {1'b0, words_gain_i};
       end
       6'd22: begin
         step <= step + 6'd1;
-        kept_12 <= sum_52_10[34:15];
-        factor_a <= kept_2[15:0];
-        factor_b <= kept_8;
+        kept_14 <= sum_52_10[34:15];
+        factor_a <= kept_4[15:0];
+        factor_b <= kept_10;
       end
       6'd23: begin
         logic [20:0] difference_52_4;
-        difference_52_4 = wide_52_10 - wide_52_11;  // line 52
+        difference_52_4 = wide_52_11 - wide_52_12;  // line 52
         step <= step + 6'd1;
-        kept_3 <= difference_52_4[15:0];
-        kept_9 <= difference_52_4[20];
-        kept_10 <= difference_52_4[20:15];
-        factor_a <= kept_5[15:0];
+        kept_5 <= difference_52_4[15:0];
+        kept_11 <= difference_52_4[20];
+        kept_12 <= difference_52_4[20:15];
+        factor_a <= kept_7[15:0];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd24: begin
         logic [16:0] difference_52_6;
-        difference_52_6 = {kept_25[15], kept_25} - wide_52_13;  // line 52
+        difference_52_6 = {kept_27[15], kept_27} - wide_52_15;  // line 52
         step <= step + 6'd1;
-        if (kept_9) begin
-          if (kept_10 != 6'd63) begin
-            kept_3 <= 16'd32768;
+        if (kept_11) begin
+          if (kept_12 != 6'd63) begin
+            kept_5 <= 16'd32768;
           end
-        end else if (kept_10 != 6'd0) begin
-          kept_3 <= 16'd32767;
+        end else if (kept_12 != 6'd0) begin
+          kept_5 <= 16'd32767;
         end
-        kept_9 <= difference_52_6[16:15] == 2'd3;
-        kept_11 <= difference_52_6[16:15] == 2'd0;
-        kept_13 <= difference_52_6[16];
-        kept_25 <= difference_52_6[15:0];
-        factor_a <= kept_2[15:0];
-        factor_b <= kept_25;
+        kept_11 <= difference_52_6[16:15] == 2'd3;
+        kept_13 <= difference_52_6[16:15] == 2'd0;
+        kept_15 <= difference_52_6[16];
+        kept_27 <= difference_52_6[15:0];
+        factor_a <= kept_4[15:0];
+        factor_b <= kept_27;
       end
       6'd25, 6'd27: begin
         logic [15:0] choice_52_7;
-        logic [31:0] wide_52_14;
+        logic [31:0] wide_52_16;
         choice_52_7 =  // line 52
-            kept_13 ? (kept_9 ? kept_25 : 16'd32768) :
-            kept_11 ? kept_25 :
+            kept_15 ? (kept_11 ? kept_27 : 16'd32768) :
+            kept_13 ? kept_27 :
             16'd32767;
-        wide_52_14 = {{16{choice_52_7[15]}}, choice_52_7};  // line 52
+        wide_52_16 = {{16{choice_52_7[15]}}, choice_52_7};  // line 52
         case (step)
           6'd25: begin
             logic [20:0] difference_52_8;
-            difference_52_8 = {{3{kept_18[17]}}, kept_18[17:0]} - wide_52_11;  // line 52
+            difference_52_8 = {{3{kept_20[17]}}, kept_20[17:0]} - wide_52_12;  // line 52
             step <= step + 6'd1;
-            kept_9 <= difference_52_8[20];
-            kept_10 <= difference_52_8[20:15];
-            kept_25 <= difference_52_8[15:0];
-            kept_29 <= {1'b0, wide_52_14};
-            factor_a <= kept_3;
-            if (kept_13) begin
-              if (kept_9) begin
-                factor_b <= kept_25;
+            kept_11 <= difference_52_8[20];
+            kept_12 <= difference_52_8[20:15];
+            kept_27 <= difference_52_8[15:0];
+            kept_31 <= {1'b0, wide_52_16};
+            factor_a <= kept_5;
+            if (kept_15) begin
+              if (kept_11) begin
+                factor_b <= kept_27;
               end else begin
                 factor_b <= 16'd32768;
               end
-            end else if (kept_11) begin
-              factor_b <= kept_25;
+            end else if (kept_13) begin
+              factor_b <= kept_27;
             end else begin
               factor_b <= 16'd32767;
             end
           end
           default: begin  // 6'd27
             step <= step + 6'd1;
-            kept_30 <= product;
-            kept_31 <= wide_52_14;
-            factor_a <= kept_8;
-            if (kept_13) begin
-              if (kept_9) begin
-                factor_b <= kept_25;
+            kept_32 <= product;
+            kept_33 <= wide_52_16;
+            factor_a <= kept_10;
+            if (kept_15) begin
+              if (kept_11) begin
+                factor_b <= kept_27;
               end else begin
                 factor_b <= 16'd32768;
               end
-            end else if (kept_11) begin
-              factor_b <= kept_25;
+            end else if (kept_13) begin
+              factor_b <= kept_27;
             end else begin
               factor_b <= 16'd32767;
             end
@@ -798,44 +809,44 @@ module estimator (
       end
       6'd26: begin
         logic [16:0] sum_52_25;
-        sum_52_25 = {kept_8[15], kept_8} + wide_52_13;  // line 52
+        sum_52_25 = {kept_10[15], kept_10} + wide_52_15;  // line 52
         step <= step + 6'd1;
-        if (kept_9) begin
-          if (kept_10 == 6'd63) begin
-            kept_8 <= kept_25;
+        if (kept_11) begin
+          if (kept_12 == 6'd63) begin
+            kept_10 <= kept_27;
           end else begin
-            kept_8 <= 16'd32768;
+            kept_10 <= 16'd32768;
           end
-        end else if (kept_10 == 6'd0) begin
-          kept_8 <= kept_25;
+        end else if (kept_12 == 6'd0) begin
+          kept_10 <= kept_27;
         end else begin
-          kept_8 <= 16'd32767;
+          kept_10 <= 16'd32767;
         end
-        kept_9 <= sum_52_25[16:15] == 2'd3;
-        kept_11 <= sum_52_25[16:15] == 2'd0;
-        kept_13 <= sum_52_25[16];
-        kept_25 <= sum_52_25[15:0];
+        kept_11 <= sum_52_25[16:15] == 2'd3;
+        kept_13 <= sum_52_25[16:15] == 2'd0;
+        kept_15 <= sum_52_25[16];
+        kept_27 <= sum_52_25[15:0];
         factor_a <= emf_emf[27:12];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd28: begin
         step <= step + 6'd1;
-        kept_12 <= sum_52_18[31:12];
-        factor_a <= kept_8;
-        factor_b <= kept_29[15:0];
+        kept_14 <= sum_52_18[31:12];
+        factor_a <= kept_10;
+        factor_b <= kept_31[15:0];
       end
       6'd29: begin
         logic [32:0] difference_52_9;
-        difference_52_9 = wide_52_15 - wide_52_12;  // line 52
+        difference_52_9 = wide_52_17 - wide_52_14;  // line 52
         step <= step + 6'd1;
-        kept_9 <= difference_52_9[32] && difference_52_9[31:14] != 18'd262143;
-        kept_29 <= difference_52_9;
-        factor_a <= kept_3;
-        factor_b <= kept_31[15:0];
+        kept_11 <= difference_52_9[32] && difference_52_9[31:14] != 18'd262143;
+        kept_31 <= difference_52_9;
+        factor_a <= kept_5;
+        factor_b <= kept_33[15:0];
       end
       6'd30: begin
         if (enable_i) begin
-          if (kept_9) begin
+          if (kept_11) begin
             if (sum_52_26[33:30] == 4'd15) begin
               speed_recent_0 <= sum_52_26[30:15];
             end else begin
@@ -850,38 +861,38 @@ module estimator (
           speed_recent_0 <= 16'd0;
         end
         step <= step + 6'd1;
-        if (kept_9) begin
+        if (kept_11) begin
           if (sum_52_26[33:30] == 4'd15) begin
-            kept_3 <= sum_52_26[30:15];
+            kept_5 <= sum_52_26[30:15];
           end else begin
-            kept_3 <= 16'd32768;
+            kept_5 <= 16'd32768;
           end
         end else if (sum_52_26[33:30] == 4'd0) begin
-          kept_3 <= sum_52_26[30:15];
+          kept_5 <= sum_52_26[30:15];
         end else begin
-          kept_3 <= 16'd32767;
+          kept_5 <= 16'd32767;
         end
-        kept_30 <= product;
+        kept_32 <= product;
       end
       6'd31: begin
         logic [18:0] sum_54;
         logic [18:0] choice_54;
         logic [20:0] sum_53;
         logic [32:0] sum_52_27;
-        sum_54 = kept_1[18:0] + {{3{kept_3[15]}}, kept_3};  // line 54
-        choice_54 = words_average_i ? sum_54 : {kept_3, 3'd0};  // line 54
-        sum_53 = {{5{kept_3[15]}}, kept_3} + wide_52_10;  // line 53
-        sum_52_27 = wide_52_15 + wide_52_12;  // line 52
+        sum_54 = kept_3[18:0] + {{3{kept_5[15]}}, kept_5};  // line 54
+        choice_54 = words_average_i ? sum_54 : {kept_5, 3'd0};  // line 54
+        sum_53 = {{5{kept_5[15]}}, kept_5} + wide_52_11;  // line 53
+        sum_52_27 = wide_52_17 + wide_52_14;  // line 52
         if (enable_i) begin
           speed_sum <= sum_54;
         end else begin
           speed_sum <= 19'd0;
         end
         step <= step + 6'd1;
-        kept_6 <= choice_54[14:0];
-        kept_9 <= sum_52_27[32] && sum_52_27[31:14] != 18'd262143;
-        kept_10 <= {2'd0, choice_54[18:15]};
-        kept_29 <= sum_52_27;
+        kept_8 <= choice_54[14:0];
+        kept_11 <= sum_52_27[32] && sum_52_27[31:14] != 18'd262143;
+        kept_12 <= {2'd0, choice_54[18:15]};
+        kept_31 <= sum_52_27;
         if (sum_53[20]) begin
           if (sum_53[20:15] == 6'd63) begin
             factor_a <= sum_53[15:0];
@@ -897,18 +908,18 @@ module estimator (
       end
       6'd32: begin
         step <= step + 6'd1;
-        if (kept_9) begin
+        if (kept_11) begin
           if (sum_52_26[33:30] == 4'd15) begin
-            kept_3 <= sum_52_26[30:15];
+            kept_5 <= sum_52_26[30:15];
           end else begin
-            kept_3 <= 16'd32768;
+            kept_5 <= 16'd32768;
           end
         end else if (sum_52_26[33:30] == 4'd0) begin
-          kept_3 <= sum_52_26[30:15];
+          kept_5 <= sum_52_26[30:15];
         end else begin
-          kept_3 <= 16'd32767;
+          kept_5 <= 16'd32767;
         end
-        factor_a <= {1'b0, kept_6};
+        factor_a <= {1'b0, kept_8};
         factor_b <= {1'b0, words_k_emf_i};
       end
       6'd33: begin
@@ -928,22 +939,22 @@ module estimator (
           emf_emf <= 28'd0;
         end
         step <= step + 6'd1;
-        kept_6 <= choice_53[20:6];
-        kept_16 <= choice_53[27:21];
-        factor_a <= kept_3;
+        kept_8 <= choice_53[20:6];
+        kept_18 <= choice_53[27:21];
+        factor_a <= kept_5;
         factor_b <= {1'b0, words_k_si_i};
       end
       6'd34: begin
         step <= step + 6'd1;
-        kept_26 <= product[29:15];
-        kept_27 <= product[14:0];
-        factor_a <= kept_3;
-        factor_b <= {1'b0, words_k_theta_i};
+        kept_8 <= product[29:15];
+        kept_28 <= product[14:0];
+        factor_a <= {1'b0, kept_8};
+        factor_b <= {1'b0, words_k_speed_i};
       end
       6'd35: begin
         step <= step + 6'd1;
-        kept_30 <= {8'd0, sum_54_2[31:8]};
-        factor_a <= {1'b0, kept_6};
+        kept_32 <= {8'd0, sum_54_2[31:8]};
+        factor_a <= wide_52_13;
         factor_b <= {1'b0, words_k_speed_i};
       end
       6'd36: begin
@@ -963,90 +974,89 @@ module estimator (
           speed_integral <= 28'd0;
         end
         step <= step + 6'd1;
+        kept_11 <= product[14];
         if (words_voltage_i) begin
-          kept_12 <= choice_54_2[27:8];
+          kept_14 <= choice_54_2[27:8];
         end else begin
-          kept_12 <= 20'd0;
+          kept_14 <= 20'd0;
         end
-        kept_30 <= {7'd0, sum_53_4[31:7]};
-        factor_a <= {{9{kept_16[6]}}, kept_16};
-        factor_b <= {1'b0, words_k_speed_i};
-      end
-      6'd37: begin
-        logic [6:0] wide_53;
-        wide_53 = {{3{kept_10[3]}}, kept_10[3:0]};  // line 53
-        step <= step + 6'd1;
-        kept_6 <= product[29:15];
-        kept_9 <= product[14];
-        kept_28 <= product[14:0];
-        factor_a <= {{9{wide_53[6]}}, wide_53};
+        kept_29 <= product[29:15];
+        kept_30 <= product[14:0];
+        factor_a <= {{12{kept_12[3]}}, kept_12[3:0]};
         factor_b <= {1'b0, words_k_emf_i};
       end
-      6'd38: begin
+      6'd37: begin
         logic [21:0] sum_53_2;
-        sum_53_2 = {7'd0, kept_6} + product[21:0];  // line 53
+        sum_53_2 = {7'd0, kept_29} + product[21:0];  // line 53
         step <= step + 6'd1;
-        kept_9 <= sum_53_2[21] && {sum_53_2[20:0], kept_9} != 22'd4194303;
-        kept_18 <= sum_53_2;
+        kept_11 <= sum_53_2[21] && {sum_53_2[20:0], kept_11} != 22'd4194303;
+        kept_20 <= sum_53_2;
+        factor_a <= kept_5;
+        factor_b <= {1'b0, words_k_theta_i};
       end
-      6'd39: begin
+      6'd38: begin
         step <= step + 6'd1;
-        if (kept_9) begin
+        if (kept_11) begin
           if (sum_53_3[37:34] == 4'd15) begin
-            kept_1 <= sum_53_3[34:15];
+            kept_3 <= sum_53_3[34:15];
           end else begin
-            kept_1 <= 20'd524288;
+            kept_3 <= 20'd524288;
           end
         end else if (sum_53_3[37:34] == 4'd0) begin
-          kept_1 <= sum_53_3[34:15];
+          kept_3 <= sum_53_3[34:15];
         end else begin
-          kept_1 <= 20'd524287;
+          kept_3 <= 20'd524287;
         end
-        kept_9 <= $signed(joined_54) > 34'sd1024;
-        kept_10 <= {1'b0, difference_54[34:30]};
-        kept_18 <= {2'd0, difference_54[30:11]};
+        kept_11 <= $signed(joined_52_5) > 34'sd1024;
+        kept_12 <= {1'b0, difference_54[34:30]};
+        kept_20 <= {2'd0, difference_54[30:11]};
       end
-      6'd40: begin
+      6'd39: begin
         logic [19:0] by_voltage_emf_step;
         logic [19:0] turned_emf_step;
+        by_voltage_emf_step =  // line 54
+            kept_11 ? ((kept_12[4:0] == 5'd31) ? kept_20[19:0] : 20'd524288) :
+            (kept_12[4:0] == 5'd0) ? kept_20[19:0] :
+            20'd524287;
+        turned_emf_step = words_voltage_i ? by_voltage_emf_step : kept_3;  // line 55
+        step <= step + 6'd1;
+        if (kept_2 || turned_emf_step[19] == kept_1) begin
+          if (words_voltage_i) begin
+            if (kept_11) begin
+              if (kept_12[4:0] == 5'd31) begin
+                kept_3 <= kept_20[19:0];
+              end else begin
+                kept_3 <= 20'd524288;
+              end
+            end else if (kept_12[4:0] == 5'd0) begin
+              kept_3 <= kept_20[19:0];
+            end else begin
+              kept_3 <= 20'd524287;
+            end
+          end
+        end else begin
+          kept_3 <= 20'd0;
+        end
+        kept_20 <= {2'd0, enable_i ? turned_emf_step : 20'd0};
+        kept_32 <= {7'd0, sum_53_4[31:7]};
+      end
+      6'd40: begin
         logic [26:0] wide_56;
         logic [25:0] by_current_pull;
         logic [25:0] turned_pull;
         logic [26:0] wide_56_2;
-        by_voltage_emf_step =  // line 54
-            kept_9 ? ((kept_10[4:0] == 5'd31) ? kept_18[19:0] : 20'd524288) :
-            (kept_10[4:0] == 5'd0) ? kept_18[19:0] :
-            20'd524287;
-        turned_emf_step = words_voltage_i ? by_voltage_emf_step : kept_1;  // line 55
-        wide_56 = {{7{turned_emf_step[19]}}, turned_emf_step};  // line 56
-        by_current_pull = {kept_30[24], kept_30[24:0]};  // line 53
-        turned_pull = {{6{kept_12[19]}}, kept_12} + by_current_pull;  // line 55
+        wide_56 = {{7{kept_3[19]}}, kept_3};  // line 56
+        by_current_pull = {kept_32[24], kept_32[24:0]};  // line 53
+        turned_pull = {{6{kept_14[19]}}, kept_14} + by_current_pull;  // line 55
         wide_56_2 = {turned_pull[25], turned_pull};  // line 56
         step <= step + 6'd1;
-        if (enable_i) begin
-          if (words_voltage_i) begin
-            if (kept_9) begin
-              if (kept_10[4:0] == 5'd31) begin
-                kept_1 <= kept_18[19:0];
-              end else begin
-                kept_1 <= 20'd524288;
-              end
-            end else if (kept_10[4:0] == 5'd0) begin
-              kept_1 <= kept_18[19:0];
-            end else begin
-              kept_1 <= 20'd524287;
-            end
-          end
-        end else begin
-          kept_1 <= 20'd0;
-        end
-        kept_30 <= {5'd0, wide_56 - wide_56_2};
-        kept_31 <= {5'd0, wide_56 + wide_56_2};
+        kept_32 <= {5'd0, wide_56 - wide_56_2};
+        kept_33 <= {5'd0, wide_56 + wide_56_2};
       end
       6'd41: begin
         logic [26:0] choice_56;
         logic [19:0] step_2;
-        choice_56 = kept_22 ? kept_30[26:0] : kept_31[26:0];  // line 56
+        choice_56 = kept_1 ? kept_32[26:0] : kept_33[26:0];  // line 56
         step_2 =  // line 56
             choice_56[26] ? ((choice_56[26:19] == 8'd255) ? choice_56[19:0] : 20'd524288) :
             (choice_56[26:19] == 8'd0) ? choice_56[19:0] :
@@ -1055,35 +1065,35 @@ module estimator (
         if (enable_i) begin
           if (choice_56[26]) begin
             if (choice_56[26:19] == 8'd255) begin
-              kept_12 <= choice_56[19:0];
+              kept_3 <= choice_56[19:0];
             end else begin
-              kept_12 <= 20'd524288;
+              kept_3 <= 20'd524288;
             end
           end else if (choice_56[26:19] == 8'd0) begin
-            kept_12 <= choice_56[19:0];
+            kept_3 <= choice_56[19:0];
           end else begin
-            kept_12 <= 20'd524287;
+            kept_3 <= 20'd524287;
           end
         end else begin
-          kept_12 <= 20'd0;
+          kept_3 <= 20'd0;
         end
-        kept_23 <= kept_23 + {{5{step_2[19]}}, step_2};
+        kept_24 <= kept_24 + {{5{step_2[19]}}, step_2};
       end
       6'd42: begin
         observer_last_u <= i_u_i;
         observer_last_v <= i_v_i;
         observer_last_dc <= v_dc_i;
         observer_before <= kept_0;
-        observer_step <= kept_12;
+        observer_step <= kept_3;
         if (enable_i) begin
-          observer_way <= kept_23;
+          observer_way <= kept_24;
           speed_recent_2 <= speed_recent_1;
           speed_recent_3 <= speed_recent_2;
           speed_recent_4 <= speed_recent_3;
           speed_recent_5 <= speed_recent_4;
           speed_recent_6 <= speed_recent_5;
           speed_recent_7 <= speed_recent_6;
-          error_held <= kept_3;
+          error_held <= kept_5;
         end else begin
           observer_way <= 25'd0;
           speed_recent_2 <= 16'd0;
@@ -1094,9 +1104,10 @@ module estimator (
           speed_recent_7 <= 16'd0;
           error_held <= 16'd0;
         end
-        speed_recent_1 <= kept_24;
+        observer_against <= kept_25;
+        speed_recent_1 <= kept_26;
         step <= 6'd0;
-        emf_step_held <= kept_1;
+        emf_step_held <= kept_20[19:0];
       end
       default: step <= step + 6'd1;
     endcase
@@ -1110,6 +1121,7 @@ module estimator (
       observer_before <= 24'd0;
       observer_step <= 20'sd0;
       observer_way <= 25'sd0;
+      observer_against <= 1'b0;
       emf_emf <= 28'sd0;
       speed_recent_0 <= 16'sd0;
       speed_recent_1 <= 16'sd0;
@@ -1123,37 +1135,39 @@ module estimator (
       speed_integral <= 28'sd0;
       step <= 6'd0;
       kept_0 <= 24'd0;
-      kept_1 <= 20'd0;
-      kept_2 <= 18'd0;
-      kept_3 <= 16'd0;
-      kept_4 <= 2'd0;
-      kept_5 <= 18'd0;
-      kept_6 <= 15'd0;
-      kept_7 <= 2'd0;
-      kept_8 <= 16'd0;
-      kept_9 <= 1'b0;
-      kept_10 <= 6'd0;
+      kept_1 <= 1'b0;
+      kept_2 <= 1'b0;
+      kept_3 <= 20'd0;
+      kept_4 <= 18'd0;
+      kept_5 <= 16'd0;
+      kept_6 <= 2'd0;
+      kept_7 <= 18'd0;
+      kept_8 <= 15'd0;
+      kept_9 <= 2'd0;
+      kept_10 <= 16'd0;
       kept_11 <= 1'b0;
-      kept_12 <= 20'd0;
+      kept_12 <= 6'd0;
       kept_13 <= 1'b0;
-      kept_14 <= 1'b0;
-      kept_15 <= 8'd0;
-      kept_16 <= 7'd0;
-      kept_17 <= 1'b0;
-      kept_18 <= 22'd0;
+      kept_14 <= 20'd0;
+      kept_15 <= 1'b0;
+      kept_16 <= 1'b0;
+      kept_17 <= 8'd0;
+      kept_18 <= 7'd0;
       kept_19 <= 1'b0;
-      kept_20 <= 6'd0;
+      kept_20 <= 22'd0;
       kept_21 <= 1'b0;
-      kept_22 <= 1'b0;
-      kept_23 <= 25'd0;
-      kept_24 <= 16'd0;
-      kept_25 <= 16'd0;
-      kept_26 <= 15'd0;
-      kept_27 <= 15'd0;
+      kept_22 <= 6'd0;
+      kept_23 <= 1'b0;
+      kept_24 <= 25'd0;
+      kept_25 <= 1'b0;
+      kept_26 <= 16'd0;
+      kept_27 <= 16'd0;
       kept_28 <= 15'd0;
-      kept_29 <= 33'd0;
-      kept_30 <= 32'd0;
-      kept_31 <= 32'd0;
+      kept_29 <= 15'd0;
+      kept_30 <= 15'd0;
+      kept_31 <= 33'd0;
+      kept_32 <= 32'd0;
+      kept_33 <= 32'd0;
       factor_a <= 16'd0;
       factor_b <= 16'd0;
       product <= 32'd0;
@@ -1175,7 +1189,7 @@ module estimator (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_31[31:27], sum_52_3[14:0], sum_52_6[14:0], sum_52_10[14:0], sum_52_11[0],
+      &{1'b0, kept_33[31:27], sum_52_3[14:0], sum_52_6[14:0], sum_52_10[14:0], sum_52_11[0],
       sum_52_12[0], difference_52[0], sum_52_13[13:0], sum_52_14[12:0], sum_52_17[14:0],
       sum_52_18[11:0], sum_52_19[7:0], sum_52_20[22:0], sum_52_21[0], sum_52_24[14:0],
       sum_52_26[14:0], difference_54[10:0], choice_53[5:0], sum_53_3[14:0], sum_54_2[7:0],

@@ -112,6 +112,7 @@ module sinusoidal_top (
   logic [15:0] seen_i_gamma;  // s0.15
   logic seen_backward;
   logic restart;
+  logic waiting;  // for the current to decay
 
   wire pilot_pulse;
   wire pilot_high_u;
@@ -168,7 +169,7 @@ module sinusoidal_top (
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
       .calibrate_i(orders_calibrate),
-      .over_current_i(pilot_waiting ? words_pilot_decayed_i : words_fault_over_current_i),
+      .over_current_i(waiting ? words_pilot_decayed_i : words_fault_over_current_i),
       .taken_o(sense_taken),
       .measured_o(sense_measured),
       .over_o(sense_over),
@@ -324,7 +325,7 @@ module sinusoidal_top (
       .restart_i(restart),
       .period_i(pwm_u_start),
       .sampled_i(control_done),
-      .over_current_i(sense_over && !pilot_waiting),
+      .over_current_i(sense_over && !waiting),
       .regulating_i(orders_regulate),
       .saturated_i(control_limited || control_speed_saturated),
       .locked_i(orders_locked),
@@ -488,8 +489,9 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 155
+    seen_backward <= control_i_delta[15];  // line 156
     restart <= sequence__entered;
+    waiting <= pilot_waiting;
     if (rst) begin
       orders_reverse <= 1'b0;
       orders_calibrate <= 1'b0;
@@ -513,6 +515,7 @@ module sinusoidal_top (
       seen_i_gamma <= 16'sd0;
       seen_backward <= 1'b0;
       restart <= 1'b0;
+      waiting <= 1'b0;
     end
   end
 

@@ -1,6 +1,6 @@
 // voltage_model: steplock::VoltageModel, printed by hlsgen from hls/sinusoidal/voltage_model.hpp:72.
-// A sample takes 40 clocks, and in no order fewer than 38: 227 operations, 33 products, 2 entries of tables
-// on 1 multiplier of 16 x 16 bits; 816 register bits, 405 of them between steps.
+// A sample takes 40 clocks, and in no order fewer than 38: 237 operations, 33 products, 2 entries of tables
+// on 1 multiplier of 16 x 16 bits; 820 register bits, 408 of them between steps.
 // Do not edit: change the C++ and print again.
 
 module voltage_model (
@@ -39,6 +39,7 @@ module voltage_model (
   logic [23:0] observer_before;  // u0.24, theta_c at the last sample
   logic [19:0] observer_step;  // s-4.23
   logic [24:0] observer_way;  // s-4.28, 32 mean steps
+  logic observer_against;  // turning against the direction of -edge
   logic [15:0] speed_recent_0;  // Delta i_delta
   logic [15:0] speed_recent_1;  // Delta i_delta
   logic [15:0] speed_recent_2;  // Delta i_delta
@@ -51,37 +52,39 @@ module voltage_model (
   logic [27:0] speed_integral;
   logic [5:0] step;  // 0: waiting for a start
   logic [23:0] kept_0;  // in steps 1-39
-  logic [18:0] kept_1;  // in steps 1-32
-  logic [17:0] kept_2;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
-  logic [15:0] kept_3;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-27, 31-39 seen_gamma
-  logic [1:0] kept_4;  // in steps 1-7
-  logic [17:0] kept_5;  // in steps 1-12, 14-14, 21-23
-  logic [14:0] kept_6;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 33-33, 36-36
-  logic [1:0] kept_7;  // in steps 1-9
-  logic [15:0] kept_8;  // in steps 1-1, 2-26, 27-27, 32-32 seen_delta
-  logic kept_9;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 31-31, 37-37, 38-38
-  logic [5:0] kept_10;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26, 33-34, 37-37
-  logic kept_11;  // in steps 1-3, 13-18, 25-25, 27-27
-  logic [19:0] kept_12;  // in steps 1-1, 3-15, 23-23, 35-35, 37-37 turned_emf_step, 38-38 step, 39-39
-  logic kept_13;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
-  logic kept_14;  // in steps 1-2
-  logic [7:0] kept_15;  // in steps 1-1, 15-20, 38-38
-  logic [6:0] kept_16;  // in steps 1-18, 19-19, 20-20
-  logic kept_17;  // in steps 1-1
-  logic [20:0] kept_18;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 38-39
-  logic kept_19;  // in steps 1-3
-  logic [5:0] kept_20;  // in steps 1-3, 6-17, 18-19
-  logic kept_21;  // in steps 1-5
-  logic kept_22;  // in steps 1-37
-  logic [24:0] kept_23;  // in steps 1-38
-  logic [15:0] kept_24;  // in steps 1-39
-  logic [15:0] kept_25;  // in steps 3-24, 25-25, 26-26
-  logic [14:0] kept_26;  // in steps 7-9, 11-11, 13-18, 22-22, 36-36
-  logic [14:0] kept_27;  // in steps 8-8, 11-11, 15-15, 17-18
-  logic [14:0] kept_28;  // in steps 8-8, 15-19
-  logic [32:0] kept_29;  // in steps 26-26, 27-28, 29-29, 30-30, 31-31
-  logic [31:0] kept_30;  // in steps 28-30, 34-34, 35-35, 36-37 turned_pull
-  logic [31:0] kept_31;  // in steps 28-28
+  logic kept_1;  // in steps 1-38
+  logic kept_2;  // in steps 1-36
+  logic [19:0] kept_3;  // in steps 1-32, 37-39
+  logic [17:0] kept_4;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
+  logic [15:0] kept_5;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-27, 31-39 seen_gamma
+  logic [1:0] kept_6;  // in steps 1-7
+  logic [17:0] kept_7;  // in steps 1-12, 14-14, 21-23
+  logic [14:0] kept_8;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 35-35
+  logic [1:0] kept_9;  // in steps 1-9
+  logic [15:0] kept_10;  // in steps 1-1, 2-26, 27-27, 32-32 seen_delta
+  logic kept_11;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 31-31, 36-36
+  logic [5:0] kept_12;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26, 33-33, 36-36
+  logic kept_13;  // in steps 1-3, 13-18, 25-25, 27-27
+  logic [19:0] kept_14;  // in steps 1-1, 3-15, 23-23, 35-37, 39-39
+  logic kept_15;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
+  logic kept_16;  // in steps 1-2
+  logic [7:0] kept_17;  // in steps 1-1, 15-20
+  logic [6:0] kept_18;  // in steps 1-18, 19-19, 20-20
+  logic kept_19;  // in steps 1-1
+  logic [20:0] kept_20;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 36-36 turned_emf_step, 37-37
+  logic kept_21;  // in steps 1-3
+  logic [5:0] kept_22;  // in steps 1-3, 6-17, 18-19
+  logic kept_23;  // in steps 1-5
+  logic [24:0] kept_24;  // in steps 1-38, 39-39
+  logic kept_25;  // in steps 1-39
+  logic [15:0] kept_26;  // in steps 1-39
+  logic [15:0] kept_27;  // in steps 3-24, 25-25, 26-26
+  logic [14:0] kept_28;  // in steps 7-9, 11-11, 13-18, 22-22, 35-35
+  logic [14:0] kept_29;  // in steps 8-8, 11-11, 15-15, 17-18
+  logic [14:0] kept_30;  // in steps 8-8, 15-19
+  logic [32:0] kept_31;  // in steps 26-26, 27-28, 29-29, 30-30, 31-31
+  logic [31:0] kept_32;  // in steps 28-30, 34-34, 37-37, 38-38
+  logic [31:0] kept_33;  // in steps 28-28, 38-38
   logic [15:0] factor_a;  // of the shared multiplier
   logic [15:0] factor_b;  // of the shared multiplier
   logic [31:0] product;  // of the factors before
@@ -96,26 +99,26 @@ module voltage_model (
   wire [16:0] wide_93_2 = {i_u_i[15], i_u_i};  // line 93
   wire [16:0] wide_93_3 = {observer_last_u[15], observer_last_u};  // line 93
   wire [16:0] sum_93_2 = wide_93_2 + wide_93_3;  // line 93
-  wire [31:0] joined_93_2 = {{2'd0, kept_18[14:0]} + product[16:0], kept_26};  // line 93
+  wire [31:0] joined_93_2 = {{2'd0, kept_20[14:0]} + product[16:0], kept_28};  // line 93
   wire [32:0] sum_93_3 = {joined_93_2[31], joined_93_2} + 33'd16384;  // line 93
-  wire [18:0] wide_93_4 = {kept_18[17], kept_18[17:0]};  // line 93
+  wire [18:0] wide_93_4 = {kept_20[17], kept_20[17:0]};  // line 93
   wire [16:0] wide_93_5 = {i_v_i[15], i_v_i};  // line 93
   wire [16:0] wide_93_6 = {observer_last_v[15], observer_last_v};  // line 93
   wire [16:0] sum_93_5 = wide_93_5 + wide_93_6;  // line 93
-  wire [31:0] joined_93_4 = {{2'd0, kept_26} + product[16:0], kept_27};  // line 93
+  wire [31:0] joined_93_4 = {{2'd0, kept_28} + product[16:0], kept_29};  // line 93
   wire [32:0] sum_93_6 = {joined_93_4[31], joined_93_4} + 33'd16384;  // line 93
-  wire [18:0] wide_93_7 = {kept_2[17], kept_2};  // line 93
-  wire [33:0] joined_93_5 = {{4'd0, kept_6} + product[18:0], kept_26};  // line 93
+  wire [18:0] wide_93_7 = {kept_4[17], kept_4};  // line 93
+  wire [33:0] joined_93_5 = {{4'd0, kept_8} + product[18:0], kept_28};  // line 93
   wire [34:0] wide_93_8 = {joined_93_5[33], joined_93_5};  // line 93
   wire [34:0] sum_93_10 = wide_93_8 + 35'd16384;  // line 93
   wire [16:0] sum_93_11 = sum_93_5 - 17'd34;  // line 93
-  wire [17:0] sum_93_12 = kept_12[17:0] - 18'd33;  // line 93
-  wire [17:0] difference_93 = -kept_12[17:0];  // line 93
-  wire [15:0] wide_93_9 = {{10{kept_10[5]}}, kept_10};  // line 93
-  wire [34:0] sum_93_13 = {{5'd0, kept_27} + product[19:0], kept_28} + 35'd8192;  // line 93
+  wire [17:0] sum_93_12 = kept_14[17:0] - 18'd33;  // line 93
+  wire [17:0] difference_93 = -kept_14[17:0];  // line 93
+  wire [15:0] wide_93_9 = {{10{kept_12[5]}}, kept_12};  // line 93
+  wire [34:0] sum_93_13 = {{5'd0, kept_29} + product[19:0], kept_30} + 35'd8192;  // line 93
   wire [28:0] sum_93_14 = {1'b0, product[27:0]} + 29'd4096;  // line 93
-  wire [5:0] sum_93_16 = kept_10 + product[5:0];  // line 93
-  wire [35:0] joined_93_6 = {sum_93_16, kept_27, kept_26};  // line 93
+  wire [5:0] sum_93_16 = kept_12 + product[5:0];  // line 93
+  wire [35:0] joined_93_6 = {sum_93_16, kept_29, kept_28};  // line 93
   wire [36:0] sum_93_17 = {joined_93_6[35], joined_93_6} + 37'd16384;  // line 93
   wire [31:0] wide_93_10 = {product[30], product[30:0]};  // line 93
   wire [31:0] sum_93_18 = wide_93_10 + 32'd2048;  // line 93
@@ -125,21 +128,21 @@ module voltage_model (
   wire [32:0] sum_93_20 = wide_93_12 + 33'd4194304;  // line 93
   wire [16:0] wide_93_13 = {{7{sum_93_20[32]}}, sum_93_20[32:23]};  // line 93
   wire [16:0] sum_93_21 = sum_93_2 - 17'd34;  // line 93
-  wire [15:0] wide_93_14 = {{10{kept_20[5]}}, kept_20};  // line 93
-  wire [5:0] sum_93_23 = kept_20 + product[5:0];  // line 93
-  wire [35:0] joined_93_7 = {sum_93_23, kept_3[14:0], kept_28};  // line 93
+  wire [15:0] wide_93_14 = {{10{kept_22[5]}}, kept_22};  // line 93
+  wire [5:0] sum_93_23 = kept_22 + product[5:0];  // line 93
+  wire [35:0] joined_93_7 = {sum_93_23, kept_5[14:0], kept_30};  // line 93
   wire [36:0] sum_93_24 = {joined_93_7[35], joined_93_7} + 37'd16384;  // line 93
-  wire [33:0] sum_93_26 = {kept_29[32], kept_29} + 34'd16384;  // line 93
+  wire [33:0] sum_93_26 = {kept_31[32], kept_31} + 34'd16384;  // line 93
   wire [34:0] difference_53 = 35'd1024 - wide_93_8;  // line 53
   wire [31:0] sum_52 = wide_93_10 + 32'd64;  // line 52
   wire [31:0] sum_50 = wide_93_10 + 32'd128;  // line 50
-  wire [28:0] moved = {speed_integral[27], speed_integral} + {{5{kept_30[23]}}, kept_30[23:0]};
+  wire [28:0] moved = {speed_integral[27], speed_integral} + {{5{kept_32[23]}}, kept_32[23:0]};
   wire [27:0] choice_51 =  // line 51
       moved[28] ? ((moved[28:27] == 2'd3) ? moved[27:0] : 28'd134217728) :
       (moved[28:27] == 2'd0) ? moved[27:0] :
       28'd134217727;
   wire [31:0] product_next = $signed(factor_a) * $signed(factor_b);  // line 50
-  wire [7:0] choice_93_13 = (step == 6'd0) ? sum_93[21:14] ^ {8{sum_93[22]}} : kept_15;  // line 93
+  wire [7:0] choice_93_13 = (step == 6'd0) ? sum_93[21:14] ^ {8{sum_93[22]}} : kept_17;  // line 93
 
   logic [14:0] entry_93;  // kQuarterWave
   always_comb begin
@@ -406,37 +409,44 @@ module voltage_model (
   always_ff @(posedge clk) begin
     case (step)
       6'd0: begin
+        logic below_95;
+        logic equal_95;
+        below_95 = $signed(observer_way[24:9]) < $signed(observer_against ? 16'd0 : edge_i);
+        equal_95 = edge_i[15] == below_95;  // line 95
         step <= {5'd0, start_i};
         if (enable_i) begin
           kept_0 <= sum_93 + wide_93;
-          kept_24 <= speed_recent_0;
+          kept_25 <= equal_95 && edge_i != 16'd0;
+          kept_26 <= speed_recent_0;
         end else begin
           kept_0 <= initial_i;
-          kept_24 <= 16'd0;
+          kept_25 <= 1'b0;
+          kept_26 <= 16'd0;
         end
-        kept_1 <= speed_sum - {{3{speed_recent_7[15]}}, speed_recent_7};
-        kept_2 <= {1'b0, wide_93_2 - wide_93_3};
-        kept_3 <= {1'b0, sum_93_2[14:0]};
-        kept_4 <= sum_93_2[16:15];
-        kept_5 <= {1'b0, wide_93_5 - wide_93_6};
-        kept_6 <= sum_93_5[14:0];
-        kept_7 <= sum_93_5[16:15];
-        kept_8 <= sum_93_11[16:1];
-        kept_9 <= $signed(sum_93_5[16:1]) > 16'sd16;
-        kept_10 <= sum_93_5[6:1];
-        kept_11 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
-        kept_12 <= {2'd0, {sum_93_2[16], sum_93_2} + {sum_93_5[16], sum_93_5}};
-        kept_13 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
-        kept_14 <= sum_93_19[9];
-        kept_15 <= sum_93[21:14] ^ {8{sum_93_19[8]}};
-        kept_16 <= {sum_93[13:8], 1'b0} ^ 7'h40;
-        kept_17 <= sum_93[23];
-        kept_18 <= {5'd0, sum_93_21[16:1]};
-        kept_19 <= $signed(sum_93_2[16:1]) > 16'sd16;
-        kept_20 <= sum_93_2[6:1];
-        kept_21 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
-        kept_22 <= $signed(observer_way[24:9]) < $signed(edge_i);
-        kept_23 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
+        kept_1 <= below_95;
+        kept_2 <= edge_i == 16'd0 || equal_95;
+        kept_3 <= {1'b0, speed_sum - {{3{speed_recent_7[15]}}, speed_recent_7}};
+        kept_4 <= {1'b0, wide_93_2 - wide_93_3};
+        kept_5 <= {1'b0, sum_93_2[14:0]};
+        kept_6 <= sum_93_2[16:15];
+        kept_7 <= {1'b0, wide_93_5 - wide_93_6};
+        kept_8 <= sum_93_5[14:0];
+        kept_9 <= sum_93_5[16:15];
+        kept_10 <= sum_93_11[16:1];
+        kept_11 <= $signed(sum_93_5[16:1]) > 16'sd16;
+        kept_12 <= sum_93_5[6:1];
+        kept_13 <= pattern_on_v_i != 14'd0 && pattern_on_v_i < pattern_period_i;
+        kept_14 <= {2'd0, {sum_93_2[16], sum_93_2} + {sum_93_5[16], sum_93_5}};
+        kept_15 <= pattern_on_w_i != 14'd0 && pattern_on_w_i < pattern_period_i;
+        kept_16 <= sum_93_19[9];
+        kept_17 <= sum_93[21:14] ^ {8{sum_93_19[8]}};
+        kept_18 <= {sum_93[13:8], 1'b0} ^ 7'h40;
+        kept_19 <= sum_93[23];
+        kept_20 <= {5'd0, sum_93_21[16:1]};
+        kept_21 <= $signed(sum_93_2[16:1]) > 16'sd16;
+        kept_22 <= sum_93_2[6:1];
+        kept_23 <= pattern_on_u_i != 14'd0 && pattern_on_u_i < pattern_period_i;
+        kept_24 <= observer_way - {{5{observer_way[24]}}, observer_way[24:5]};
         factor_a <= {3'd0, {1'b0, v_dc_i} + {1'b0, observer_last_dc}};
         factor_b <= {1'b0, pattern_inverse_i};
         kQuarterWave_entry <= entry_93;
@@ -447,21 +457,21 @@ module voltage_model (
         case (step)
           6'd1: begin
             logic [5:0] choice_93_3;
-            choice_93_3 = (kept_8 < 16'd65503) ? (kept_9 ? 6'd16 : 6'd48) : kept_10;  // line 93
+            choice_93_3 = (kept_10 < 16'd65503) ? (kept_11 ? 6'd16 : 6'd48) : kept_12;  // line 93
             step <= step + 6'd1;
-            if (kept_17) begin
-              kept_8 <= difference_93_5;
+            if (kept_19) begin
+              kept_10 <= difference_93_5;
             end else begin
-              kept_8 <= {1'b0, kQuarterWave_entry};
+              kept_10 <= {1'b0, kQuarterWave_entry};
             end
             if (sum_93_12[17:1] < 17'd131039) begin
               if ($signed(difference_93[17:1]) > 17'sd16) begin
-                kept_10 <= 6'd16;
+                kept_12 <= 6'd16;
               end else begin
-                kept_10 <= 6'd48;
+                kept_12 <= 6'd48;
               end
             end else begin
-              kept_10 <= difference_93[6:1];
+              kept_12 <= difference_93[6:1];
             end
             factor_a <= {{10{choice_93_3[5]}}, choice_93_3};
             factor_b <= {4'd0, pattern_dead_i};
@@ -469,12 +479,12 @@ module voltage_model (
           end
           default: begin  // 6'd2
             step <= step + 6'd1;
-            kept_9 <= sum_93_14[28];
-            kept_12 <= {5'd0, sum_93_14[27:13]};
-            if (kept_14) begin
-              kept_25 <= difference_93_5;
+            kept_11 <= sum_93_14[28];
+            kept_14 <= {5'd0, sum_93_14[27:13]};
+            if (kept_16) begin
+              kept_27 <= difference_93_5;
             end else begin
-              kept_25 <= {1'b0, kQuarterWave_entry};
+              kept_27 <= {1'b0, kQuarterWave_entry};
             end
             factor_a <= wide_93_9;
             factor_b <= {4'd0, pattern_dead_i};
@@ -484,10 +494,10 @@ module voltage_model (
       6'd3: begin
         logic [13:0] choice_93_4;
         logic [5:0] choice_93_8;
-        choice_93_4 = kept_11 ? product[17:4] : 14'd0;  // line 93
-        choice_93_8 = (kept_18[15:0] < 16'd65503) ? (kept_19 ? 6'd16 : 6'd48) : kept_20;  // line 93
+        choice_93_4 = kept_13 ? product[17:4] : 14'd0;  // line 93
+        choice_93_8 = (kept_20[15:0] < 16'd65503) ? (kept_21 ? 6'd16 : 6'd48) : kept_22;  // line 93
         step <= step + 6'd1;
-        kept_18 <= {1'b0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_93_4[13]}}, choice_93_4}};
+        kept_20 <= {1'b0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_93_4[13]}}, choice_93_4}};
         factor_a <= {{10{choice_93_8[5]}}, choice_93_8};
         factor_b <= {4'd0, pattern_dead_i};
       end
@@ -495,355 +505,355 @@ module voltage_model (
         logic [13:0] choice_93_5;
         logic [19:0] difference_93_2;
         logic [19:0] difference_93_3;
-        choice_93_5 = kept_13 ? product[17:4] : 14'd0;  // line 93
+        choice_93_5 = kept_15 ? product[17:4] : 14'd0;  // line 93
         difference_93_2 = {2'd0, pattern_on_w_i, 4'd0} - {{6{choice_93_5[13]}}, choice_93_5};
-        difference_93_3 = kept_18[19:0] - difference_93_2;  // line 93
+        difference_93_3 = kept_20[19:0] - difference_93_2;  // line 93
         step <= step + 6'd1;
-        kept_3 <= {1'b0, difference_93_3[14:0]};
-        kept_10 <= {1'b0, difference_93_3[19:15]};
-        kept_18 <= {kept_18[19], kept_18[19:0]} + {difference_93_2[19], difference_93_2};
-        factor_a <= {1'b0, kept_3[14:0]};
+        kept_5 <= {1'b0, difference_93_3[14:0]};
+        kept_12 <= {1'b0, difference_93_3[19:15]};
+        kept_20 <= {kept_20[19], kept_20[19:0]} + {difference_93_2[19], difference_93_2};
+        factor_a <= {1'b0, kept_5[14:0]};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
         logic [13:0] choice_93_9;
         logic [20:0] difference_93_7;
-        choice_93_9 = kept_21 ? product[17:4] : 14'd0;  // line 93
+        choice_93_9 = kept_23 ? product[17:4] : 14'd0;  // line 93
         difference_93_7 =  // line 93
-            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_93_9[13]}}, choice_93_9}, 1'b0} - kept_18;
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_93_9[13]}}, choice_93_9}, 1'b0} - kept_20;
         step <= step + 6'd1;
-        kept_3 <= {1'b0, difference_93_7[14:0]};
-        kept_20 <= difference_93_7[20:15];
-        factor_a <= {1'b0, kept_3[14:0]};
+        kept_5 <= {1'b0, difference_93_7[14:0]};
+        kept_22 <= difference_93_7[20:15];
+        factor_a <= {1'b0, kept_5[14:0]};
         factor_b <= 16'd28378;
       end
       6'd6: begin
         step <= step + 6'd1;
-        kept_18 <= {6'd0, product[29:15]};
-        kept_26 <= product[14:0];
-        factor_a <= {{11{kept_10[4]}}, kept_10[4:0]};
+        kept_20 <= {6'd0, product[29:15]};
+        kept_28 <= product[14:0];
+        factor_a <= {{11{kept_12[4]}}, kept_12[4:0]};
         factor_b <= 16'd28378;
       end
       6'd7: begin
         step <= step + 6'd1;
-        kept_27 <= product[29:15];
-        kept_28 <= product[14:0];
-        factor_a <= {{14{kept_4[1]}}, kept_4};
+        kept_29 <= product[29:15];
+        kept_30 <= product[14:0];
+        factor_a <= {{14{kept_6[1]}}, kept_6};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd8: begin
         step <= step + 6'd1;
-        kept_6 <= sum_93_13[28:14];
-        kept_10 <= sum_93_13[34:29];
-        factor_a <= {1'b0, kept_6};
+        kept_8 <= sum_93_13[28:14];
+        kept_12 <= sum_93_13[34:29];
+        factor_a <= {1'b0, kept_8};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd9: begin
         step <= step + 6'd1;
-        kept_18 <= {3'd0, sum_93_3[32:15]};
-        factor_a <= {{14{kept_7[1]}}, kept_7};
+        kept_20 <= {3'd0, sum_93_3[32:15]};
+        factor_a <= {{14{kept_9[1]}}, kept_9};
         factor_b <= {1'b0, words_decay_i};
       end
       6'd10: begin
         logic [17:0] joined_93;
         logic [18:0] sum_93_4;
         logic [17:0] choice_93;
-        joined_93 = {kept_2[16:0], 1'b0};  // line 93
+        joined_93 = {kept_4[16:0], 1'b0};  // line 93
         sum_93_4 = {joined_93[17], joined_93} + wide_93_4;  // line 93
         choice_93 =  // line 93
             sum_93_4[18] ? ((sum_93_4[18:17] == 2'd3) ? sum_93_4[17:0] : 18'd131072) :
             (sum_93_4[18:17] == 2'd0) ? sum_93_4[17:0] :
             18'd131071;
         step <= step + 6'd1;
-        kept_18 <= {3'd0, choice_93};
-        kept_26 <= product[29:15];
-        kept_27 <= product[14:0];
-        factor_a <= {1'b0, kept_6};
-        factor_b <= {1'b0, kept_12[14:0]};
+        kept_20 <= {3'd0, choice_93};
+        kept_28 <= product[29:15];
+        kept_29 <= product[14:0];
+        factor_a <= {1'b0, kept_8};
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd11: begin
         step <= step + 6'd1;
-        kept_2 <= sum_93_6[32:15];
-        factor_a <= {kept_6[14], kept_6};
-        factor_b <= {15'd0, kept_9};
+        kept_4 <= sum_93_6[32:15];
+        factor_a <= {kept_8[14], kept_8};
+        factor_b <= {15'd0, kept_11};
       end
       6'd12: begin
         logic [17:0] joined_93_3;
         logic [18:0] sum_93_7;
-        joined_93_3 = {kept_5[16:0], 1'b0};  // line 93
+        joined_93_3 = {kept_7[16:0], 1'b0};  // line 93
         sum_93_7 = {joined_93_3[17], joined_93_3} + wide_93_7;  // line 93
         step <= step + 6'd1;
         if (sum_93_7[18]) begin
           if (sum_93_7[18:17] == 2'd3) begin
-            kept_2 <= sum_93_7[17:0];
+            kept_4 <= sum_93_7[17:0];
           end else begin
-            kept_2 <= 18'd131072;
+            kept_4 <= 18'd131072;
           end
         end else if (sum_93_7[18:17] == 2'd0) begin
-          kept_2 <= sum_93_7[17:0];
+          kept_4 <= sum_93_7[17:0];
         end else begin
-          kept_2 <= 18'd131071;
+          kept_4 <= 18'd131071;
         end
-        kept_6 <= product[29:15];
-        kept_11 <= product[14];
-        kept_26 <= product[14:0];
-        factor_a <= {1'b0, kept_3[14:0]};
-        factor_b <= {1'b0, kept_12[14:0]};
+        kept_8 <= product[29:15];
+        kept_13 <= product[14];
+        kept_28 <= product[14:0];
+        factor_a <= {1'b0, kept_5[14:0]};
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd13: begin
         logic [18:0] sum_93_8;
         logic [19:0] sum_93_9;
         logic [2:0] part_93;
         sum_93_8 = wide_93_4 + wide_93_7;  // line 93
-        sum_93_9 = {sum_93_8[18], sum_93_8} + {{2{kept_2[17]}}, kept_2};  // line 93
+        sum_93_9 = {sum_93_8[18], sum_93_8} + {{2{kept_4[17]}}, kept_4};  // line 93
         part_93 = sum_93_9[19:17];  // line 93
         step <= step + 6'd1;
         case (part_93)
           3'd0: begin
-            kept_2 <= 18'd131072;
-            kept_5 <= sum_93_9[17:0];
+            kept_4 <= 18'd131072;
+            kept_7 <= sum_93_9[17:0];
           end
           3'd7: begin
-            kept_2 <= sum_93_9[17:0];
-            kept_5 <= 18'd131071;
+            kept_4 <= sum_93_9[17:0];
+            kept_7 <= 18'd131071;
           end
           default: begin
-            kept_2 <= 18'd131072;
-            kept_5 <= 18'd131071;
+            kept_4 <= 18'd131072;
+            kept_7 <= 18'd131071;
           end
         endcase
-        kept_3 <= {1'b0, kept_6} + {1'b0, product[14:0]};
-        kept_13 <= sum_93_9[19];
-        factor_a <= {kept_3[14], kept_3[14:0]};
-        factor_b <= {15'd0, kept_9};
+        kept_5 <= {1'b0, kept_8} + {1'b0, product[14:0]};
+        kept_15 <= sum_93_9[19];
+        factor_a <= {kept_5[14], kept_5[14:0]};
+        factor_b <= {15'd0, kept_11};
       end
       6'd14: begin
         logic [17:0] choice_93_2;
-        choice_93_2 = kept_13 ? kept_2 : kept_5;  // line 93
+        choice_93_2 = kept_15 ? kept_4 : kept_7;  // line 93
         step <= step + 6'd1;
-        kept_6 <= choice_93_2[14:0];
-        kept_13 <= product[14];
-        kept_15 <= {5'd0, choice_93_2[17:15]};
-        kept_27 <= product[29:15];
-        kept_28 <= product[14:0];
+        kept_8 <= choice_93_2[14:0];
+        kept_15 <= product[14];
+        kept_17 <= {5'd0, choice_93_2[17:15]};
+        kept_29 <= product[29:15];
+        kept_30 <= product[14:0];
         factor_a <= wide_93_9;
-        factor_b <= {1'b0, kept_12[14:0]};
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd15: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, {1'b0, kept_27} + {1'b0, product[14:0]}};
+        kept_4 <= {2'd0, {1'b0, kept_29} + {1'b0, product[14:0]}};
         factor_a <= wide_93_14;
-        factor_b <= {1'b0, kept_12[14:0]};
+        factor_b <= {1'b0, kept_14[14:0]};
       end
       6'd16: begin
         logic [20:0] sum_93_15;
-        sum_93_15 = {5'd0, kept_3} + product[20:0];  // line 93
+        sum_93_15 = {5'd0, kept_5} + product[20:0];  // line 93
         step <= step + 6'd1;
-        kept_10 <= sum_93_15[20:15];
-        kept_27 <= sum_93_15[14:0];
+        kept_12 <= sum_93_15[20:15];
+        kept_29 <= sum_93_15[14:0];
         factor_a <= wide_93_9;
-        factor_b <= {15'd0, kept_9};
+        factor_b <= {15'd0, kept_11};
       end
       6'd17: begin
         logic [20:0] sum_93_22;
-        sum_93_22 = {5'd0, kept_2[15:0]} + product[20:0];  // line 93
+        sum_93_22 = {5'd0, kept_4[15:0]} + product[20:0];  // line 93
         step <= step + 6'd1;
-        kept_3 <= {1'b0, sum_93_22[14:0]};
-        kept_20 <= sum_93_22[20:15];
+        kept_5 <= {1'b0, sum_93_22[14:0]};
+        kept_22 <= sum_93_22[20:15];
         factor_a <= wide_93_14;
-        factor_b <= {15'd0, kept_9};
+        factor_b <= {15'd0, kept_11};
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, sum_93_17[30:15]};
-        kept_9 <= sum_93_16[5] && {sum_93_16[4:0], kept_27, kept_11} != 21'd2097151;
-        kept_16 <= sum_93_17[36:30];
-        factor_a <= {{9{kept_16[6]}}, kept_16};
+        kept_4 <= {2'd0, sum_93_17[30:15]};
+        kept_11 <= sum_93_16[5] && {sum_93_16[4:0], kept_29, kept_13} != 21'd2097151;
+        kept_18 <= sum_93_17[36:30];
+        factor_a <= {{9{kept_18[6]}}, kept_18};
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_2 <= {2'd0, sum_93_24[30:15]};
-        if (kept_9) begin
-          if (kept_16 == 7'd127) begin
-            kept_3 <= kept_2[15:0];
+        kept_4 <= {2'd0, sum_93_24[30:15]};
+        if (kept_11) begin
+          if (kept_18 == 7'd127) begin
+            kept_5 <= kept_4[15:0];
           end else begin
-            kept_3 <= 16'd32768;
+            kept_5 <= 16'd32768;
           end
-        end else if (kept_16 == 7'd0) begin
-          kept_3 <= kept_2[15:0];
+        end else if (kept_18 == 7'd0) begin
+          kept_5 <= kept_4[15:0];
         end else begin
-          kept_3 <= 16'd32767;
+          kept_5 <= 16'd32767;
         end
-        kept_9 <= sum_93_23[5] && {sum_93_23[4:0], kept_3[14:0], kept_13} != 21'd2097151;
-        kept_16 <= sum_93_24[36:30];
-        factor_a <= {1'b0, kept_6};
+        kept_11 <= sum_93_23[5] && {sum_93_23[4:0], kept_5[14:0], kept_15} != 21'd2097151;
+        kept_18 <= sum_93_24[36:30];
+        factor_a <= {1'b0, kept_8};
         factor_b <= 16'd18919;
       end
       6'd20: begin
         logic [15:0] choice_93_6;
         choice_93_6 =  // line 93
-            kept_9 ? ((kept_16 == 7'd127) ? kept_2[15:0] : 16'd32768) :
-            (kept_16 == 7'd0) ? kept_2[15:0] :
+            kept_11 ? ((kept_18 == 7'd127) ? kept_4[15:0] : 16'd32768) :
+            (kept_18 == 7'd0) ? kept_4[15:0] :
             16'd32767;
         step <= step + 6'd1;
-        kept_2 <= {2'd0, product[15:0]};
-        kept_5 <= {2'd0, choice_93_6};
-        factor_a <= {{13{kept_15[2]}}, kept_15[2:0]};
+        kept_4 <= {2'd0, product[15:0]};
+        kept_7 <= {2'd0, choice_93_6};
+        factor_a <= {{13{kept_17[2]}}, kept_17[2:0]};
         factor_b <= 16'd18919;
       end
       6'd21: begin
         step <= step + 6'd1;
-        kept_6 <= product[29:15];
-        kept_26 <= product[14:0];
-        factor_a <= kept_3;
+        kept_8 <= product[29:15];
+        kept_28 <= product[14:0];
+        factor_a <= kept_5;
         factor_b <= {1'b0, words_gain_i};
       end
       6'd22: begin
         step <= step + 6'd1;
-        kept_12 <= sum_93_10[34:15];
-        factor_a <= kept_2[15:0];
-        factor_b <= kept_8;
+        kept_14 <= sum_93_10[34:15];
+        factor_a <= kept_4[15:0];
+        factor_b <= kept_10;
       end
       6'd23: begin
         logic [20:0] difference_93_4;
-        difference_93_4 = {kept_12[19], kept_12} - wide_93_11;  // line 93
+        difference_93_4 = {kept_14[19], kept_14} - wide_93_11;  // line 93
         step <= step + 6'd1;
-        kept_3 <= difference_93_4[15:0];
-        kept_9 <= difference_93_4[20];
-        kept_10 <= difference_93_4[20:15];
-        factor_a <= kept_5[15:0];
+        kept_5 <= difference_93_4[15:0];
+        kept_11 <= difference_93_4[20];
+        kept_12 <= difference_93_4[20:15];
+        factor_a <= kept_7[15:0];
         factor_b <= {1'b0, words_gain_i};
       end
       6'd24: begin
         logic [16:0] difference_93_6;
-        difference_93_6 = {kept_25[15], kept_25} - wide_93_13;  // line 93
+        difference_93_6 = {kept_27[15], kept_27} - wide_93_13;  // line 93
         step <= step + 6'd1;
-        if (kept_9) begin
-          if (kept_10 != 6'd63) begin
-            kept_3 <= 16'd32768;
+        if (kept_11) begin
+          if (kept_12 != 6'd63) begin
+            kept_5 <= 16'd32768;
           end
-        end else if (kept_10 != 6'd0) begin
-          kept_3 <= 16'd32767;
+        end else if (kept_12 != 6'd0) begin
+          kept_5 <= 16'd32767;
         end
-        kept_9 <= difference_93_6[16:15] == 2'd3;
-        kept_11 <= difference_93_6[16:15] == 2'd0;
-        kept_13 <= difference_93_6[16];
-        kept_25 <= difference_93_6[15:0];
-        factor_a <= kept_2[15:0];
-        factor_b <= kept_25;
+        kept_11 <= difference_93_6[16:15] == 2'd3;
+        kept_13 <= difference_93_6[16:15] == 2'd0;
+        kept_15 <= difference_93_6[16];
+        kept_27 <= difference_93_6[15:0];
+        factor_a <= kept_4[15:0];
+        factor_b <= kept_27;
       end
       6'd25: begin
         logic [15:0] choice_93_7;
         logic [20:0] difference_93_8;
         choice_93_7 =  // line 93
-            kept_13 ? (kept_9 ? kept_25 : 16'd32768) :
-            kept_11 ? kept_25 :
+            kept_15 ? (kept_11 ? kept_27 : 16'd32768) :
+            kept_13 ? kept_27 :
             16'd32767;
-        difference_93_8 = {{3{kept_18[17]}}, kept_18[17:0]} - wide_93_11;  // line 93
+        difference_93_8 = {{3{kept_20[17]}}, kept_20[17:0]} - wide_93_11;  // line 93
         step <= step + 6'd1;
-        kept_9 <= difference_93_8[20];
-        kept_10 <= difference_93_8[20:15];
-        kept_25 <= difference_93_8[15:0];
-        kept_29 <= {1'b0, {16{choice_93_7[15]}}, choice_93_7};
-        factor_a <= kept_3;
-        if (kept_13) begin
-          if (kept_9) begin
-            factor_b <= kept_25;
+        kept_11 <= difference_93_8[20];
+        kept_12 <= difference_93_8[20:15];
+        kept_27 <= difference_93_8[15:0];
+        kept_31 <= {1'b0, {16{choice_93_7[15]}}, choice_93_7};
+        factor_a <= kept_5;
+        if (kept_15) begin
+          if (kept_11) begin
+            factor_b <= kept_27;
           end else begin
             factor_b <= 16'd32768;
           end
-        end else if (kept_11) begin
-          factor_b <= kept_25;
+        end else if (kept_13) begin
+          factor_b <= kept_27;
         end else begin
           factor_b <= 16'd32767;
         end
       end
       6'd26: begin
         logic [16:0] sum_93_25;
-        sum_93_25 = {kept_8[15], kept_8} + wide_93_13;  // line 93
+        sum_93_25 = {kept_10[15], kept_10} + wide_93_13;  // line 93
         step <= step + 6'd1;
-        kept_8 <= sum_93_25[15:0];
-        kept_9 <= sum_93_25[16:15] == 2'd3;
-        kept_11 <= sum_93_25[16:15] == 2'd0;
-        kept_13 <= sum_93_25[16];
-        if (kept_9) begin
+        kept_10 <= sum_93_25[15:0];
+        kept_11 <= sum_93_25[16:15] == 2'd3;
+        kept_13 <= sum_93_25[16:15] == 2'd0;
+        kept_15 <= sum_93_25[16];
+        if (kept_11) begin
           logic [15:0] choice_93_10;
-          choice_93_10 = (kept_10 == 6'd63) ? kept_25 : 16'd32768;  // line 93
-          kept_29 <= {1'b0, {16{choice_93_10[15]}}, choice_93_10};
-          if (kept_10 == 6'd63) begin
-            factor_a <= kept_25;
+          choice_93_10 = (kept_12 == 6'd63) ? kept_27 : 16'd32768;  // line 93
+          kept_31 <= {1'b0, {16{choice_93_10[15]}}, choice_93_10};
+          if (kept_12 == 6'd63) begin
+            factor_a <= kept_27;
           end else begin
             factor_a <= 16'd32768;
           end
         end else begin
           logic [15:0] choice_93_11;
-          choice_93_11 = (kept_10 == 6'd0) ? kept_25 : 16'd32767;  // line 93
-          kept_29 <= {1'b0, {16{choice_93_11[15]}}, choice_93_11};
-          if (kept_10 == 6'd0) begin
-            factor_a <= kept_25;
+          choice_93_11 = (kept_12 == 6'd0) ? kept_27 : 16'd32767;  // line 93
+          kept_31 <= {1'b0, {16{choice_93_11[15]}}, choice_93_11};
+          if (kept_12 == 6'd0) begin
+            factor_a <= kept_27;
           end else begin
             factor_a <= 16'd32767;
           end
         end
-        factor_b <= kept_29[15:0];
+        factor_b <= kept_31[15:0];
       end
       6'd27: begin
         logic [15:0] choice_93_12;
         choice_93_12 =  // line 93
-            kept_13 ? (kept_9 ? kept_8 : 16'd32768) :
-            kept_11 ? kept_8 :
+            kept_15 ? (kept_11 ? kept_10 : 16'd32768) :
+            kept_13 ? kept_10 :
             16'd32767;
         step <= step + 6'd1;
-        kept_30 <= product;
-        kept_31 <= {{16{choice_93_12[15]}}, choice_93_12};
-        factor_a <= kept_3;
-        if (kept_13) begin
-          if (kept_9) begin
-            factor_b <= kept_8;
+        kept_32 <= product;
+        kept_33 <= {{16{choice_93_12[15]}}, choice_93_12};
+        factor_a <= kept_5;
+        if (kept_15) begin
+          if (kept_11) begin
+            factor_b <= kept_10;
           end else begin
             factor_b <= 16'd32768;
           end
-        end else if (kept_11) begin
-          factor_b <= kept_8;
+        end else if (kept_13) begin
+          factor_b <= kept_10;
         end else begin
           factor_b <= 16'd32767;
         end
       end
       6'd28: begin
         step <= step + 6'd1;
-        kept_29 <= {1'b0, product};
-        factor_a <= kept_31[15:0];
-        factor_b <= kept_29[15:0];
+        kept_31 <= {1'b0, product};
+        factor_a <= kept_33[15:0];
+        factor_b <= kept_31[15:0];
       end
       6'd29: begin
         logic [32:0] sum_93_27;
-        sum_93_27 = {kept_29[31], kept_29[31:0]} + wide_93_12;  // line 93
+        sum_93_27 = {kept_31[31], kept_31[31:0]} + wide_93_12;  // line 93
         step <= step + 6'd1;
-        kept_9 <= sum_93_27[32] && sum_93_27[31:14] != 18'd262143;
-        kept_29 <= sum_93_27;
+        kept_11 <= sum_93_27[32] && sum_93_27[31:14] != 18'd262143;
+        kept_31 <= sum_93_27;
       end
       6'd30: begin
         logic [32:0] difference_93_9;
-        difference_93_9 = {kept_30[31], kept_30} - wide_93_12;  // line 93
+        difference_93_9 = {kept_32[31], kept_32} - wide_93_12;  // line 93
         step <= step + 6'd1;
-        if (kept_9) begin
+        if (kept_11) begin
           if (sum_93_26[33:30] == 4'd15) begin
-            kept_3 <= sum_93_26[30:15];
+            kept_5 <= sum_93_26[30:15];
           end else begin
-            kept_3 <= 16'd32768;
+            kept_5 <= 16'd32768;
           end
         end else if (sum_93_26[33:30] == 4'd0) begin
-          kept_3 <= sum_93_26[30:15];
+          kept_5 <= sum_93_26[30:15];
         end else begin
-          kept_3 <= 16'd32767;
+          kept_5 <= 16'd32767;
         end
-        kept_9 <= difference_93_9[32] && difference_93_9[31:14] != 18'd262143;
-        kept_29 <= difference_93_9;
+        kept_11 <= difference_93_9[32] && difference_93_9[31:14] != 18'd262143;
+        kept_31 <= difference_93_9;
       end
       6'd31: begin
         if (enable_i) begin
-          if (kept_9) begin
+          if (kept_11) begin
             if (sum_93_26[33:30] == 4'd15) begin
               speed_recent_0 <= sum_93_26[30:15];
             end else begin
@@ -858,40 +868,39 @@ module voltage_model (
           speed_recent_0 <= 16'd0;
         end
         step <= step + 6'd1;
-        if (kept_9) begin
+        if (kept_11) begin
           if (sum_93_26[33:30] == 4'd15) begin
-            kept_8 <= sum_93_26[30:15];
+            kept_10 <= sum_93_26[30:15];
           end else begin
-            kept_8 <= 16'd32768;
+            kept_10 <= 16'd32768;
           end
         end else if (sum_93_26[33:30] == 4'd0) begin
-          kept_8 <= sum_93_26[30:15];
+          kept_10 <= sum_93_26[30:15];
         end else begin
-          kept_8 <= 16'd32767;
+          kept_10 <= 16'd32767;
         end
-        factor_a <= kept_3;
+        factor_a <= kept_5;
         factor_b <= {1'b0, words_k_si_i};
       end
       6'd32: begin
         logic [18:0] sum_46;
         logic [18:0] emf;
-        sum_46 = kept_1 + {{3{kept_8[15]}}, kept_8};  // line 46
-        emf = words_average_i ? sum_46 : {kept_8, 3'd0};  // line 49
+        sum_46 = kept_3[18:0] + {{3{kept_10[15]}}, kept_10};  // line 46
+        emf = words_average_i ? sum_46 : {kept_10, 3'd0};  // line 49
         if (enable_i) begin
           speed_sum <= sum_46;
         end else begin
           speed_sum <= 19'd0;
         end
         step <= step + 6'd1;
-        kept_6 <= emf[14:0];
-        kept_10 <= {2'd0, emf[18:15]};
-        factor_a <= kept_3;
-        factor_b <= {1'b0, words_k_theta_i};
+        kept_12 <= {2'd0, emf[18:15]};
+        factor_a <= {1'b0, emf[14:0]};
+        factor_b <= {1'b0, words_k_emf_i};
       end
       6'd33: begin
         step <= step + 6'd1;
-        kept_30 <= {8'd0, sum_50[31:8]};
-        factor_a <= {1'b0, kept_6};
+        kept_32 <= {8'd0, sum_50[31:8]};
+        factor_a <= {{12{kept_12[3]}}, kept_12[3:0]};
         factor_b <= {1'b0, words_k_emf_i};
       end
       6'd34: begin
@@ -911,80 +920,99 @@ module voltage_model (
           speed_integral <= 28'd0;
         end
         step <= step + 6'd1;
-        kept_12 <= choice_51[27:8];
-        kept_30 <= {7'd0, sum_52[31:7]};
-        factor_a <= {{12{kept_10[3]}}, kept_10[3:0]};
-        factor_b <= {1'b0, words_k_emf_i};
+        kept_8 <= product[29:15];
+        kept_14 <= choice_51[27:8];
+        kept_28 <= product[14:0];
+        factor_a <= kept_5;
+        factor_b <= {1'b0, words_k_theta_i};
       end
       6'd35: begin
-        logic [25:0] turned_pull;
-        turned_pull = {kept_30[24], kept_30[24:0]} + {{6{kept_12[19]}}, kept_12};  // line 54
         step <= step + 6'd1;
-        kept_6 <= product[29:15];
-        kept_26 <= product[14:0];
-        kept_30 <= {6'd0, turned_pull};
+        kept_11 <= $signed(joined_93_5) > 34'sd1024;
+        kept_12 <= {1'b0, difference_53[34:30]};
+        kept_20 <= {1'b0, difference_53[30:11]};
       end
       6'd36: begin
-        step <= step + 6'd1;
-        kept_9 <= $signed(joined_93_5) > 34'sd1024;
-        kept_10 <= {1'b0, difference_53[34:30]};
-        kept_12 <= difference_53[30:11];
-      end
-      6'd37: begin
         logic [19:0] turned_emf_step;
-        logic [26:0] wide_95;
-        logic [26:0] wide_95_2;
-        logic [26:0] choice_95;
+        logic [19:0] choice_95;
         turned_emf_step =  // line 53
-            kept_9 ? ((kept_10[4:0] == 5'd31) ? kept_12 : 20'd524288) :
-            (kept_10[4:0] == 5'd0) ? kept_12 :
+            kept_11 ? ((kept_12[4:0] == 5'd31) ? kept_20[19:0] : 20'd524288) :
+            (kept_12[4:0] == 5'd0) ? kept_20[19:0] :
             20'd524287;
-        wide_95 = {{7{turned_emf_step[19]}}, turned_emf_step};  // line 95
-        wide_95_2 = {kept_30[25], kept_30[25:0]};  // line 95
-        choice_95 = kept_22 ? wide_95 - wide_95_2 : wide_95 + wide_95_2;  // line 95
+        choice_95 = (kept_2 || turned_emf_step[19] == kept_1) ? turned_emf_step : 20'd0;  // line 95
         step <= step + 6'd1;
-        kept_9 <= choice_95[26];
-        kept_12 <= choice_95[19:0];
-        kept_15 <= choice_95[26:19];
-        kept_18 <= {1'b0, enable_i ? turned_emf_step : 20'd0};
-      end
-      6'd38: begin
         if (enable_i) begin
-          logic [19:0] step_2;
-          step_2 =  // line 95
-              kept_9 ? ((kept_15 == 8'd255) ? kept_12 : 20'd524288) :
-              (kept_15 == 8'd0) ? kept_12 :
-              20'd524287;
-          observer_way <= kept_23 + {{5{step_2[19]}}, step_2};
-          if (kept_9) begin
-            if (kept_15 != 8'd255) begin
-              kept_12 <= 20'd524288;
+          if (kept_11) begin
+            if (kept_12[4:0] == 5'd31) begin
+              kept_3 <= kept_20[19:0];
+            end else begin
+              kept_3 <= 20'd524288;
             end
-          end else if (kept_15 != 8'd0) begin
-            kept_12 <= 20'd524287;
+          end else if (kept_12[4:0] == 5'd0) begin
+            kept_3 <= kept_20[19:0];
+          end else begin
+            kept_3 <= 20'd524287;
           end
         end else begin
-          observer_way <= 25'd0;
-          kept_12 <= 20'd0;
+          kept_3 <= 20'd0;
         end
+        kept_20 <= {1'b0, choice_95};
+        kept_32 <= {7'd0, sum_52[31:7]};
+      end
+      6'd37: begin
+        logic [26:0] wide_95;
+        logic [25:0] turned_pull;
+        logic [26:0] wide_95_2;
+        wide_95 = {{7{kept_20[19]}}, kept_20[19:0]};  // line 95
+        turned_pull = {kept_32[24], kept_32[24:0]} + {{6{kept_14[19]}}, kept_14};  // line 54
+        wide_95_2 = {turned_pull[25], turned_pull};  // line 95
         step <= step + 6'd1;
+        kept_32 <= {5'd0, wide_95 - wide_95_2};
+        kept_33 <= {5'd0, wide_95 + wide_95_2};
+      end
+      6'd38: begin
+        logic [26:0] choice_95_2;
+        logic [19:0] step_2;
+        choice_95_2 = kept_1 ? kept_32[26:0] : kept_33[26:0];  // line 95
+        step_2 =  // line 95
+            choice_95_2[26] ? ((choice_95_2[26:19] == 8'd255) ? choice_95_2[19:0] : 20'd524288) :
+            (choice_95_2[26:19] == 8'd0) ? choice_95_2[19:0] :
+            20'd524287;
+        step <= step + 6'd1;
+        if (enable_i) begin
+          if (choice_95_2[26]) begin
+            if (choice_95_2[26:19] == 8'd255) begin
+              kept_14 <= choice_95_2[19:0];
+            end else begin
+              kept_14 <= 20'd524288;
+            end
+          end else if (choice_95_2[26:19] == 8'd0) begin
+            kept_14 <= choice_95_2[19:0];
+          end else begin
+            kept_14 <= 20'd524287;
+          end
+        end else begin
+          kept_14 <= 20'd0;
+        end
+        kept_24 <= kept_24 + {{5{step_2[19]}}, step_2};
       end
       6'd39: begin
         observer_last_u <= i_u_i;
         observer_last_v <= i_v_i;
         observer_last_dc <= v_dc_i;
         observer_before <= kept_0;
-        observer_step <= kept_12;
-        speed_recent_1 <= kept_24;
+        observer_step <= kept_14;
         if (enable_i) begin
+          observer_way <= kept_24;
           speed_recent_2 <= speed_recent_1;
           speed_recent_3 <= speed_recent_2;
           speed_recent_4 <= speed_recent_3;
           speed_recent_5 <= speed_recent_4;
           speed_recent_6 <= speed_recent_5;
           speed_recent_7 <= speed_recent_6;
-          error_held <= kept_3;
+          error_held <= kept_5;
         end else begin
+          observer_way <= 25'd0;
           speed_recent_2 <= 16'd0;
           speed_recent_3 <= 16'd0;
           speed_recent_4 <= 16'd0;
@@ -993,8 +1021,10 @@ module voltage_model (
           speed_recent_7 <= 16'd0;
           error_held <= 16'd0;
         end
+        observer_against <= kept_25;
+        speed_recent_1 <= kept_26;
         step <= 6'd0;
-        emf_step_held <= kept_18[19:0];
+        emf_step_held <= kept_3;
       end
       default: step <= step + 6'd1;
     endcase
@@ -1008,6 +1038,7 @@ module voltage_model (
       observer_before <= 24'd0;
       observer_step <= 20'sd0;
       observer_way <= 25'sd0;
+      observer_against <= 1'b0;
       speed_recent_0 <= 16'sd0;
       speed_recent_1 <= 16'sd0;
       speed_recent_2 <= 16'sd0;
@@ -1020,37 +1051,39 @@ module voltage_model (
       speed_integral <= 28'sd0;
       step <= 6'd0;
       kept_0 <= 24'd0;
-      kept_1 <= 19'd0;
-      kept_2 <= 18'd0;
-      kept_3 <= 16'd0;
-      kept_4 <= 2'd0;
-      kept_5 <= 18'd0;
-      kept_6 <= 15'd0;
-      kept_7 <= 2'd0;
-      kept_8 <= 16'd0;
-      kept_9 <= 1'b0;
-      kept_10 <= 6'd0;
+      kept_1 <= 1'b0;
+      kept_2 <= 1'b0;
+      kept_3 <= 20'd0;
+      kept_4 <= 18'd0;
+      kept_5 <= 16'd0;
+      kept_6 <= 2'd0;
+      kept_7 <= 18'd0;
+      kept_8 <= 15'd0;
+      kept_9 <= 2'd0;
+      kept_10 <= 16'd0;
       kept_11 <= 1'b0;
-      kept_12 <= 20'd0;
+      kept_12 <= 6'd0;
       kept_13 <= 1'b0;
-      kept_14 <= 1'b0;
-      kept_15 <= 8'd0;
-      kept_16 <= 7'd0;
-      kept_17 <= 1'b0;
-      kept_18 <= 21'd0;
+      kept_14 <= 20'd0;
+      kept_15 <= 1'b0;
+      kept_16 <= 1'b0;
+      kept_17 <= 8'd0;
+      kept_18 <= 7'd0;
       kept_19 <= 1'b0;
-      kept_20 <= 6'd0;
+      kept_20 <= 21'd0;
       kept_21 <= 1'b0;
-      kept_22 <= 1'b0;
-      kept_23 <= 25'd0;
-      kept_24 <= 16'd0;
-      kept_25 <= 16'd0;
-      kept_26 <= 15'd0;
-      kept_27 <= 15'd0;
+      kept_22 <= 6'd0;
+      kept_23 <= 1'b0;
+      kept_24 <= 25'd0;
+      kept_25 <= 1'b0;
+      kept_26 <= 16'd0;
+      kept_27 <= 16'd0;
       kept_28 <= 15'd0;
-      kept_29 <= 33'd0;
-      kept_30 <= 32'd0;
-      kept_31 <= 32'd0;
+      kept_29 <= 15'd0;
+      kept_30 <= 15'd0;
+      kept_31 <= 33'd0;
+      kept_32 <= 32'd0;
+      kept_33 <= 32'd0;
       factor_a <= 16'd0;
       factor_b <= 16'd0;
       product <= 32'd0;
@@ -1072,7 +1105,7 @@ module voltage_model (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_31[31:16], sum_93_3[14:0], sum_93_6[14:0], sum_93_10[14:0], sum_93_11[0],
+      &{1'b0, kept_33[31:27], sum_93_3[14:0], sum_93_6[14:0], sum_93_10[14:0], sum_93_11[0],
       sum_93_12[0], difference_93[0], sum_93_13[13:0], sum_93_14[12:0], sum_93_17[14:0],
       sum_93_18[11:0], sum_93_19[7:0], sum_93_20[22:0], sum_93_21[0], sum_93_24[14:0],
       sum_93_26[14:0], difference_53[10:0], sum_52[6:0], sum_50[7:0], choice_51[7:0]};

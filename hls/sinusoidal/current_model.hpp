@@ -98,6 +98,6 @@ class CurrentModel {
 // One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
 using CurrentModelLoop = Scheduled<
     CurrentModel,
-    Budget{.multipliers = 1, .clocks = 41, .levels = 10, .inputs = Inputs::kHeld}>;
+    Budget{.multipliers = 1, .clocks = 42, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

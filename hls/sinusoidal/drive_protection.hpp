@@ -43,6 +43,11 @@ class DriveProtection {
   Out tick(const In& in) {
     const Out out{.fatal = fatal_, .failed = failed_};
     const FaultWords& words = in.words;
+    // Of the counts as they stand, a clock after they changed: counting and comparing are a path each.
+    failed_ = words.saturated != 0 && saturated_ > words.saturated ? SinusoidalReason::kSaturated
+              : words.emf != 0 && emf_ > words.emf                 ? SinusoidalReason::kEmf
+              : words.slow != 0 && slow_ > words.slow              ? SinusoidalReason::kTooSlow
+                                                                   : SinusoidalReason::kNone;
     if (in.restart) {
       fatal_ = SinusoidalReason::kNone;
       failed_ = SinusoidalReason::kNone;
@@ -56,10 +61,6 @@ class DriveProtection {
       emf_ = in.locked && in.fast && !in.plausible ? more(emf_) : Periods(0);
       slow_ = !in.locked ? Periods(0) : in.slow ? more(slow_) : less(slow_);
       fatal_ = in.over_current ? SinusoidalReason::kOverCurrent : SinusoidalReason::kNone;
-      failed_ = words.saturated != 0 && saturated_ > words.saturated ? SinusoidalReason::kSaturated
-                : words.emf != 0 && emf_ > words.emf                 ? SinusoidalReason::kEmf
-                : words.slow != 0 && slow_ > words.slow              ? SinusoidalReason::kTooSlow
-                                                                     : SinusoidalReason::kNone;
     } else if (in.period && awaited_) {
       if (words.lost_samples != 0 && lost_ + 1 >= words.lost_samples) {
         fatal_ = SinusoidalReason::kLostSample;

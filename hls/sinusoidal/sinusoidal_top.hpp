@@ -78,7 +78,7 @@ class SinusoidalTop {
     const auto sense = sense_.tick(
         {.codes = in.codes,
          .calibrate = orders_.calibrate,
-         .over_current = pilot.waiting ? words.pilot.decayed : words.fault.over_current});
+         .over_current = waiting_ ? words.pilot.decayed : words.fault.over_current});
     const auto control = control_.tick({{.estimate = orders_.estimate,
                                          .regulate = orders_.regulate,
                                          .locked = orders_.locked,
@@ -111,7 +111,7 @@ class SinusoidalTop {
     const auto faults = protection_.tick({.restart = restart_,
                                           .period = u.start,
                                           .sampled = control.done,
-                                          .over_current = sense.over && !pilot.waiting,
+                                          .over_current = sense.over && !waiting_,
                                           .regulating = orders_.regulate,
                                           .saturated = control.limited || speed.saturated,
                                           .locked = orders_.locked,
@@ -147,6 +147,7 @@ class SinusoidalTop {
                                     .dead_time = words.bridge.dead_time});
 
     restart_ = now.entered;
+    waiting_ = pilot.waiting;
     seen_ = {.period = u.start,
              .taken = sense.taken,
              .sampled = control.done,
@@ -208,6 +209,7 @@ class SinusoidalTop {
   SpaceVector::Out ended_;          // of the one before
   Seen seen_;
   bool restart_ = false;
+  bool waiting_ = false;            // for the current to decay
 };
 
 }  // namespace steplock

@@ -22,6 +22,7 @@ class Watched {
     in.sampled = !lost;
     tick();
     in.sampled = false;
+    tick();
     return tick();
   }
   DriveProtection::Out tick() { return dut_.tick(in); }
