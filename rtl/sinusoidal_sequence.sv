@@ -73,300 +73,331 @@ module sinusoidal_sequence (
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
   wire both_128 = command_run_i && command_configured_i;  // line 128
-  wire below_112 = tries < words_retries_i;  // line 112
+  wire both_165 = timer == 20'd0 && first_half;  // line 165
   wire either_129 = !both_128 || (command_reverse_i ^ reverse);  // line 129
-  wire both_80 = period_i && timer != 20'd0;  // line 80
-  wire [19:0] sum_80 = timer + {20{both_80}};  // line 80
+  wire both_89 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 89
+  wire both_87 = state != SinusoidalState_kFault && fault_pin_i;  // line 87
+  wire [19:0] choice_80 = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;  // line 80
   wire [19:0] choice_83 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire both_84 = period_i && choice_83 != 20'd0;  // line 84
-  wire [19:0] sum_84 = choice_83 + {20{both_84}};  // line 84
-  wire [3:0] sum_115 = tries + {3'd0, below_112};  // line 115
+  wire [19:0] choice_84 = period_i ? ((choice_83 == 20'd0) ? 20'd0 : choice_83 - 20'd1) : choice_83;
   wire [1:0] sum_81 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 81
-  wire inverse = !(timer == 20'd0 && first_half);
-  wire either = fault_pin_i || fatal_i != SinusoidalReason_kNone;
-  wire either_82 = sampled_i || regulated;  // line 82
 
   always_ff @(posedge clk) begin
-    if (state != SinusoidalState_kFault && fault_pin_i) begin
+    if (both_87 || both_89) begin
       state <= SinusoidalState_kFault;
+      timer <= choice_80;
+      trust <= choice_84;
+      modulated <= sum_81;
+      regulated <= (sampled_i && regulate) || regulated;
+    end else begin
+      logic below_112;
+      logic both;
+      logic both_3;
+      logic both_4;
+      below_112 = tries < words_retries_i;  // line 112
+      both = timer == 20'd0 && !first_half;
+      both_3 = both_128 && measured_i && words_arbitrary_i;
+      both_4 = both_128 && failed_i == SinusoidalReason_kNone && found_i;
+      if (state == SinusoidalState_kIdle) begin
+        if (both_128) begin
+          state <= SinusoidalState_kCalibrate;
+        end
+      end else if (state == SinusoidalState_kCalibrate) begin
+        if (both_128) begin
+          if (measured_i) begin
+            if (words_arbitrary_i) begin
+              state <= SinusoidalState_kStarting;
+            end else if (words_pilot_i) begin
+              state <= SinusoidalState_kPilot;
+            end else begin
+              state <= SinusoidalState_kPattern;
+            end
+          end
+        end else begin
+          state <= SinusoidalState_kIdle;
+        end
+      end else begin
+        logic [3:0] choice_160;
+        logic [3:0] choice;
+        choice_160 = below_112 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 160
+        choice = (timer == 20'd0) ? choice_160 : state;
+        if (state == SinusoidalState_kPilot) begin
+          if (both_128) begin
+            if (failed_i == SinusoidalReason_kNone) begin
+              if (found_i) begin
+                state <= SinusoidalState_kStarting;
+              end else begin
+                state <= choice;
+              end
+            end else begin
+              state <= choice_160;
+            end
+          end else begin
+            state <= SinusoidalState_kIdle;
+          end
+        end else if (state == SinusoidalState_kPattern) begin
+          if (both_128) begin
+            if (both) begin
+              state <= SinusoidalState_kStarting;
+            end
+          end else begin
+            state <= SinusoidalState_kIdle;
+          end
+        end else if (state == SinusoidalState_kStarting) begin
+          if (either_129) begin
+            state <= SinusoidalState_kBrake;
+          end else begin
+            state <=
+                (failed_i == SinusoidalReason_kNone) ?
+                ((trust == 20'd0) ? SinusoidalState_kRun : choice) : choice_160;
+          end
+        end else if (state == SinusoidalState_kRun) begin
+          logic [3:0] choice_2;
+          choice_2 =
+              either_129 ?
+              ((both_128 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
+              SinusoidalState_kIdle) : state;
+          state <= (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_160;
+        end else begin
+          logic [3:0] choice_3;
+          case (state)
+            SinusoidalState_kSlowDown: choice_3 =
+                either_129 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
+            SinusoidalState_kBrake: choice_3 = (timer == 20'd0) ? SinusoidalState_kIdle : state;
+            SinusoidalState_kRest: choice_3 =
+                both_128 ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
+                SinusoidalState_kIdle;
+            default: choice_3 =
+                (state == SinusoidalState_kFault &&
+                command_clear_fault_i && !(command_run_i || fault_pin_i)) ? SinusoidalState_kIdle :
+                state;
+          endcase
+          state <= choice_3;
+        end
+      end
+      if (state == SinusoidalState_kCalibrate) begin
+        if (both_3) begin
+          timer <= words_give_up_i;
+          trust <= words_lock_i;
+        end else begin
+          if (both_128 && measured_i) begin
+            if (words_arbitrary_i) begin
+              timer <= words_give_up_i;
+            end else begin
+              timer <= words_pattern_i;
+            end
+          end else begin
+            timer <= choice_80;
+          end
+          trust <= choice_84;
+        end
+      end else begin
+        logic [19:0] choice_5;
+        choice_5 = (timer == 20'd0) ? words_rest_i : choice_80;
+        if (state == SinusoidalState_kPilot) begin
+          if (both_4) begin
+            timer <= words_give_up_i;
+            trust <= words_lock_i;
+          end else begin
+            if (both_128) begin
+              if (failed_i == SinusoidalReason_kNone) begin
+                if (found_i) begin
+                  timer <= words_give_up_i;
+                end else begin
+                  timer <= choice_5;
+                end
+              end else begin
+                timer <= words_rest_i;
+              end
+            end else begin
+              timer <= choice_80;
+            end
+            trust <= choice_84;
+          end
+        end else begin
+          logic both_2;
+          both_2 = both_128 && timer == 20'd0;
+          if (state == SinusoidalState_kPattern && both_2 && !first_half) begin
+            timer <= words_give_up_i;
+            trust <= words_lock_i;
+          end else begin
+            if (state == SinusoidalState_kPattern) begin
+              if (both_2) begin
+                if (first_half) begin
+                  timer <= words_pattern_i;
+                end else begin
+                  timer <= words_give_up_i;
+                end
+              end else begin
+                timer <= choice_80;
+              end
+            end else if (state == SinusoidalState_kStarting) begin
+              if (either_129) begin
+                timer <= words_brake_i;
+              end else begin
+                timer <=
+                    (failed_i == SinusoidalReason_kNone) ?
+                    ((trust == 20'd0) ? choice_80 : choice_5) : words_rest_i;
+              end
+            end else if (state == SinusoidalState_kRun) begin
+              timer <= (failed_i == SinusoidalReason_kNone) ? choice_80 : words_rest_i;
+            end else begin
+              timer <=
+                  (state == SinusoidalState_kSlowDown && either_129 && stopping_i) ?
+                  words_brake_i : choice_80;
+            end
+            trust <= choice_84;
+          end
+        end
+      end
+      case (state)
+        SinusoidalState_kIdle: begin
+          if (both_128) begin
+            tries <= 4'd0;
+            reverse <= command_reverse_i;
+          end
+          modulated <= sum_81;
+        end
+        SinusoidalState_kCalibrate: begin
+          if (both_3) begin
+            modulated <= 2'd0;
+            regulated <= 1'b0;
+          end else begin
+            modulated <= sum_81;
+            if (measured_i) begin
+              if (both_128) begin
+                regulated <= !words_arbitrary_i && regulated;
+              end
+              first_half <= (both_128 && !words_arbitrary_i) || first_half;
+            end
+          end
+        end
+        SinusoidalState_kPilot, SinusoidalState_kStarting, SinusoidalState_kRun,
+        SinusoidalState_kSlowDown: begin
+          logic [3:0] sum_115;
+          logic either_82;
+          sum_115 = tries + {3'd0, below_112};  // line 115
+          either_82 = sampled_i || regulated;  // line 82
+          case (state)
+            SinusoidalState_kPilot: begin
+              if (both_4) begin
+                modulated <= 2'd0;
+                regulated <= 1'b0;
+              end else begin
+                if (both_128) begin
+                  if (failed_i == SinusoidalReason_kNone) begin
+                    if (!found_i && timer == 20'd0) begin
+                      tries <= sum_115;
+                    end
+                    regulated <= !found_i && regulated;
+                  end else begin
+                    tries <= sum_115;
+                  end
+                end
+                modulated <= sum_81;
+              end
+            end
+            SinusoidalState_kStarting: begin
+              if (!either_129) begin
+                if (failed_i == SinusoidalReason_kNone) begin
+                  if (trust != 20'd0 && timer == 20'd0) begin
+                    tries <= sum_115;
+                  end
+                end else begin
+                  tries <= sum_115;
+                end
+              end
+              modulated <= sum_81;
+              regulated <= either_82;
+            end
+            SinusoidalState_kRun: begin
+              if (failed_i != SinusoidalReason_kNone) begin
+                tries <= sum_115;
+              end
+              modulated <= sum_81;
+              regulated <= either_82;
+            end
+            default: begin  // SinusoidalState_kSlowDown
+              modulated <= sum_81;
+              regulated <= either_82;
+            end
+          endcase
+        end
+        SinusoidalState_kPattern: begin
+          if (both_128) begin
+            if (both) begin
+              modulated <= 2'd0;
+            end else begin
+              modulated <= sum_81;
+            end
+            if (!both_165) begin
+              regulated <= timer != 20'd0 && regulated;
+            end
+            first_half <= !both_165 && first_half;
+          end else begin
+            modulated <= sum_81;
+          end
+        end
+        default: modulated <= sum_81;
+      endcase
+    end
+    if (both_87) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone) begin
-      state <= SinusoidalState_kFault;
+    end else if (both_89) begin
       reason <= fatal_i;
       entered <= 1'b1;
     end else if (state == SinusoidalState_kIdle) begin
       if (both_128) begin
-        state <= SinusoidalState_kCalibrate;
         reason <= SinusoidalReason_kNone;
       end
       entered <= both_128;
     end else if (state == SinusoidalState_kCalibrate) begin
-      if (both_128) begin
-        if (measured_i) begin
-          if (words_arbitrary_i) begin
-            state <= SinusoidalState_kStarting;
-          end else begin
-            state <= words_pilot_i ? SinusoidalState_kPilot : SinusoidalState_kPattern;
-          end
-        end
-      end else begin
-        state <= SinusoidalState_kIdle;
-      end
       entered <= !both_128 || measured_i;
-    end else begin
-      logic [3:0] choice_160;
-      logic [3:0] choice;
-      choice_160 = below_112 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 160
-      choice = (timer == 20'd0) ? choice_160 : state;
-      if (state == SinusoidalState_kPilot) begin
-        if (both_128) begin
-          if (failed_i == SinusoidalReason_kNone) begin
-            state <= found_i ? SinusoidalState_kStarting : choice;
-            reason <=
-                found_i ? reason :
-                (timer == 20'd0) ? SinusoidalReason_kNoDecay :
-                reason;
-            entered <= found_i || timer == 20'd0;
-          end else begin
-            state <= choice_160;
-            reason <= failed_i;
-            entered <= 1'b1;
-          end
-        end else begin
-          state <= SinusoidalState_kIdle;
-          entered <= 1'b1;
-        end
-      end else if (state == SinusoidalState_kPattern) begin
-        if (both_128) begin
-          state <= (timer == 20'd0 && !first_half) ? SinusoidalState_kStarting : state;
-          entered <= inverse && timer == 20'd0;
-        end else begin
-          state <= SinusoidalState_kIdle;
-          entered <= 1'b1;
-        end
-      end else if (state == SinusoidalState_kStarting) begin
-        logic [3:0] choice_4;
-        choice_4 =
-            (trust == 20'd0) ? reason :
-            (timer == 20'd0) ? SinusoidalReason_kNoLock :
-            reason;
-        state <=
-            either_129 ? SinusoidalState_kBrake :
-            (failed_i == SinusoidalReason_kNone) ?
-            ((trust == 20'd0) ? SinusoidalState_kRun : choice) :
-            choice_160;
-        reason <=
-            either_129 ? reason :
-            (failed_i == SinusoidalReason_kNone) ? choice_4 :
-            failed_i;
-        entered <=
-            either_129 || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
-      end else begin
-        logic [3:0] choice_2;
-        logic [3:0] choice_3;
-        logic choice_5;
-        choice_2 =
-            either_129 ?
-            ((both_128 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
-            SinusoidalState_kIdle) : state;
-        case (state)
-          SinusoidalState_kRun: begin
-            choice_3 = (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_160;
-            choice_5 = failed_i != SinusoidalReason_kNone || either_129;
-          end
-          SinusoidalState_kSlowDown: begin
-            choice_3 =
-                either_129 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
-            choice_5 = !either_129 || stopping_i;
-          end
-          SinusoidalState_kBrake: begin
-            choice_3 = (timer == 20'd0) ? SinusoidalState_kIdle : state;
-            choice_5 = timer == 20'd0;
-          end
-          SinusoidalState_kRest: begin
-            choice_3 =
-                both_128 ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
-                SinusoidalState_kIdle;
-            choice_5 = !both_128 || timer == 20'd0;
-          end
-          default: begin
-            choice_3 =
-                (state == SinusoidalState_kFault &&
-                command_clear_fault_i && !(command_run_i || fault_pin_i)) ? SinusoidalState_kIdle :
-                state;
-            choice_5 =
-                state == SinusoidalState_kFault &&
-                command_clear_fault_i && !command_run_i && !fault_pin_i;
-          end
-        endcase
-        state <= choice_3;
-        reason <=
-            (state == SinusoidalState_kRun && failed_i != SinusoidalReason_kNone) ? failed_i :
-            reason;
-        entered <= choice_5;
-      end
-    end
-    case (state)
-      SinusoidalState_kIdle: begin
-        timer <= sum_80;
-        trust <= sum_84;
-        if (!either && both_128) begin
-          tries <= 4'd0;
-          reverse <= command_reverse_i;
-        end
-        modulated <= sum_81;
-      end
-      SinusoidalState_kCalibrate: begin
-        if (either) begin
-          timer <= sum_80;
-          trust <= sum_84;
-          modulated <= sum_81;
-        end else if (both_128 && measured_i && words_arbitrary_i) begin
-          timer <= words_give_up_i;
-          trust <= words_lock_i;
-          modulated <= 2'd0;
-          regulated <= 1'b0;
-        end else begin
-          if (measured_i) begin
-            if (both_128) begin
-              if (words_arbitrary_i) begin
-                timer <= words_give_up_i;
-              end else begin
-                timer <= words_pattern_i;
-              end
-              regulated <= !words_arbitrary_i && regulated;
-            end else begin
-              timer <= sum_80;
-            end
-            first_half <= (both_128 && !words_arbitrary_i) || first_half;
-          end else begin
-            timer <= sum_80;
-          end
-          trust <= sum_84;
-          modulated <= sum_81;
-        end
-      end
-      SinusoidalState_kPilot: begin
-        if (either) begin
-          timer <= sum_80;
-          trust <= sum_84;
-          modulated <= sum_81;
-        end else if (both_128 && failed_i == SinusoidalReason_kNone && found_i) begin
-          timer <= words_give_up_i;
-          trust <= words_lock_i;
-          modulated <= 2'd0;
-          regulated <= 1'b0;
-        end else begin
-          if (both_128) begin
-            if (failed_i == SinusoidalReason_kNone) begin
-              if (found_i) begin
-                timer <= words_give_up_i;
-              end else if (timer == 20'd0) begin
-                timer <= words_rest_i;
-                tries <= sum_115;
-              end else begin
-                timer <= sum_80;
-              end
-              regulated <= !found_i && regulated;
-            end else begin
-              timer <= words_rest_i;
-              tries <= sum_115;
-            end
-          end else begin
-            timer <= sum_80;
-          end
-          trust <= sum_84;
-          modulated <= sum_81;
-        end
-      end
-      SinusoidalState_kPattern: begin
-        if (either) begin
-          timer <= sum_80;
-          trust <= sum_84;
-          modulated <= sum_81;
-        end else begin
-          logic both;
-          both = both_128 && timer == 20'd0;
-          if (both && !first_half) begin
-            timer <= words_give_up_i;
-            trust <= words_lock_i;
-            modulated <= 2'd0;
-            first_half <= 1'b0;
-          end else begin
-            if (both) begin
-              if (first_half) begin
-                timer <= words_pattern_i;
-              end else begin
-                timer <= words_give_up_i;
-              end
-            end else begin
-              timer <= sum_80;
-            end
-            trust <= sum_84;
-            modulated <= sum_81;
-            if (both_128) begin
-              first_half <= inverse && first_half;
-            end
-          end
-          if (both_128 && inverse) begin
-            regulated <= timer != 20'd0 && regulated;
-          end
-        end
-      end
-      SinusoidalState_kStarting: begin
-        if (either) begin
-          timer <= sum_80;
-        end else if (either_129) begin
-          timer <= words_brake_i;
-        end else if (failed_i == SinusoidalReason_kNone) begin
-          if (trust == 20'd0) begin
-            timer <= sum_80;
-          end else if (timer == 20'd0) begin
-            timer <= words_rest_i;
-            tries <= sum_115;
-          end else begin
-            timer <= sum_80;
-          end
-        end else begin
-          timer <= words_rest_i;
-          tries <= sum_115;
-        end
-        trust <= sum_84;
-        modulated <= sum_81;
-        regulated <= either_82;
-      end
-      SinusoidalState_kRun: begin
+    end else if (state == SinusoidalState_kPilot) begin
+      if (both_128) begin
         if (failed_i == SinusoidalReason_kNone) begin
-          timer <= sum_80;
-        end else if (either) begin
-          timer <= sum_80;
+          reason <=
+              found_i ? reason :
+              (timer == 20'd0) ? SinusoidalReason_kNoDecay :
+              reason;
+          entered <= found_i || timer == 20'd0;
         end else begin
-          timer <= words_rest_i;
-          tries <= sum_115;
+          reason <= failed_i;
+          entered <= 1'b1;
         end
-        trust <= sum_84;
-        modulated <= sum_81;
-        regulated <= either_82;
+      end else begin
+        entered <= 1'b1;
       end
-      SinusoidalState_kSlowDown: begin
-        if (either) begin
-          timer <= sum_80;
-        end else if (either_129 && stopping_i) begin
-          timer <= words_brake_i;
-        end else begin
-          timer <= sum_80;
-        end
-        trust <= sum_84;
-        modulated <= sum_81;
-        regulated <= either_82;
-      end
-      default: begin
-        timer <= sum_80;
-        trust <= sum_84;
-        modulated <= sum_81;
-      end
-    endcase
+    end else if (state == SinusoidalState_kPattern) begin
+      entered <= !both_128 || (!both_165 && timer == 20'd0);
+    end else if (state == SinusoidalState_kStarting) begin
+      logic [3:0] choice_4;
+      choice_4 =
+          (trust == 20'd0) ? reason :
+          (timer == 20'd0) ? SinusoidalReason_kNoLock :
+          reason;
+      reason <=
+          either_129 ? reason :
+          (failed_i == SinusoidalReason_kNone) ? choice_4 :
+          failed_i;
+      entered <=
+          either_129 || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
+    end else begin
+      logic choice_6;
+      case (state)
+        SinusoidalState_kRun: choice_6 = failed_i != SinusoidalReason_kNone || either_129;
+        SinusoidalState_kSlowDown: choice_6 = !either_129 || stopping_i;
+        SinusoidalState_kBrake: choice_6 = timer == 20'd0;
+        SinusoidalState_kRest: choice_6 = !both_128 || timer == 20'd0;
+        default: choice_6 =
+            state == SinusoidalState_kFault &&
+            command_clear_fault_i && !command_run_i && !fault_pin_i;
+      endcase
+      reason <=
+          (state == SinusoidalState_kRun && failed_i != SinusoidalReason_kNone) ? failed_i : reason;
+      entered <= choice_6;
+    end
     if (rst) begin
       state <= SinusoidalState_kIdle;
       reason <= SinusoidalReason_kNone;

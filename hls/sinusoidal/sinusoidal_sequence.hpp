@@ -77,11 +77,11 @@ class SinusoidalSequence {
     entered_ = false;
     // As they stand at the begin of the clock: counting and deciding are a path each.
     const bool over = timer_ == 0, trusted = trust_ == 0;
-    if (in.period && timer_ != 0) timer_ = wrap<Periods>(timer_ - 1);
+    if (in.period) timer_ = saturate<Periods>(timer_ - 1);
     if (in.period && regulated_ && modulated_ != 3) modulated_ = wrap<UInt<2>>(modulated_ + 1);
     if (in.sampled && regulating) regulated_ = true;
     if (in.sampled && !(in.fast && in.plausible)) trust_ = in.words.lock;
-    if (in.period && trust_ != 0) trust_ = wrap<Periods>(trust_ - 1);
+    if (in.period) trust_ = saturate<Periods>(trust_ - 1);
 
     const bool alive = state_ != SinusoidalState::kFault;
     if (alive && in.fault_pin) {
