@@ -8,7 +8,7 @@
 //
 // The EMF test is the one against speeds that only exist in the estimator.  `restart` begins anew.
 //
-//     latency      1 clock; reasons are registers
+//     latency      1 clock, to `failed` 2; reasons are registers
 //     registers    74 bits     multipliers  none
 //
 // Doc: docs/blocks/drive_protection.md   Test: tests/hls/drive_protection_test.cpp

@@ -71,8 +71,9 @@ std::vector<Point> measure(const design::Settings& believed, const design::Setti
   const double locks = 1.2 * design::sinusoidal::rpm_of(believed, start.lock_speed);
   const double settle = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 0.6 : 0.4;
   const double turn = 60 / c.rpm / believed.motor.pole_pairs;
-  // What of its hunting does not go with the turns moves the rotor by a degree or two at both ends.
-  const double turns = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 4 : 2;
+  // What of its hunting does not go with the turns moves the rotor by a degree or two at both ends.  At the
+  // slowest a turn of the shaft is what there is time for.
+  const double turns = c.rpm <= 10 ? believed.motor.pole_pairs : c.rpm <= 50 ? 4 : 2;
   const double span = turn * std::max(turns, std::round(0.3 / turn));
   const auto rig = make_rig(
       c.engine, steady(believed, c.estimator, std::max(c.rpm, locks), c.i_gamma), real, 130);
