@@ -44,6 +44,10 @@ std::vector<Row> resumed_rows(const SweepSetup& setup, const fs::path& folder, b
   check_same_sweep(setup, read_setup(path), path);
   std::vector<Row> rows = read_rows(csv.string());
   sort_rows(rows);
+  if (!rows.empty() && rows.back().index >= setup.runs) {
+    throw BadInput(fmt::format("{}:1: it has run {}; go on with --runs {} or more, or name another folder with --out",
+                               csv.string(), rows.back().index, rows.back().index + 1));
+  }
   return rows;
 }
 

@@ -86,6 +86,16 @@ TEST_F(Sweep, ResumedIsTheWholeByteForByte) {
   for (const char* name : {"runs.csv", "sweep.json", "setup.json"}) {
     EXPECT_EQ(text(whole / name), text(parts / name)) << name;
   }
+  SweepSetup fewer = setup_;
+  fewer.runs = 3;
+  try {
+    sweep(fewer, files_, {.resume = true}, parts);
+    ADD_FAILURE() << "runs beyond those that are asked for";
+  } catch (const BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find(fmt::format("it has run {}; go on with --runs {}", kRuns - 1, kRuns)),
+              std::string::npos) << e.what();
+  }
+  EXPECT_EQ(text(whole / "runs.csv"), text(parts / "runs.csv")) << "nothing half-written";
 }
 
 TEST_F(Sweep, IsNotOverwrittenAndNotMixed) {
