@@ -1,6 +1,7 @@
 // Sweeps of a short drive: in one go, in shards, resumed, merged; and their statistics.
 #include "testbench/sweep/sweep.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
