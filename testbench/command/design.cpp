@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "model/design/analog_circuit.hpp"
 #include "model/design/design.hpp"
@@ -15,6 +16,7 @@
 #include "testbench/report/design_report.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/design_report.hpp"
+#include "testbench/sinusoidal/words.hpp"
 
 namespace steplock {
 namespace {
@@ -25,14 +27,35 @@ struct Arguments {
   std::optional<double> clock_hz;
 };
 
+// The file's name, as part of a comment or an identifier.
+std::string name_of(const Arguments& arguments) {
+  std::string name = std::filesystem::path(arguments.file).stem().string();
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
+
+int print_sinusoidal_part(const DriveFile& file, const Arguments& arguments) {
+  if (arguments.circuit || arguments.c_header) {
+    throw BadInput(fmt::format("{}: {} is for six-step drives; leave it out", arguments.file,
+                               arguments.circuit ? "--circuit" : "--c-header"));
+  }
+  try {
+    fmt::print("{}", registers::words_verilog(sinusoidal::words_of(file.settings),
+                                              sinusoidal::converter_words_of(file.settings),
+                                              name_of(arguments), file.settings.control.clock_hz));
+  } catch (const std::invalid_argument& e) {
+    throw BadInput(fmt::format("{}: {}", arguments.file, e.what()));
+  }
+  return kWell;
+}
+
 // One part alone: the analog circuit, or the words for steplock_init() of rtl/host/steplock.h, or around
-// rtl/six_step_bare.sv.
+// rtl/six_step_bare.sv or rtl/sinusoidal_bare.sv.
 int print_part(const DriveFile& file, const Arguments& arguments) {
   if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
-    throw BadInput(fmt::format("{}: {} is for six-step drives; leave it out", arguments.file,
-                               arguments.circuit    ? "--circuit"
-                               : arguments.c_header ? "--c-header"
-                                                    : "--verilog"));
+    return print_sinusoidal_part(file, arguments);
   }
   if (arguments.circuit) {
     fmt::print("{}", design::circuit_text(file.settings, design::circuit_of(file.settings)));
@@ -41,10 +64,7 @@ int print_part(const DriveFile& file, const Arguments& arguments) {
   const double clock_hz = file.settings.control.clock_hz;
   const auto designed = design::design_drive(file.settings);
   const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
-  std::string name = std::filesystem::path(arguments.file).stem().string();
-  for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  }
+  const std::string name = name_of(arguments);
   fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
                                       : registers::words_verilog(words, name, clock_hz));
   return kWell;
@@ -91,7 +111,7 @@ void add_design_command(CLI::App& app, int& exit_code) {
   command->add_flag("--c-header", arguments->c_header,
                     "print the words as C initialisers for rtl/host/steplock.h, nothing else");
   command->add_flag("--verilog", arguments->verilog,
-                    "print the words as constants around rtl/six_step_bare.sv, nothing else");
+                    "print the words as constants around rtl/six_step_bare.sv or sinusoidal_bare.sv, nothing else");
   command->add_flag("--circuit", arguments->circuit,
                     "print dividers, filter, shunt and threshold in front of the FPGA, nothing else");
   command->add_option("--clock-hz", arguments->clock_hz, "clock of the board (default: the file's)");

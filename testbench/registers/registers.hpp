@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "hls/bus/six_step_registers.hpp"
+#include "hls/sinusoidal/spi_adc.hpp"
+#include "hls/sinusoidal/words.hpp"
 
 namespace steplock::registers {
 
@@ -33,6 +35,9 @@ std::string ip_xact();
 std::string words_c_header(const Words&, const std::string& name, double clock_hz);
 // The same words as constants: a module six_step_fixed, which is six_step_bare with all words tied.
 std::string words_verilog(const Words&, const std::string& name, double clock_hz);
+// Likewise sinusoidal_fixed around sinusoidal_bare and its converter.
+std::string words_verilog(const SinusoidalWords&, const SpiAdcWords&, const std::string& name,
+                          double clock_hz);
 
 // In the texts.
 const char* access_name(Access);

@@ -1,4 +1,4 @@
-// A module around six_step_bare (docs/blocks/six_step_bare.md) whose words are constants.
+// Modules around six_step_bare and sinusoidal_bare (docs/blocks/) whose words are constants.
 #include <fmt/format.h>
 
 #include <string_view>
@@ -31,36 +31,123 @@ constexpr const char* kPins[] = {"comparator_u", "comparator_v", "comparator_w",
                                  "fault",        "hall_u",       "hall_v",       "hall_w"};
 constexpr const char* kGates[] = {"uh", "ul", "vh", "vl", "wh", "wl"};
 constexpr const char* kShown[] = {"locked", "fault", "turn"};
+constexpr const char* kConverterPins[] = {"cs_n", "sclk", "mosi"};
+
+// A module around another one: what is passed through, and what is tied.
+class FixedModule {
+ public:
+  void port(const char* direction, const std::string& range, const std::string& port) {
+    ports_ += fmt::format(",\n    {} logic {}{}", direction, range, port);
+    wires_ += fmt::format(",\n      .{0}({0})", port);
+  }
+  void tie(const std::string& port, int width, std::uint64_t value) {
+    wires_ += fmt::format(",\n      .{}({}'d{})", port, width, value);
+  }
+  // What pins have in common in every drive without a host.
+  void controls_and_gates() {
+    port("input ", "", "controls_run_i");
+    port("input ", "", "controls_reverse_i");
+    port("input ", "[1:0] ", "controls_speed_i");
+    port("input ", "", "brake_to_stop_i");
+    for (const char* gate : kGates) port("output", "", fmt::format("gates_{}_o", gate));
+    for (const char* shown : kShown) port("output", "", fmt::format("{}_o", shown));
+  }
+  // `kind`_fixed around `kind`_bare.
+  std::string text(const char* kind, const std::string& name, double clock_hz) const {
+    return fmt::format(
+        "// {0}_fixed: the drive {1} without a host, at a clock of {2:.0f} Hz.\n"
+        "// Printed by `steplock design {1}.toml --verilog`; ports: docs/blocks/{0}_bare.md.\n\n"
+        "module {0}_fixed (\n    input  logic clk,\n    input  logic rst{3}\n);\n"
+        "  {0}_bare drive (\n      .clk(clk),\n      .rst(rst){4}\n  );\nendmodule\n",
+        kind, name, clock_hz, ports_, wires_);
+  }
+
+ private:
+  std::string ports_, wires_;
+};
+
+template <class Word>
+constexpr int kWidth = 0;
+template <>
+constexpr int kWidth<bool> = 1;
+template <int W, bool Signed>
+constexpr int kWidth<Bits<W, Signed>> = W;
+
+template <auto... Path>
+void tie_word(FixedModule& module, const SinusoidalWords& words) {
+  const auto& word = At<Path...>::of(words);
+  constexpr int width = kWidth<std::remove_cvref_t<decltype(word)>>;
+  std::uint64_t value = 0;
+  if constexpr (width == 1) {
+    value = word ? 1 : 0;
+  } else {
+    value = static_cast<std::uint64_t>(word.raw()) & ((std::uint64_t{1} << width) - 1);
+  }
+  module.tie(port_name<At<Path...>>() + "_i", width, value);
+}
+
+// Every member of a group of words.
+template <auto Group, auto... Members>
+void tie_group(FixedModule& module, const SinusoidalWords& words) {
+  (tie_word<Group, Members>(module, words), ...);
+}
+
+void tie_all(FixedModule& m, const SinusoidalWords& words) {
+  using W = SinusoidalWords;
+  using B = BridgeWords;
+  tie_group<&W::bridge, &B::period, &B::minimum, &B::dead_time, &B::lost, &B::compensate, &B::sine,
+            &B::inverse>(m, words);
+  using E = EstimatorWords;
+  tie_group<&W::estimator, &E::voltage, &E::average, &E::decay, &E::gain, &E::k_theta, &E::k_e,
+            &E::k_speed, &E::k_emf, &E::k_si>(m, words);
+  using R = RegulatorWords;
+  tie_group<&W::speed, &R::target, &R::slew, &R::filter, &R::k_p, &R::k_i, &R::limit, &R::lock,
+            &R::slow, &R::stop, &R::emf_low, &R::emf_high>(m, words);
+  using C = ControlWords;
+  tie_group<&W::control, &C::set_gamma, &C::k_p, &C::k_i, &C::inductance, &C::emf, &C::limit>(
+      m, words);
+  using S = SequenceWords;
+  tie_group<&W::sequence, &S::arbitrary, &S::pilot, &S::hold_voltage, &S::pattern, &S::lock,
+            &S::give_up, &S::brake, &S::rest, &S::retries>(m, words);
+  using P = PilotWords;
+  tie_group<&W::pilot, &P::short_periods, &P::long_periods, &P::rounds, &P::decayed, &P::saliency,
+            &P::polarity>(m, words);
+  using F = FaultWords;
+  tie_group<&W::fault, &F::over_current, &F::saturated, &F::slow, &F::emf, &F::lost_samples>(m,
+                                                                                            words);
+}
 
 }  // namespace
 
 std::string words_verilog(const Words& words, const std::string& name, double clock_hz) {
-  std::string ports, wires;
-  const auto port = [&](const char* direction, const std::string& range, const std::string& port) {
-    ports += fmt::format(",\n    {} logic {}{}", direction, range, port);
-    wires += fmt::format(",\n      .{0}({0})", port);
-  };
-  for (const char* pin : kPins) port("input ", "", fmt::format("pins_{}_i", pin));
-  port("input ", "", "controls_run_i");
-  port("input ", "", "controls_reverse_i");
-  port("input ", "[1:0] ", "controls_speed_i");
-  port("input ", "", "brake_to_stop_i");
-  for (const char* gate : kGates) port("output", "", fmt::format("gates_{}_o", gate));
-  for (const char* shown : kShown) port("output", "", fmt::format("{}_o", shown));
-
+  FixedModule module;
+  for (const char* pin : kPins) module.port("input ", "", fmt::format("pins_{}_i", pin));
+  module.controls_and_gates();
   const auto tie = [&](const auto& row) {
     using Word = typename std::remove_cvref_t<decltype(row)>::Word;
     const auto value = static_cast<std::uint32_t>(bits_of(Word::of(words)).raw());
-    wires += fmt::format(",\n      .{}_i({}'d{})", port_name<Word>(), row.width, value);
+    module.tie(port_name<Word>() + "_i", row.width, value);
   };
   std::apply([&](const auto&... row) { (tie(row), ...); }, kWordRows);
+  return module.text("six_step", name, clock_hz);
+}
 
-  return fmt::format(
-      "// six_step_fixed: the drive {0} without a host, at a clock of {1:.0f} Hz.\n"
-      "// Printed by `steplock design {0}.toml --verilog`; ports: docs/blocks/six_step_bare.md.\n\n"
-      "module six_step_fixed (\n    input  logic clk,\n    input  logic rst{2}\n);\n"
-      "  six_step_bare drive (\n      .clk(clk),\n      .rst(rst){3}\n  );\nendmodule\n",
-      name, clock_hz, ports, wires);
+std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& converter,
+                          const std::string& name, double clock_hz) {
+  FixedModule module;
+  module.port("input ", "", "pins_fault_i");
+  module.port("input ", "", "pins_miso_i");
+  module.controls_and_gates();
+  for (const char* pin : kConverterPins) module.port("output", "", fmt::format("{}_o", pin));
+  const auto number = [](auto word) { return static_cast<std::uint64_t>(word.raw()); };
+  module.tie("converter_half_i", 6, number(converter.half));
+  module.tie("converter_quiet_i", 8, number(converter.quiet));
+  module.tie("converter_u_i", 3, number(converter.u));
+  module.tie("converter_v_i", 3, number(converter.v));
+  module.tie("converter_dc_i", 3, number(converter.dc));
+  module.tie("converter_twice_i", 1, converter.twice ? 1 : 0);
+  tie_all(module, words);
+  return module.text("sinusoidal", name, clock_hz);
 }
 
 }  // namespace steplock::registers

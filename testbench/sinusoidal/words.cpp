@@ -1,7 +1,11 @@
 #include "testbench/sinusoidal/words.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
+#include "hls/sinusoidal/sinusoidal_bare.hpp"
 #include "testbench/sinusoidal/watch.hpp"
 
 namespace steplock::sinusoidal {
@@ -55,6 +59,22 @@ SinusoidalWords words_of(const design::Settings& s) {
   for (const std::string& line : q.problems) lines += (lines.empty() ? "" : "\n") + line;
   if (!lines.empty()) throw std::invalid_argument(lines);
   return hls_words(q.words);
+}
+
+SpiAdcWords converter_words_of(const design::Settings& s) {
+  constexpr double kFastest = 20e6, kAcquire = 300e-9;  // Hz, s: data sheet of the AD7928
+  const double clock_hz = s.control.clock_hz;
+  const auto clocks = [](double wanted) { return static_cast<int>(std::ceil(wanted - 1e-6)); };
+  const int half = clocks(clock_hz / 2 / kFastest), quiet = clocks(kAcquire * clock_hz);
+  const int needed = SinusoidalBare::clocks_of_a_sample(half, quiet);
+  const int period = static_cast<int>(std::lround(clock_hz / s.control.pwm_hz));
+  if (needed > period) {
+    throw std::invalid_argument(
+        fmt::format("control.pwm_hz is {:g} Hz, {} clocks; must be {} or more, which a sample takes over "
+                    "SPI: lower it, or raise control.clock_hz",
+                    s.control.pwm_hz, period, needed));
+  }
+  return {.half = half, .quiet = quiet, .u = 0, .v = 1, .dc = 2};
 }
 
 }  // namespace steplock::sinusoidal

@@ -4,6 +4,7 @@
 // Test: tests/testbench/sinusoidal_engines_test.cpp
 #pragma once
 
+#include "hls/sinusoidal/spi_adc.hpp"
 #include "hls/sinusoidal/words.hpp"
 #include "model/design/sinusoidal/words.hpp"
 
@@ -13,5 +14,10 @@ SinusoidalWords hls_words(const design::sinusoidal::Words&);
 
 // Those of a drive's settings.  Throws std::invalid_argument where they do not fit: one line each.
 SinusoidalWords words_of(const design::Settings&);
+
+// Of an AD7928 whose inputs 0, 1 and 2 are u, v and the dc voltage, at the drive's clock: SCLK as fast as
+// 20 MHz allows, 300 ns to acquire an input.  Throws likewise where a sample of sinusoidal_bare, from the
+// period's begin over that converter to the end of the arithmetic, takes longer than a period.
+SpiAdcWords converter_words_of(const design::Settings&);
 
 }  // namespace steplock::sinusoidal

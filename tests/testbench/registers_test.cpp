@@ -11,6 +11,7 @@
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "testbench/engine/words.hpp"
+#include "testbench/sinusoidal/words.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock::registers {
@@ -98,6 +99,45 @@ TEST(Registers, TheConstantsAroundTheBareDriveAreItsWords) {
   EXPECT_GT(quantised.rows.size(), 40u);
   EXPECT_EQ(count(text, "      .words_"), 56);
   EXPECT_NE(text.find("12000000 Hz"), std::string::npos);
+}
+
+TEST(Registers, TheConstantsAroundTheSinusoidalBareDriveAreItsWords) {
+  const design::Settings s = open_drive_file(STEPLOCK_DRIVES "/ipm_2k2.toml").settings;
+  const auto quantised = design::sinusoidal::quantise(s);
+  const std::string text = words_verilog(sinusoidal::hls_words(quantised.words),
+                                         sinusoidal::converter_words_of(s), "ipm", 24e6);
+  for (const auto& row : quantised.rows) {
+    std::string port = "words_" + row.name + "_i";
+    std::ranges::replace(port, '.', '_');
+    const std::regex tie("\\." + port + "\\(([0-9]+)'d([0-9]+)\\)");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, tie)) << port;
+    EXPECT_EQ(std::stoul(found[2]), std::uint64_t(row.word)) << port;
+  }
+  EXPECT_GT(quantised.rows.size(), 40u);
+  EXPECT_NE(text.find(".words_sequence_pilot_i(1'd1)"), text.npos);
+  EXPECT_NE(text.find(".words_sequence_arbitrary_i(1'd0)"), text.npos);
+  // Every port is passed through or tied.
+  const std::string rtl = committed("rtl/sinusoidal_bare.sv");
+  const std::string ports = rtl.substr(0, rtl.find(");"));
+  EXPECT_EQ(count(text, "      ."), count(ports, "put  logic") + count(ports, "put logic"));
+}
+
+// 20 MHz of SCLK, 300 ns to acquire; and the period has to hold a sample.
+TEST(Registers, TheConvertersWordsFollowTheClock) {
+  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
+  const auto words = [&](double clock_hz) {
+    s.control.clock_hz = clock_hz;
+    return sinusoidal::converter_words_of(s);
+  };
+  EXPECT_EQ(words(24e6).half, 1);
+  EXPECT_EQ(words(24e6).quiet, 8);
+  EXPECT_EQ(words(40e6).half, 1);
+  EXPECT_EQ(words(40.1e6).half, 2);
+  EXPECT_EQ(words(100e6).half, 3);
+  EXPECT_EQ(words(100e6).quiet, 30);
+  EXPECT_NO_THROW(words(11.8e6));
+  EXPECT_THROW(words(11.5e6), std::invalid_argument);
 }
 
 }  // namespace

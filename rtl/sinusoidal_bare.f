@@ -1,0 +1,15 @@
+rtl/spi_adc.sv
+rtl/synchroniser.sv
+rtl/pilot_pulses.sv
+rtl/current_sense.sv
+rtl/sinusoidal_control_program.sv
+rtl/sinusoidal_control_numbers.sv
+rtl/sinusoidal_control_table.sv
+rtl/sinusoidal_control.sv
+rtl/pwm_generator.sv
+rtl/drive_protection.sv
+rtl/sinusoidal_sequence.sv
+rtl/guarded_leg.sv
+rtl/gate_guard.sv
+rtl/sinusoidal_top.sv
+rtl/sinusoidal_bare.sv
