@@ -48,8 +48,8 @@ std::string sinusoidal_head(const SweepSetup& setup, const std::string& outside)
        "resistance, inductance, flux, and the current converters' offsets and noise. The drive's words stay those of the file. "
        "*Started* is in lock by the rotor's true angle, the estimate never 90 electrical degrees from it, for 24 electrical "
        "turns, at the set speed; *silent* is an angle lost for half a second while the drive claims a lock "
-       "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first: that is the kick, half a "
-       "turn and its swing at worst.\n\n";
+       "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first: a kick of half a turn and "
+       "its swing. More than that is a try that ran backward and failed.\n\n";
   return t;
 }
 

@@ -3,7 +3,7 @@
 // those of its own transfer, whatever the other channel, the drive and the map do meanwhile: all of these are
 // free here.  So is the host, who need not even keep valid until ready.  What WordRegisters answers is free
 // too, within its contract: it stays until the next read, and is 0 if that is of a hole (proof word_registers
-// and tests/hls/word_registers_test.cpp).
+// and tests/hls/six_step_axi_test.cpp).
 //! solver cvc5
 //! connect never_written_0 registers.copies_0.words[0]
 //! connect never_written_1 registers.copies_1.words[0]

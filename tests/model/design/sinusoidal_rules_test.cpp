@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "testbench/drive_file/drive_file.hpp"
 
@@ -39,6 +40,33 @@ TEST(SinusoidalRules, TheSlowestSpeedIsWhereARadianShowsAsHalfAStep) {
   const auto& p = d.parameters;
   const double emf = p.motor.k_e * speed_of(matsui(), d.slowest_rpm);
   EXPECT_NEAR(p.pwm.period / p.motor.inductance_q * emf, std::sqrt(1.5) * d.current_step / 2, 1e-9);
+}
+
+// Under a current i the estimate is off by dL i / K_E; the speed's filter sees that move, kp makes it a current.
+TEST(SinusoidalRules, AFifthOfTheInductanceComesBackThroughTheSpeedLoopByHalfAtMost) {
+  const auto back = [](const Settings& s) {
+    const auto& p = design_drive(s).parameters;
+    return p.speed.kp * 0.2 * p.motor.inductance_q / p.motor.k_e * p.speed.filter;
+  };
+  for (const char* name : {"matsui1996", "ipm_2k2", "m2310p_sinusoidal", "br2804_sinusoidal"}) {
+    EXPECT_LE(back(load_drive_file(std::string(DRIVES "/") + name + ".toml").settings), 0.5 + 1e-9) << name;
+  }
+  Settings s = load_drive_file(DRIVES "/ipm_2k2.toml").settings;
+  EXPECT_NEAR(back(s), 0.5, 1e-9) << "here it is what limits";
+  s.sinusoidal.speed_bandwidth_rad_s = 150;
+  EXPECT_GT(back(s), 3) << "as without the rule";
+}
+
+TEST(SinusoidalRules, AFifthOfTheResistanceAtTheCurrentsLimitLooksSlowerThanALock) {
+  for (const char* name : {"matsui1996", "ipm_2k2", "m2310p_sinusoidal", "br2804_sinusoidal"}) {
+    Settings s = load_drive_file(std::string(DRIVES "/") + name + ".toml").settings;
+    const auto& p = design_drive(s).parameters;
+    EXPECT_GT(p.start.lock_speed, 0.2 * p.motor.resistance * p.speed.limit / p.motor.k_e) << name;
+  }
+  Settings s = load_drive_file(DRIVES "/m2310p_sinusoidal.toml").settings;
+  const double ruled = design_drive(s).parameters.start.lock_speed;
+  s.motor.resistance_ohm /= 10;
+  EXPECT_LT(design_drive(s).parameters.start.lock_speed, ruled / 2) << "here it is what limits";
 }
 
 TEST(SinusoidalRules, ABelievedConstantMovesTheDriveAndNotTheMotor) {
