@@ -17,7 +17,7 @@ module current_model (
     input  logic [13:0] pattern_on_w_i,  // clocks
     input  logic [13:0] pattern_period_i,  // clocks
     input  logic [11:0] pattern_dead_i,  // u8.4, clocks
-    input  logic [14:0] pattern_inverse_i,  // u0.26
+    input  logic [14:0] pattern_inverse_i,  // u0.25
     input  logic [14:0] words_decay_i,  // u0.15, per sample
     input  logic [14:0] words_gain_i,  // u2.13, current per voltage
     input  logic [14:0] words_k_e_i,  // u2.13, voltage per current
@@ -46,19 +46,19 @@ module current_model (
   logic kept_2;  // in steps 1-39
   logic [17:0] kept_3;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
   logic [15:0] kept_4;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-29, 31-31 seen_delta, 33-41 seen_gamma
-  logic [1:0] kept_5;  // in steps 1-7
+  logic [1:0] kept_5;  // in steps 1-7, 13-18
   logic [17:0] kept_6;  // in steps 1-12, 14-14, 21-23
-  logic [14:0] kept_7;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 34-34, 37-37
-  logic [1:0] kept_8;  // in steps 1-9
+  logic [14:0] kept_7;  // in steps 1-8, 9-11, 13-13, 15-19, 20-20, 22-22, 34-34, 37-37
+  logic [1:0] kept_8;  // in steps 1-9, 15-19
   logic [15:0] kept_9;  // in steps 1-1, 2-26, 27-28
   logic kept_10;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 32-32, 37-37, 38-38
   logic [5:0] kept_11;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26
-  logic kept_12;  // in steps 1-3, 13-18, 25-25, 27-27
+  logic kept_12;  // in steps 1-3, 14-14, 25-25, 27-27
   logic [19:0] kept_13;  // in steps 1-1, 3-15, 23-23, 29-31, 39-41 turned_emf_step
-  logic kept_14;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
+  logic kept_14;  // in steps 1-4, 25-25, 27-27
   logic kept_15;  // in steps 1-2
   logic [7:0] kept_16;  // in steps 1-1, 15-20
-  logic [6:0] kept_17;  // in steps 1-18, 19-19, 20-20, 34-35, 40-40
+  logic [6:0] kept_17;  // in steps 1-18, 34-35, 40-40
   logic kept_18;  // in steps 1-1
   logic [21:0] kept_19;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 38-38, 40-40 step, 41-41
   logic kept_20;  // in steps 1-3
@@ -67,7 +67,7 @@ module current_model (
   logic [24:0] kept_23;  // in steps 1-40
   logic kept_24;  // in steps 1-41
   logic [15:0] kept_25;  // in steps 3-24, 25-25, 26-26, 27-27
-  logic [14:0] kept_26;  // in steps 7-9, 11-11, 13-18, 22-22, 37-38
+  logic [14:0] kept_26;  // in steps 7-9, 11-11, 13-18, 19-19, 22-22, 37-38
   logic [14:0] kept_27;  // in steps 8-8, 11-11, 15-15, 17-18
   logic [14:0] kept_28;  // in steps 8-8, 15-19
   logic [32:0] kept_29;  // in steps 26-28, 30-30, 32-32
@@ -106,7 +106,7 @@ module current_model (
   wire [28:0] sum_78_14 = {1'b0, product[27:0]} + 29'd4096;  // line 78
   wire [5:0] sum_78_16 = kept_11 + product[5:0];  // line 78
   wire [35:0] joined_78_6 = {sum_78_16, kept_27, kept_26};  // line 78
-  wire [36:0] sum_78_17 = {joined_78_6[35], joined_78_6} + 37'd16384;  // line 78
+  wire [36:0] sum_78_17 = {joined_78_6[35], joined_78_6} + 37'd8192;  // line 78
   wire [31:0] wide_78_9 = {product[30], product[30:0]};  // line 78
   wire [31:0] sum_78_18 = wide_78_9 + 32'd2048;  // line 78
   wire [20:0] wide_78_10 = {kept_13[19], kept_13};  // line 78
@@ -121,7 +121,7 @@ module current_model (
   wire [15:0] wide_78_17 = {{10{kept_21[5]}}, kept_21};  // line 78
   wire [5:0] sum_78_23 = kept_21 + product[5:0];  // line 78
   wire [35:0] joined_78_7 = {sum_78_23, kept_4[14:0], kept_28};  // line 78
-  wire [36:0] sum_78_24 = {joined_78_7[35], joined_78_7} + 37'd16384;  // line 78
+  wire [36:0] sum_78_24 = {joined_78_7[35], joined_78_7} + 37'd8192;  // line 78
   wire [33:0] sum_78_26 = {kept_29[32], kept_29} + 34'd16384;  // line 78
   wire [29:0] difference_45 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
   wire [27:0] choice_45 =  // line 45
@@ -480,12 +480,12 @@ module current_model (
       end
       6'd3: begin
         logic [13:0] choice_78_4;
-        logic [5:0] choice_78_8;
+        logic [5:0] choice_78_7;
         choice_78_4 = kept_12 ? product[17:4] : 14'd0;  // line 78
-        choice_78_8 = (kept_19[15:0] < 16'd65503) ? (kept_20 ? 6'd16 : 6'd48) : kept_21;  // line 78
+        choice_78_7 = (kept_19[15:0] < 16'd65503) ? (kept_20 ? 6'd16 : 6'd48) : kept_21;  // line 78
         step <= step + 6'd1;
         kept_19 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_78_4[13]}}, choice_78_4}};
-        factor_a <= {{10{choice_78_8[5]}}, choice_78_8};
+        factor_a <= {{10{choice_78_7[5]}}, choice_78_7};
         factor_b <= {4'd0, pattern_dead_i};
       end
       6'd4: begin
@@ -503,11 +503,11 @@ module current_model (
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
-        logic [13:0] choice_78_9;
+        logic [13:0] choice_78_8;
         logic [20:0] difference_78_7;
-        choice_78_9 = kept_22 ? product[17:4] : 14'd0;  // line 78
+        choice_78_8 = kept_22 ? product[17:4] : 14'd0;  // line 78
         difference_78_7 =  // line 78
-            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_78_9[13]}}, choice_78_9}, 1'b0} -
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_78_8[13]}}, choice_78_8}, 1'b0} -
             kept_19[20:0];
         step <= step + 6'd1;
         kept_4 <= {1'b0, difference_78_7[14:0]};
@@ -582,8 +582,8 @@ module current_model (
         end else begin
           kept_3 <= 18'd131071;
         end
+        kept_5 <= product[14:13];
         kept_7 <= product[29:15];
-        kept_12 <= product[14];
         kept_26 <= product[14:0];
         factor_a <= {1'b0, kept_4[14:0]};
         factor_b <= {1'b0, kept_13[14:0]};
@@ -611,16 +611,16 @@ module current_model (
           end
         endcase
         kept_4 <= {1'b0, kept_7} + {1'b0, product[14:0]};
-        kept_14 <= sum_78_9[19];
+        kept_12 <= sum_78_9[19];
         factor_a <= {kept_4[14], kept_4[14:0]};
         factor_b <= {15'd0, kept_10};
       end
       6'd14: begin
         logic [17:0] choice_78_2;
-        choice_78_2 = kept_14 ? kept_3 : kept_6;  // line 78
+        choice_78_2 = kept_12 ? kept_3 : kept_6;  // line 78
         step <= step + 6'd1;
         kept_7 <= choice_78_2[14:0];
-        kept_14 <= product[14];
+        kept_8 <= product[14:13];
         kept_16 <= {5'd0, choice_78_2[17:15]};
         kept_27 <= product[29:15];
         kept_28 <= product[14:0];
@@ -653,40 +653,40 @@ module current_model (
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_3 <= {2'd0, sum_78_17[30:15]};
-        kept_10 <= sum_78_16[5] && {sum_78_16[4:0], kept_27, kept_12} != 21'd2097151;
-        kept_17 <= sum_78_17[36:30];
+        kept_3 <= {2'd0, sum_78_17[29:14]};
+        kept_10 <= sum_78_16[5] && {sum_78_16[4:0], kept_27, kept_5} != 22'd4194303;
+        kept_26 <= {7'd0, sum_78_17[36:29]};
         factor_a <= wide_78_12;
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_3 <= {2'd0, sum_78_24[30:15]};
+        kept_3 <= {2'd0, sum_78_24[29:14]};
         if (kept_10) begin
-          if (kept_17 == 7'd127) begin
+          if (kept_26[7:0] == 8'd255) begin
             kept_4 <= kept_3[15:0];
           end else begin
             kept_4 <= 16'd32768;
           end
-        end else if (kept_17 == 7'd0) begin
+        end else if (kept_26[7:0] == 8'd0) begin
           kept_4 <= kept_3[15:0];
         end else begin
           kept_4 <= 16'd32767;
         end
-        kept_10 <= sum_78_23[5] && {sum_78_23[4:0], kept_4[14:0], kept_14} != 21'd2097151;
-        kept_17 <= sum_78_24[36:30];
+        kept_7 <= {7'd0, sum_78_24[36:29]};
+        kept_10 <= sum_78_23[5] && {sum_78_23[4:0], kept_4[14:0], kept_8} != 22'd4194303;
         factor_a <= {1'b0, kept_7};
         factor_b <= 16'd18919;
       end
       6'd20: begin
-        logic [15:0] choice_78_6;
-        choice_78_6 =  // line 78
-            kept_10 ? ((kept_17 == 7'd127) ? kept_3[15:0] : 16'd32768) :
-            (kept_17 == 7'd0) ? kept_3[15:0] :
+        logic [15:0] choice_78_9;
+        choice_78_9 =  // line 78
+            kept_10 ? ((kept_7[7:0] == 8'd255) ? kept_3[15:0] : 16'd32768) :
+            (kept_7[7:0] == 8'd0) ? kept_3[15:0] :
             16'd32767;
         step <= step + 6'd1;
         kept_3 <= {2'd0, product[15:0]};
-        kept_6 <= {2'd0, choice_78_6};
+        kept_6 <= {2'd0, choice_78_9};
         factor_a <= {{13{kept_16[2]}}, kept_16[2:0]};
         factor_b <= 16'd18919;
       end
@@ -732,13 +732,13 @@ module current_model (
         factor_b <= kept_25;
       end
       6'd25, 6'd27: begin
-        logic [15:0] choice_78_7;
+        logic [15:0] choice_78_6;
         logic [31:0] wide_78_15;
-        choice_78_7 =  // line 78
+        choice_78_6 =  // line 78
             kept_14 ? (kept_10 ? kept_25 : 16'd32768) :
             kept_12 ? kept_25 :
             16'd32767;
-        wide_78_15 = {{16{choice_78_7[15]}}, choice_78_7};  // line 78
+        wide_78_15 = {{16{choice_78_6[15]}}, choice_78_6};  // line 78
         case (step)
           6'd25: begin
             logic [20:0] difference_78_8;
@@ -1041,7 +1041,7 @@ module current_model (
   // What nothing reads, for the linters.
   wire unused =
       &{1'b0, kept_31[31:16], sum_78_3[14:0], sum_78_6[14:0], sum_78_10[14:0], sum_78_11[0],
-      sum_78_12[0], difference_78[0], sum_78_13[13:0], sum_78_14[12:0], sum_78_17[14:0],
-      sum_78_18[11:0], sum_78_19[7:0], sum_78_20[22:0], sum_78_21[0], sum_78_24[14:0],
+      sum_78_12[0], difference_78[0], sum_78_13[13:0], sum_78_14[12:0], sum_78_17[13:0],
+      sum_78_18[11:0], sum_78_19[7:0], sum_78_20[22:0], sum_78_21[0], sum_78_24[13:0],
       sum_78_26[14:0], choice_45[5:0], sum_47[14:0], sum_48[6:0]};
 endmodule

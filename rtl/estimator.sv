@@ -17,7 +17,7 @@ module estimator (
     input  logic [13:0] pattern_on_w_i,  // clocks
     input  logic [13:0] pattern_period_i,  // clocks
     input  logic [11:0] pattern_dead_i,  // u8.4, clocks
-    input  logic [14:0] pattern_inverse_i,  // u0.26
+    input  logic [14:0] pattern_inverse_i,  // u0.25
     input  logic        words_voltage_i,  // the voltage model's estimate, else the current model's
     input  logic        words_average_i,  // voltage model: the mean of 8 samples
     input  logic [14:0] words_decay_i,  // u0.15, per sample
@@ -61,19 +61,19 @@ module estimator (
   logic [19:0] kept_3;  // in steps 1-31, 39-39 by_current_emf_step, 40-40, 42-42
   logic [17:0] kept_4;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
   logic [15:0] kept_5;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-29, 31-31 seen_delta, 33-42 seen_gamma
-  logic [1:0] kept_6;  // in steps 1-7
+  logic [1:0] kept_6;  // in steps 1-7, 13-18
   logic [17:0] kept_7;  // in steps 1-12, 14-14, 21-23
-  logic [14:0] kept_8;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 32-32, 34-34, 35-38
-  logic [1:0] kept_9;  // in steps 1-9
+  logic [14:0] kept_8;  // in steps 1-8, 9-11, 13-13, 15-19, 20-20, 22-22, 32-32, 34-34, 35-38
+  logic [1:0] kept_9;  // in steps 1-9, 15-19
   logic [15:0] kept_10;  // in steps 1-1, 2-26, 27-28
   logic kept_11;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 32-32, 37-37, 38-38, 39-39
   logic [5:0] kept_12;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26, 32-36, 39-39
-  logic kept_13;  // in steps 1-3, 13-18, 25-25, 27-27
+  logic kept_13;  // in steps 1-3, 14-14, 25-25, 27-27
   logic [19:0] kept_14;  // in steps 1-1, 3-15, 23-23, 29-31, 37-40
-  logic kept_15;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
+  logic kept_15;  // in steps 1-4, 25-25, 27-27
   logic kept_16;  // in steps 1-2
   logic [7:0] kept_17;  // in steps 1-1, 15-20
-  logic [6:0] kept_18;  // in steps 1-18, 19-19, 20-20, 34-35
+  logic [6:0] kept_18;  // in steps 1-18, 34-35
   logic kept_19;  // in steps 1-1
   logic [21:0] kept_20;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 38-38, 39-39 by_voltage_emf_step, 40-42
   logic kept_21;  // in steps 1-3
@@ -83,7 +83,7 @@ module estimator (
   logic kept_25;  // in steps 1-42
   logic [15:0] kept_26;  // in steps 1-42
   logic [15:0] kept_27;  // in steps 3-24, 25-25, 26-26, 27-27
-  logic [14:0] kept_28;  // in steps 7-9, 11-11, 13-18, 22-22, 35-38
+  logic [14:0] kept_28;  // in steps 7-9, 11-11, 13-18, 19-19, 22-22, 35-38
   logic [14:0] kept_29;  // in steps 8-8, 11-11, 15-15, 17-18, 37-37
   logic [14:0] kept_30;  // in steps 8-8, 15-19, 37-38
   logic [32:0] kept_31;  // in steps 26-28, 30-30, 32-32
@@ -123,7 +123,7 @@ module estimator (
   wire [28:0] sum_52_14 = {1'b0, product[27:0]} + 29'd4096;  // line 52
   wire [5:0] sum_52_16 = kept_12 + product[5:0];  // line 52
   wire [35:0] joined_52_6 = {sum_52_16, kept_29, kept_28};  // line 52
-  wire [36:0] sum_52_17 = {joined_52_6[35], joined_52_6} + 37'd16384;  // line 52
+  wire [36:0] sum_52_17 = {joined_52_6[35], joined_52_6} + 37'd8192;  // line 52
   wire [31:0] wide_52_10 = {product[30], product[30:0]};  // line 52
   wire [31:0] sum_52_18 = wide_52_10 + 32'd2048;  // line 52
   wire [20:0] wide_52_11 = {kept_14[19], kept_14};  // line 52
@@ -138,7 +138,7 @@ module estimator (
   wire [15:0] wide_52_18 = {{10{kept_22[5]}}, kept_22};  // line 52
   wire [5:0] sum_52_23 = kept_22 + product[5:0];  // line 52
   wire [35:0] joined_52_7 = {sum_52_23, kept_5[14:0], kept_30};  // line 52
-  wire [36:0] sum_52_24 = {joined_52_7[35], joined_52_7} + 37'd16384;  // line 52
+  wire [36:0] sum_52_24 = {joined_52_7[35], joined_52_7} + 37'd8192;  // line 52
   wire [33:0] sum_52_26 = {kept_31[32], kept_31} + 34'd16384;  // line 52
   wire [34:0] difference_54 = 35'd1024 - wide_52_8;  // line 54
   wire [29:0] difference_53 = {{2{emf_emf[27]}}, emf_emf} - {product[30], product[30:2]};
@@ -507,12 +507,12 @@ module estimator (
       end
       6'd3: begin
         logic [13:0] choice_52_4;
-        logic [5:0] choice_52_8;
+        logic [5:0] choice_52_7;
         choice_52_4 = kept_13 ? product[17:4] : 14'd0;  // line 52
-        choice_52_8 = (kept_20[15:0] < 16'd65503) ? (kept_21 ? 6'd16 : 6'd48) : kept_22;  // line 52
+        choice_52_7 = (kept_20[15:0] < 16'd65503) ? (kept_21 ? 6'd16 : 6'd48) : kept_22;  // line 52
         step <= step + 6'd1;
         kept_20 <= {2'd0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_52_4[13]}}, choice_52_4}};
-        factor_a <= {{10{choice_52_8[5]}}, choice_52_8};
+        factor_a <= {{10{choice_52_7[5]}}, choice_52_7};
         factor_b <= {4'd0, pattern_dead_i};
       end
       6'd4: begin
@@ -530,11 +530,11 @@ module estimator (
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
-        logic [13:0] choice_52_9;
+        logic [13:0] choice_52_8;
         logic [20:0] difference_52_7;
-        choice_52_9 = kept_23 ? product[17:4] : 14'd0;  // line 52
+        choice_52_8 = kept_23 ? product[17:4] : 14'd0;  // line 52
         difference_52_7 =  // line 52
-            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_52_9[13]}}, choice_52_9}, 1'b0} -
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_52_8[13]}}, choice_52_8}, 1'b0} -
             kept_20[20:0];
         step <= step + 6'd1;
         kept_5 <= {1'b0, difference_52_7[14:0]};
@@ -609,8 +609,8 @@ module estimator (
         end else begin
           kept_4 <= 18'd131071;
         end
+        kept_6 <= product[14:13];
         kept_8 <= product[29:15];
-        kept_13 <= product[14];
         kept_28 <= product[14:0];
         factor_a <= {1'b0, kept_5[14:0]};
         factor_b <= {1'b0, kept_14[14:0]};
@@ -638,16 +638,16 @@ module estimator (
           end
         endcase
         kept_5 <= {1'b0, kept_8} + {1'b0, product[14:0]};
-        kept_15 <= sum_52_9[19];
+        kept_13 <= sum_52_9[19];
         factor_a <= {kept_5[14], kept_5[14:0]};
         factor_b <= {15'd0, kept_11};
       end
       6'd14: begin
         logic [17:0] choice_52_2;
-        choice_52_2 = kept_15 ? kept_4 : kept_7;  // line 52
+        choice_52_2 = kept_13 ? kept_4 : kept_7;  // line 52
         step <= step + 6'd1;
         kept_8 <= choice_52_2[14:0];
-        kept_15 <= product[14];
+        kept_9 <= product[14:13];
         kept_17 <= {5'd0, choice_52_2[17:15]};
         kept_29 <= product[29:15];
         kept_30 <= product[14:0];
@@ -680,40 +680,40 @@ module estimator (
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_4 <= {2'd0, sum_52_17[30:15]};
-        kept_11 <= sum_52_16[5] && {sum_52_16[4:0], kept_29, kept_13} != 21'd2097151;
-        kept_18 <= sum_52_17[36:30];
+        kept_4 <= {2'd0, sum_52_17[29:14]};
+        kept_11 <= sum_52_16[5] && {sum_52_16[4:0], kept_29, kept_6} != 22'd4194303;
+        kept_28 <= {7'd0, sum_52_17[36:29]};
         factor_a <= wide_52_13;
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_4 <= {2'd0, sum_52_24[30:15]};
+        kept_4 <= {2'd0, sum_52_24[29:14]};
         if (kept_11) begin
-          if (kept_18 == 7'd127) begin
+          if (kept_28[7:0] == 8'd255) begin
             kept_5 <= kept_4[15:0];
           end else begin
             kept_5 <= 16'd32768;
           end
-        end else if (kept_18 == 7'd0) begin
+        end else if (kept_28[7:0] == 8'd0) begin
           kept_5 <= kept_4[15:0];
         end else begin
           kept_5 <= 16'd32767;
         end
-        kept_11 <= sum_52_23[5] && {sum_52_23[4:0], kept_5[14:0], kept_15} != 21'd2097151;
-        kept_18 <= sum_52_24[36:30];
+        kept_8 <= {7'd0, sum_52_24[36:29]};
+        kept_11 <= sum_52_23[5] && {sum_52_23[4:0], kept_5[14:0], kept_9} != 22'd4194303;
         factor_a <= {1'b0, kept_8};
         factor_b <= 16'd18919;
       end
       6'd20: begin
-        logic [15:0] choice_52_6;
-        choice_52_6 =  // line 52
-            kept_11 ? ((kept_18 == 7'd127) ? kept_4[15:0] : 16'd32768) :
-            (kept_18 == 7'd0) ? kept_4[15:0] :
+        logic [15:0] choice_52_9;
+        choice_52_9 =  // line 52
+            kept_11 ? ((kept_8[7:0] == 8'd255) ? kept_4[15:0] : 16'd32768) :
+            (kept_8[7:0] == 8'd0) ? kept_4[15:0] :
             16'd32767;
         step <= step + 6'd1;
         kept_4 <= {2'd0, product[15:0]};
-        kept_7 <= {2'd0, choice_52_6};
+        kept_7 <= {2'd0, choice_52_9};
         factor_a <= {{13{kept_17[2]}}, kept_17[2:0]};
         factor_b <= 16'd18919;
       end
@@ -759,13 +759,13 @@ module estimator (
         factor_b <= kept_27;
       end
       6'd25, 6'd27: begin
-        logic [15:0] choice_52_7;
+        logic [15:0] choice_52_6;
         logic [31:0] wide_52_16;
-        choice_52_7 =  // line 52
+        choice_52_6 =  // line 52
             kept_15 ? (kept_11 ? kept_27 : 16'd32768) :
             kept_13 ? kept_27 :
             16'd32767;
-        wide_52_16 = {{16{choice_52_7[15]}}, choice_52_7};  // line 52
+        wide_52_16 = {{16{choice_52_6[15]}}, choice_52_6};  // line 52
         case (step)
           6'd25: begin
             logic [20:0] difference_52_8;
@@ -1190,8 +1190,8 @@ module estimator (
   // What nothing reads, for the linters.
   wire unused =
       &{1'b0, kept_33[31:27], sum_52_3[14:0], sum_52_6[14:0], sum_52_10[14:0], sum_52_11[0],
-      sum_52_12[0], difference_52[0], sum_52_13[13:0], sum_52_14[12:0], sum_52_17[14:0],
-      sum_52_18[11:0], sum_52_19[7:0], sum_52_20[22:0], sum_52_21[0], sum_52_24[14:0],
+      sum_52_12[0], difference_52[0], sum_52_13[13:0], sum_52_14[12:0], sum_52_17[13:0],
+      sum_52_18[11:0], sum_52_19[7:0], sum_52_20[22:0], sum_52_21[0], sum_52_24[13:0],
       sum_52_26[14:0], difference_54[10:0], choice_53[5:0], sum_53_3[14:0], sum_54_2[7:0],
       choice_54_2[7:0], sum_53_4[6:0]};
 endmodule

@@ -1,7 +1,7 @@
 // sinusoidal_control: steplock::SinusoidalControl, printed by hlsgen from hls/sinusoidal/sinusoidal_control.hpp:28.
-// A sample takes 470 clocks, and in no order fewer than 470: 695 operations, 88 products, 6 entries of tables
-// as 465 instructions on 1 multiplier of 31 x 16 bits and one adder of 44; 467 register bits,
-// 110 words of memory of 32 bits. Early outputs are new after 225 clocks.
+// A sample takes 476 clocks, and in no order fewer than 476: 700 operations, 89 products, 6 entries of tables
+// as 471 instructions on 1 multiplier of 31 x 16 bits and one adder of 44; 467 register bits,
+// 111 words of memory of 32 bits. Early outputs are new after 231 clocks.
 // Do not edit: change the C++ and print again.
 
 module sinusoidal_control (
@@ -25,13 +25,13 @@ module sinusoidal_control (
     input  logic [13:0] ended_on_u_i,  // clocks
     input  logic [13:0] ended_on_v_i,  // clocks
     input  logic [13:0] ended_on_w_i,  // clocks
-    input  logic [13:0] bridge_period_i,  // clocks; 683 at least
+    input  logic [13:0] bridge_period_i,  // clocks; 478 at least, a sample's
     input  logic [13:0] bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  bridge_dead_time_i,  // clocks; the guard's floor wins
     input  logic [11:0] bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
     input  logic        bridge_compensate_i,  // the on-times make up for it
     input  logic        bridge_sine_i,  // no zero component
-    input  logic [14:0] bridge_inverse_i,  // u0.26: 1 / (3 period)
+    input  logic [14:0] bridge_inverse_i,  // u0.25: 1 / (3 period)
     input  logic        estimator_voltage_i,  // the voltage model's estimate, else the current model's
     input  logic        estimator_average_i,  // voltage model: the mean of 8 samples
     input  logic [14:0] estimator_decay_i,  // u0.15, per sample
@@ -55,8 +55,8 @@ module sinusoidal_control (
     input  logic [15:0] control_set_gamma_i,  // s0.15
     input  logic [14:0] control_k_p_i,  // u3.12
     input  logic [14:0] control_k_i_i,  // u0.15, per sample
-    input  logic [14:0] control_inductance_i,  // u3.12, voltage per current and speed
-    input  logic [14:0] control_emf_i,  // u3.12, voltage per speed
+    input  logic [14:0] control_inductance_i,  // u5.10, voltage per current and speed
+    input  logic [14:0] control_emf_i,  // u5.10, voltage per speed
     input  logic [14:0] control_limit_i,  // u0.15, of the dc voltage
     input  logic [14:0] hold_voltage_i,  // u0.15
     input  logic        start_i,  // begins a sample, unless busy
@@ -276,13 +276,13 @@ module sinusoidal_control (
   always_ff @(posedge clk) begin
     if (step == 9'd0) begin
       step <= {8'd0, start_i};
-    end else if (step == 9'd469) begin
+    end else if (step == 9'd475) begin
       step <= 9'd0;
     end else begin
       step <= step + 9'd1;
     end
     active <= step != 9'd0;
-    fresh <= fresh && step != 9'd469;
+    fresh <= fresh && step != 9'd475;
     result <=
         either_3 | {31'd0, program__data[62] && program__data[61] && program__data[60] && both_6};
     if (program__data[37]) begin
@@ -395,12 +395,12 @@ module sinusoidal_control (
       4'd14: speed_stopping_new <= result[0];
       default: speed_plausible_new <= result[0];
     endcase
-    if (step == 9'd224) begin
+    if (step == 9'd230) begin
       early_on_u_held <= early_on_u_new;
       early_on_v_held <= early_on_v_new;
       early_on_w_held <= early_on_w_new;
     end
-    if (step == 9'd469) begin
+    if (step == 9'd475) begin
       angle_held <= angle_new;
       i_gamma_held <= i_gamma_new;
       i_delta_held <= i_delta_new;
@@ -414,7 +414,7 @@ module sinusoidal_control (
       speed_stopping_held <= speed_stopping_new;
       speed_plausible_held <= speed_plausible_new;
     end
-    done <= step == 9'd469;
+    done <= step == 9'd475;
     missed <= start_i && step != 9'd0;
     if (rst) begin
       step <= 9'd0;

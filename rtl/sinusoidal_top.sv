@@ -14,13 +14,13 @@ module sinusoidal_top (
     input  logic        command_reverse_i,
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
-    input  logic [13:0] words_bridge_period_i,  // clocks; 683 at least
+    input  logic [13:0] words_bridge_period_i,  // clocks; 478 at least, a sample's
     input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
     input  logic [11:0] words_bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
     input  logic        words_bridge_compensate_i,  // the on-times make up for it
     input  logic        words_bridge_sine_i,  // no zero component
-    input  logic [14:0] words_bridge_inverse_i,  // u0.26: 1 / (3 period)
+    input  logic [14:0] words_bridge_inverse_i,  // u0.25: 1 / (3 period)
     input  logic        words_estimator_voltage_i,  // the voltage model's estimate, else the current model's
     input  logic        words_estimator_average_i,  // voltage model: the mean of 8 samples
     input  logic [14:0] words_estimator_decay_i,  // u0.15, per sample
@@ -44,8 +44,8 @@ module sinusoidal_top (
     input  logic [15:0] words_control_set_gamma_i,  // s0.15
     input  logic [14:0] words_control_k_p_i,  // u3.12
     input  logic [14:0] words_control_k_i_i,  // u0.15, per sample
-    input  logic [14:0] words_control_inductance_i,  // u3.12, voltage per current and speed
-    input  logic [14:0] words_control_emf_i,  // u3.12, voltage per speed
+    input  logic [14:0] words_control_inductance_i,  // u5.10, voltage per current and speed
+    input  logic [14:0] words_control_emf_i,  // u5.10, voltage per speed
     input  logic [14:0] words_control_limit_i,  // u0.15, of the dc voltage
     input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
     input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor

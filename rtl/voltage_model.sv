@@ -17,7 +17,7 @@ module voltage_model (
     input  logic [13:0] pattern_on_w_i,  // clocks
     input  logic [13:0] pattern_period_i,  // clocks
     input  logic [11:0] pattern_dead_i,  // u8.4, clocks
-    input  logic [14:0] pattern_inverse_i,  // u0.26
+    input  logic [14:0] pattern_inverse_i,  // u0.25
     input  logic        words_average_i,  // the mean of 8 samples
     input  logic [14:0] words_decay_i,  // u0.15, per sample
     input  logic [14:0] words_gain_i,  // u2.13, current per voltage
@@ -57,19 +57,19 @@ module voltage_model (
   logic [19:0] kept_3;  // in steps 1-32, 37-39
   logic [17:0] kept_4;  // in steps 1-10, 12-12, 13-13, 14-14, 16-17, 19-19, 20-20, 21-24
   logic [15:0] kept_5;  // in steps 1-4, 5-5, 6-13, 14-16, 18-19, 20-21, 24-24, 25-27, 31-39 seen_gamma
-  logic [1:0] kept_6;  // in steps 1-7
+  logic [1:0] kept_6;  // in steps 1-7, 13-18
   logic [17:0] kept_7;  // in steps 1-12, 14-14, 21-23
-  logic [14:0] kept_8;  // in steps 1-8, 9-11, 13-13, 15-19, 22-22, 35-35
-  logic [1:0] kept_9;  // in steps 1-9
+  logic [14:0] kept_8;  // in steps 1-8, 9-11, 13-13, 15-19, 20-20, 22-22, 35-35
+  logic [1:0] kept_9;  // in steps 1-9, 15-19
   logic [15:0] kept_10;  // in steps 1-1, 2-26, 27-27, 32-32 seen_delta
   logic kept_11;  // in steps 1-1, 3-17, 19-19, 20-20, 24-24, 25-25, 26-26, 27-27, 30-30, 31-31, 36-36
   logic [5:0] kept_12;  // in steps 1-1, 2-2, 5-6, 9-16, 17-18, 24-24, 26-26, 33-33, 36-36
-  logic kept_13;  // in steps 1-3, 13-18, 25-25, 27-27
+  logic kept_13;  // in steps 1-3, 14-14, 25-25, 27-27
   logic [19:0] kept_14;  // in steps 1-1, 3-15, 23-23, 35-37, 39-39
-  logic kept_15;  // in steps 1-4, 14-14, 15-19, 25-25, 27-27
+  logic kept_15;  // in steps 1-4, 25-25, 27-27
   logic kept_16;  // in steps 1-2
   logic [7:0] kept_17;  // in steps 1-1, 15-20
-  logic [6:0] kept_18;  // in steps 1-18, 19-19, 20-20
+  logic [6:0] kept_18;  // in steps 1-18
   logic kept_19;  // in steps 1-1
   logic [20:0] kept_20;  // in steps 1-3, 4-4, 5-5, 7-9, 10-10, 11-25, 36-36 turned_emf_step, 37-37
   logic kept_21;  // in steps 1-3
@@ -79,7 +79,7 @@ module voltage_model (
   logic kept_25;  // in steps 1-39
   logic [15:0] kept_26;  // in steps 1-39
   logic [15:0] kept_27;  // in steps 3-24, 25-25, 26-26
-  logic [14:0] kept_28;  // in steps 7-9, 11-11, 13-18, 22-22, 35-35
+  logic [14:0] kept_28;  // in steps 7-9, 11-11, 13-18, 19-19, 22-22, 35-35
   logic [14:0] kept_29;  // in steps 8-8, 11-11, 15-15, 17-18
   logic [14:0] kept_30;  // in steps 8-8, 15-19
   logic [32:0] kept_31;  // in steps 26-26, 27-28, 29-29, 30-30, 31-31
@@ -119,7 +119,7 @@ module voltage_model (
   wire [28:0] sum_93_14 = {1'b0, product[27:0]} + 29'd4096;  // line 93
   wire [5:0] sum_93_16 = kept_12 + product[5:0];  // line 93
   wire [35:0] joined_93_6 = {sum_93_16, kept_29, kept_28};  // line 93
-  wire [36:0] sum_93_17 = {joined_93_6[35], joined_93_6} + 37'd16384;  // line 93
+  wire [36:0] sum_93_17 = {joined_93_6[35], joined_93_6} + 37'd8192;  // line 93
   wire [31:0] wide_93_10 = {product[30], product[30:0]};  // line 93
   wire [31:0] sum_93_18 = wide_93_10 + 32'd2048;  // line 93
   wire [20:0] wide_93_11 = {sum_93_18[31], sum_93_18[31:12]};  // line 93
@@ -131,7 +131,7 @@ module voltage_model (
   wire [15:0] wide_93_14 = {{10{kept_22[5]}}, kept_22};  // line 93
   wire [5:0] sum_93_23 = kept_22 + product[5:0];  // line 93
   wire [35:0] joined_93_7 = {sum_93_23, kept_5[14:0], kept_30};  // line 93
-  wire [36:0] sum_93_24 = {joined_93_7[35], joined_93_7} + 37'd16384;  // line 93
+  wire [36:0] sum_93_24 = {joined_93_7[35], joined_93_7} + 37'd8192;  // line 93
   wire [33:0] sum_93_26 = {kept_31[32], kept_31} + 34'd16384;  // line 93
   wire [34:0] difference_53 = 35'd1024 - wide_93_8;  // line 53
   wire [31:0] sum_52 = wide_93_10 + 32'd64;  // line 52
@@ -493,12 +493,12 @@ module voltage_model (
       end
       6'd3: begin
         logic [13:0] choice_93_4;
-        logic [5:0] choice_93_8;
+        logic [5:0] choice_93_7;
         choice_93_4 = kept_13 ? product[17:4] : 14'd0;  // line 93
-        choice_93_8 = (kept_20[15:0] < 16'd65503) ? (kept_21 ? 6'd16 : 6'd48) : kept_22;  // line 93
+        choice_93_7 = (kept_20[15:0] < 16'd65503) ? (kept_21 ? 6'd16 : 6'd48) : kept_22;  // line 93
         step <= step + 6'd1;
         kept_20 <= {1'b0, {2'd0, pattern_on_v_i, 4'd0} - {{6{choice_93_4[13]}}, choice_93_4}};
-        factor_a <= {{10{choice_93_8[5]}}, choice_93_8};
+        factor_a <= {{10{choice_93_7[5]}}, choice_93_7};
         factor_b <= {4'd0, pattern_dead_i};
       end
       6'd4: begin
@@ -516,11 +516,11 @@ module voltage_model (
         factor_b <= {1'b0, words_decay_i};
       end
       6'd5: begin
-        logic [13:0] choice_93_9;
+        logic [13:0] choice_93_8;
         logic [20:0] difference_93_7;
-        choice_93_9 = kept_23 ? product[17:4] : 14'd0;  // line 93
+        choice_93_8 = kept_23 ? product[17:4] : 14'd0;  // line 93
         difference_93_7 =  // line 93
-            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_93_9[13]}}, choice_93_9}, 1'b0} - kept_20;
+            {{2'd0, pattern_on_u_i, 4'd0} - {{6{choice_93_8[13]}}, choice_93_8}, 1'b0} - kept_20;
         step <= step + 6'd1;
         kept_5 <= {1'b0, difference_93_7[14:0]};
         kept_22 <= difference_93_7[20:15];
@@ -594,8 +594,8 @@ module voltage_model (
         end else begin
           kept_4 <= 18'd131071;
         end
+        kept_6 <= product[14:13];
         kept_8 <= product[29:15];
-        kept_13 <= product[14];
         kept_28 <= product[14:0];
         factor_a <= {1'b0, kept_5[14:0]};
         factor_b <= {1'b0, kept_14[14:0]};
@@ -623,16 +623,16 @@ module voltage_model (
           end
         endcase
         kept_5 <= {1'b0, kept_8} + {1'b0, product[14:0]};
-        kept_15 <= sum_93_9[19];
+        kept_13 <= sum_93_9[19];
         factor_a <= {kept_5[14], kept_5[14:0]};
         factor_b <= {15'd0, kept_11};
       end
       6'd14: begin
         logic [17:0] choice_93_2;
-        choice_93_2 = kept_15 ? kept_4 : kept_7;  // line 93
+        choice_93_2 = kept_13 ? kept_4 : kept_7;  // line 93
         step <= step + 6'd1;
         kept_8 <= choice_93_2[14:0];
-        kept_15 <= product[14];
+        kept_9 <= product[14:13];
         kept_17 <= {5'd0, choice_93_2[17:15]};
         kept_29 <= product[29:15];
         kept_30 <= product[14:0];
@@ -665,40 +665,40 @@ module voltage_model (
       end
       6'd18: begin
         step <= step + 6'd1;
-        kept_4 <= {2'd0, sum_93_17[30:15]};
-        kept_11 <= sum_93_16[5] && {sum_93_16[4:0], kept_29, kept_13} != 21'd2097151;
-        kept_18 <= sum_93_17[36:30];
+        kept_4 <= {2'd0, sum_93_17[29:14]};
+        kept_11 <= sum_93_16[5] && {sum_93_16[4:0], kept_29, kept_6} != 22'd4194303;
+        kept_28 <= {7'd0, sum_93_17[36:29]};
         factor_a <= {{9{kept_18[6]}}, kept_18};
         factor_b <= 16'd402;
       end
       6'd19: begin
         step <= step + 6'd1;
-        kept_4 <= {2'd0, sum_93_24[30:15]};
+        kept_4 <= {2'd0, sum_93_24[29:14]};
         if (kept_11) begin
-          if (kept_18 == 7'd127) begin
+          if (kept_28[7:0] == 8'd255) begin
             kept_5 <= kept_4[15:0];
           end else begin
             kept_5 <= 16'd32768;
           end
-        end else if (kept_18 == 7'd0) begin
+        end else if (kept_28[7:0] == 8'd0) begin
           kept_5 <= kept_4[15:0];
         end else begin
           kept_5 <= 16'd32767;
         end
-        kept_11 <= sum_93_23[5] && {sum_93_23[4:0], kept_5[14:0], kept_15} != 21'd2097151;
-        kept_18 <= sum_93_24[36:30];
+        kept_8 <= {7'd0, sum_93_24[36:29]};
+        kept_11 <= sum_93_23[5] && {sum_93_23[4:0], kept_5[14:0], kept_9} != 22'd4194303;
         factor_a <= {1'b0, kept_8};
         factor_b <= 16'd18919;
       end
       6'd20: begin
-        logic [15:0] choice_93_6;
-        choice_93_6 =  // line 93
-            kept_11 ? ((kept_18 == 7'd127) ? kept_4[15:0] : 16'd32768) :
-            (kept_18 == 7'd0) ? kept_4[15:0] :
+        logic [15:0] choice_93_9;
+        choice_93_9 =  // line 93
+            kept_11 ? ((kept_8[7:0] == 8'd255) ? kept_4[15:0] : 16'd32768) :
+            (kept_8[7:0] == 8'd0) ? kept_4[15:0] :
             16'd32767;
         step <= step + 6'd1;
         kept_4 <= {2'd0, product[15:0]};
-        kept_7 <= {2'd0, choice_93_6};
+        kept_7 <= {2'd0, choice_93_9};
         factor_a <= {{13{kept_17[2]}}, kept_17[2:0]};
         factor_b <= 16'd18919;
       end
@@ -744,9 +744,9 @@ module voltage_model (
         factor_b <= kept_27;
       end
       6'd25: begin
-        logic [15:0] choice_93_7;
+        logic [15:0] choice_93_6;
         logic [20:0] difference_93_8;
-        choice_93_7 =  // line 93
+        choice_93_6 =  // line 93
             kept_15 ? (kept_11 ? kept_27 : 16'd32768) :
             kept_13 ? kept_27 :
             16'd32767;
@@ -755,7 +755,7 @@ module voltage_model (
         kept_11 <= difference_93_8[20];
         kept_12 <= difference_93_8[20:15];
         kept_27 <= difference_93_8[15:0];
-        kept_31 <= {1'b0, {16{choice_93_7[15]}}, choice_93_7};
+        kept_31 <= {1'b0, {16{choice_93_6[15]}}, choice_93_6};
         factor_a <= kept_5;
         if (kept_15) begin
           if (kept_11) begin
@@ -1106,7 +1106,7 @@ module voltage_model (
   // What nothing reads, for the linters.
   wire unused =
       &{1'b0, kept_33[31:27], sum_93_3[14:0], sum_93_6[14:0], sum_93_10[14:0], sum_93_11[0],
-      sum_93_12[0], difference_93[0], sum_93_13[13:0], sum_93_14[12:0], sum_93_17[14:0],
-      sum_93_18[11:0], sum_93_19[7:0], sum_93_20[22:0], sum_93_21[0], sum_93_24[14:0],
+      sum_93_12[0], difference_93[0], sum_93_13[13:0], sum_93_14[12:0], sum_93_17[13:0],
+      sum_93_18[11:0], sum_93_19[7:0], sum_93_20[22:0], sum_93_21[0], sum_93_24[13:0],
       sum_93_26[14:0], difference_53[10:0], sum_52[6:0], sum_50[7:0], choice_51[7:0]};
 endmodule

@@ -11,7 +11,7 @@
 // drop as well, as the clocks that cost the same at the nominal dc voltage.
 //
 //     on, period   clocks          dead   u8.4 clocks        v_dc   u0.12 of the full scale
-//     inverse      u0.26: 1 / (3 period), for a period of 683 clocks or more
+//     inverse      u0.25: 1 / (3 period), for a period of 342 clocks or more
 //     multipliers  4 products, and 3 small ones for s_k dead
 //
 // Doc: docs/blocks/current_model.md   Test: tests/hls/current_model_test.cpp
@@ -44,7 +44,7 @@ struct AppliedPattern {
   LegClocks on_w = 0;     // clocks
   LegClocks period = 0;   // clocks
   DeadClocks dead = 0;    // u8.4, clocks
-  UInt<15> inverse = 0;   // u0.26
+  UInt<15> inverse = 0;   // u0.25
 };
 
 // Currents and dc voltage are sums of both ends of the period.
@@ -58,13 +58,13 @@ inline AppliedVoltage applied_voltage(const AppliedPattern& p, Int<17> twice_u, 
   const auto u = leg(p.on_u, twice_u);
   const auto v = leg(p.on_v, twice_v);
   const auto w = leg(p.on_w, wrap<Int<18>>(-(twice_u + twice_v)));
-  const auto per_clock = wrap<UInt<15>>((twice_dc * p.inverse + (1 << 12)) >> 13);  // s0.15, 2^-15
+  const auto per_clock = wrap<UInt<15>>((twice_dc * p.inverse + (1 << 12)) >> 13);  // s0.15, 2^-14
   const auto across = wrap<Int<20>>(v - w);
   constexpr Int<16> kRoot3 = 28378;  // s1.14
   const auto beta = wrap<Int<21>>((across * kRoot3 + (1 << 13)) >> 14);
   const auto alpha = wrap<Int<21>>(u + u - v - w);
-  return {saturate<Int<16>>((alpha * per_clock + (1 << 14)) >> 15),
-          saturate<Int<16>>((beta * per_clock + (1 << 14)) >> 15)};
+  return {saturate<Int<16>>((alpha * per_clock + (1 << 13)) >> 14),
+          saturate<Int<16>>((beta * per_clock + (1 << 13)) >> 14)};
 }
 
 }  // namespace steplock

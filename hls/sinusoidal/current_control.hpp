@@ -4,8 +4,9 @@
 //     Park        i_gamma =  i_alpha cos + i_beta sin,   i_delta = -i_alpha sin + i_beta cos
 //     PI          x += k_i e,  u = x + k_p e,  e = set - i                   (one for each axis)
 //     decoupling  u_gamma -= w L i_delta,  u_delta += w L i_gamma + w K_E   Matsui 1996, (5)
-//     limit       |u_gamma| <= U/2,  |u_delta| <= U - 9/64 |u_gamma|, 17/16 U - 13/32 |u_gamma|:
-//                 within the circle U, a part of the dc voltage, by 2 % of it at most
+//     limit       |u_gamma| <= 3/4 U,  |u_delta| <= U - 9/64 |u_gamma|, 17/16 U - 13/32 |u_gamma|,
+//                 5/4 U - 13/16 |u_gamma|: within the circle U, a part of the dc voltage, by 3 %
+//                 of it at most
 //     back        v_alpha = u_gamma cos' - u_delta sin',  v_beta = u_gamma sin' + u_delta cos'
 //
 // The voltage acts one to two samples later: it goes back at the angle `ahead`, where the frame
@@ -18,7 +19,7 @@
 //
 //     currents, voltages     s0.15 of a full scale each; w: s0.15 of a full scale of the speed
 //     x                      s0.27, so that small gains still integrate
-//     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u3.12
+//     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u5.10
 //     latency                one sample; as CurrentLoop the clocks of its budget
 //     multipliers            34 products of 16 x 16 bits: one multiplier, in turn
 //
@@ -45,8 +46,8 @@ class CurrentControl {
     Int<16> set_delta = 0;    // s0.15
     UInt<15> k_p = 0;         // u3.12
     UInt<15> k_i = 0;         // u0.15, per sample
-    UInt<15> inductance = 0;  // u3.12, voltage per current and speed
-    UInt<15> emf = 0;         // u3.12, voltage per speed
+    UInt<15> inductance = 0;  // u5.10, voltage per current and speed
+    UInt<15> emf = 0;         // u5.10, voltage per speed
     UInt<12> v_dc = 0;        // u0.12
     UInt<15> limit = 0;       // u0.15, length of the voltage vector, of the dc voltage
   };
@@ -68,18 +69,19 @@ class CurrentControl {
     const auto i_gamma = rounded(alpha * cosine + beta * sine);
     const auto i_delta = rounded(beta * cosine - alpha * sine);
 
-    const auto coupling = saturate<Int<16>>((in.speed * in.inductance + (1 << 11)) >> 12);
-    const auto emf = saturate<Int<16>>((in.speed * in.emf + (1 << 11)) >> 12);
+    const auto coupling = saturate<Int<16>>((in.speed * in.inductance + (1 << 9)) >> 10);
+    const auto emf = saturate<Int<16>>((in.speed * in.emf + (1 << 9)) >> 10);
     const auto limit = wrap<UInt<15>>((in.v_dc * in.limit) >> 12);
     const auto gamma = control(integral_gamma_, in, saturate<Int<16>>(in.set_gamma - i_gamma),
-                               -rounded(coupling * i_delta), UInt<15>(limit >> 1));
+                               -rounded(coupling * i_delta), wrap<UInt<15>>(limit - (limit >> 2)));
     const auto length = gamma.voltage.negative() ? -gamma.voltage : Int<17>(gamma.voltage);
     const Int<22> one = length;
     const auto eight = one << 3, nine = wrap<Int<22>>(eight + one);
     const auto thirteen = wrap<Int<22>>(nine + (one << 2));
     const auto near = wrap<Int<22>>(limit - (nine >> 6));
     const auto far = wrap<Int<22>>(limit + (limit >> 4) - (thirteen >> 5));
-    const auto left = near < far ? near : far;
+    const auto last = wrap<Int<22>>(limit + (limit >> 2) - (thirteen >> 4));
+    const auto left = min(near, min(far, last));
     const auto delta = control(integral_delta_, in, saturate<Int<16>>(in.set_delta - i_delta),
                                rounded(coupling * i_gamma) + emf, saturate<UInt<15>>(left));
 
@@ -100,6 +102,8 @@ class CurrentControl {
   using Integral = Int<28>;  // s0.27
   static constexpr Int<16> kInverseRoot3 = 18919;  // s0.15
   static constexpr Int<16> kHalfRoot3 = 28378;    // s0.15
+
+  static Int<22> min(Int<22> a, Int<22> b) { return a < b ? a : b; }
 
   struct Axis {
     Int<16> voltage = 0;

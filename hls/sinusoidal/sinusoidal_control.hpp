@@ -136,7 +136,7 @@ class SinusoidalControl {
 // Whoever gives the inputs holds them.
 using SinusoidalLoop = Scheduled<
     SinusoidalControl,
-    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 470,
-           .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 225}>;
+    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 476,
+           .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 231}>;
 
 }  // namespace steplock

@@ -13,8 +13,8 @@
 // `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
 // and give their codes with `valid` so early that the sample is done before the next period.
 //
-//     `sample` to new on-clocks          227 clocks, if the codes come at once
-//     `sample` to `done`                 472 clocks: less than a period
+//     `sample` to new on-clocks          233 clocks, if the codes come at once
+//     `sample` to `done`                 478 clocks: less than a period
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp

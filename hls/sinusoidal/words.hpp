@@ -28,21 +28,21 @@ enum class SinusoidalReason : std::uint8_t {
 };
 
 struct BridgeWords {
-  LegClocks period = 0;    // clocks; 683 at least
+  LegClocks period = 0;    // clocks; 478 at least, a sample's
   LegClocks minimum = 0;   // clocks; shorter on or off times become 0 % or 100 %
   UInt<8> dead_time = 0;   // clocks; the guard's floor wins
   DeadClocks lost = 0;     // u8.4 clocks that a leg loses by it, with its diode's drop
   bool compensate = false; // the on-times make up for it
   bool sine = false;       // no zero component
-  UInt<15> inverse = 0;    // u0.26: 1 / (3 period)
+  UInt<15> inverse = 0;    // u0.25: 1 / (3 period)
 };
 
 struct ControlWords {
   Int<16> set_gamma = 0;    // s0.15
   UInt<15> k_p = 0;         // u3.12
   UInt<15> k_i = 0;         // u0.15, per sample
-  UInt<15> inductance = 0;  // u3.12, voltage per current and speed
-  UInt<15> emf = 0;         // u3.12, voltage per speed
+  UInt<15> inductance = 0;  // u5.10, voltage per current and speed
+  UInt<15> emf = 0;         // u5.10, voltage per speed
   UInt<15> limit = 0;       // u0.15, of the dc voltage
 };
 

@@ -60,6 +60,9 @@ struct Case {
 };
 std::vector<Point> measure(const design::Settings& believed, const design::Settings& real,
                            const Case&, const PaperOptions&, const std::string& what);
+// The RTL against engine fixed: the same run, so the same numbers; else a failure.
+Claim rtl_point(const design::Settings&, const Case& fixed, const std::string& where,
+                const PaperOptions&, std::vector<std::string>& failures);
 bool all_held(const std::vector<Point>&);
 double worst_error(const std::vector<Point>&);  // percent, without sign
 
@@ -74,6 +77,7 @@ struct Found {
   // By design::Estimator: from this speed on, within this of it.
   double slowest[2] = {}, error_percent[2] = {};
   double position_deg = 0;  // worst, of a salient rotor at standstill
+  double loop_khz = 0;      // the fastest with every point within its aim
 };
 
 PaperSection voltage_model(const design::Settings&, const PaperOptions&, Found&);     // Fig. 4
@@ -84,6 +88,7 @@ PaperSection starts(const design::Settings&, const PaperOptions&);              
 PaperSection initial_position(const design::Settings& salient, const PaperOptions&,
                               Found&);                                                // 9, 10
 PaperSection salient_running(const design::Settings& salient, const PaperOptions&);
+PaperSection loop_rates(const design::Settings&, const PaperOptions&, Found&);
 PaperSection comparison(const design::Settings&, const Found&);                       // Table III
 
 }  // namespace matsui1996

@@ -1,4 +1,6 @@
 // How the points of the page are measured.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,6 +104,23 @@ std::vector<Point> measure(const design::Settings& believed, const design::Setti
                    .delta_deg = (after.angle_deg - before.angle_deg) / samples});
   }
   return all;
+}
+
+Claim rtl_point(const design::Settings& drive, const Case& fixed, const std::string& where,
+                const PaperOptions& options, std::vector<std::string>& failures) {
+  Case rtl = fixed;
+  rtl.engine = options.engine;
+  const std::string what = fmt::format("{}, engine {}", where, name_of(options.engine));
+  const Point a = measure(drive, drive, fixed, options, where + ", engine fixed").front();
+  const Point b = measure(drive, drive, rtl, options, what).front();
+  const bool same = a.error_percent == b.error_percent && a.delta_deg == b.delta_deg;
+  if (!same) failures.push_back(what + " differs from engine fixed");
+  return {fmt::format("{}, rated torque, engine {}: error", where, name_of(options.engine)),
+          "%",
+          {},
+          "",
+          b.error_percent,
+          same ? "engine fixed: the same" : "engine fixed differs"};
 }
 
 bool all_held(const std::vector<Point>& points) {

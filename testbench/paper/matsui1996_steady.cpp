@@ -99,26 +99,6 @@ Swept sweep(const design::Settings& drive, design::Estimator estimator,
   return all;
 }
 
-// The RTL against the engine of the other points: the same run, so the same numbers.
-Claim rtl_point(const design::Settings& drive, const Case& fixed, const PaperOptions& options,
-                std::vector<std::string>& failures) {
-  Case rtl = fixed;
-  rtl.engine = options.engine;
-  const std::string what = fmt::format("{:g} r/min, engine {}", fixed.rpm, name_of(options.engine));
-  const Point a = measure(drive, drive, fixed, options, what).front();
-  const Point b = measure(drive, drive, rtl, options, what).front();
-  if (a.error_percent != b.error_percent || a.delta_deg != b.delta_deg) {
-    failures.push_back(what + " differs from engine fixed");
-  }
-  return {
-      fmt::format("{:g} r/min, rated torque, engine {}: error", fixed.rpm, name_of(options.engine)),
-      "%",
-      {},
-      "",
-      b.error_percent,
-      a.error_percent == b.error_percent ? "engine fixed: the same" : "engine fixed differs"};
-}
-
 constexpr const char* kGammaText =
     "A gamma current of a tenth of the rated one keeps the phase currents out of the band around "
     "zero where "
@@ -148,7 +128,7 @@ PaperSection voltage_model(const design::Settings& drive, const PaperOptions& op
                  .claims = swept.claims};
   s.claims.push_back(rtl_point(drive,
                                {.estimator = kModel, .rpm = 100, .i_gamma = 0.8, .torques = {1}},
-                               options, s.failures));
+                               "100 r/min", options, s.failures));
   if (!swept.held) s.failures.push_back("the lock");
   s.figures = {
       angles(drive, kModel, 500, 0.5, "fig4a",
@@ -183,7 +163,7 @@ PaperSection current_model(const design::Settings& drive, const PaperOptions& op
       .claims = swept.claims};
   s.claims.push_back(rtl_point(drive,
                                {.estimator = kModel, .rpm = 100, .i_gamma = 0.8, .torques = {1}},
-                               options, s.failures));
+                               "100 r/min", options, s.failures));
   if (!swept.held) s.failures.push_back("the lock");
   s.figures = {
       angles(drive, kModel, 1200, 1, "fig5a",

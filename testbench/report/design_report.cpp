@@ -7,6 +7,7 @@
 #include "model/design/budget.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
+#include "testbench/report/word_table.hpp"
 #include "testbench/run/units.hpp"
 
 namespace steplock {
@@ -143,17 +144,8 @@ DesignReport design_report(const design::Settings& s) {
       r.json[group.key][row.key] = finite(row.value);
     }
   }
-  r.text += fmt::format("\nregister words\n  {:<26}{:>10} {:>13} {:>13} {:<10}{:>10}\n", "word",
-                        "value", "wanted", "stands for", "unit", "error");
-  r.json["words"] = Json::array();
-  for (const design::WordRow& w : q.rows) {
-    const double percent = w.wanted != 0 ? 100 * w.error() / w.wanted : 0;
-    r.text += fmt::format("  {:<26}{:>10} {:>13.6g} {:>13.6g} {:<10}{:>8.3f} %\n", w.name, w.word,
-                          w.wanted, w.meant, w.unit, percent);
-    r.json["words"].push_back({{"name", w.name}, {"word", w.word}, {"unit", w.unit},
-                               {"wanted", finite(w.wanted)}, {"meant", finite(w.meant)},
-                               {"error", finite(w.error())}, {"error_percent", finite(percent)}});
-  }
+  r.text += word_table(q.rows);
+  r.json["words"] = word_table_json(q.rows);
   const auto rows = [&](const char* key, const char* title,
                         const std::vector<design::BudgetRow>& list) {
     r.text += fmt::format("\n{}\n", title);

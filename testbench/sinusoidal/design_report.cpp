@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "model/design/sinusoidal/design.hpp"
+#include "model/design/sinusoidal/words.hpp"
+#include "testbench/report/word_table.hpp"
 
 namespace steplock::sinusoidal {
 
@@ -49,7 +51,7 @@ std::string design_text(const design::Settings& s) {
   for (const DesignRow& row : design_rows(s)) {
     text += fmt::format("  {:<22}{:>12.5g} {}\n", row.name, row.value, row.unit);
   }
-  return text;
+  return text + word_table(design::sinusoidal::quantise(s).rows);
 }
 
 nlohmann::ordered_json design_json(const design::Settings& s) {
@@ -59,6 +61,7 @@ nlohmann::ordered_json design_json(const design::Settings& s) {
   for (const DesignRow& row : design_rows(s)) {
     j["rows"].push_back({{"name", row.name}, {"unit", row.unit}, {"value", row.value}});
   }
+  j["words"] = word_table_json(design::sinusoidal::quantise(s).rows);
   return j;
 }
 

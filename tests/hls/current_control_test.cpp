@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -44,8 +45,8 @@ struct Numbers {
     in.set_delta = word(set_delta);
     in.k_p = gain(k_p, 12);
     in.k_i = gain(k_i, 15);
-    in.inductance = gain(inductance, 12);
-    in.emf = gain(emf, 12);
+    in.inductance = gain(inductance, 10);
+    in.emf = gain(emf, 10);
     in.v_dc = 4095;
     in.limit = gain(limit, 15);
     return in;
@@ -120,7 +121,7 @@ Numbers drawn(std::mt19937& any) {
     return std::uniform_real_distribution<>(a, b)(any);
   };
   const auto current = [&] { return between(-0.3, 0.3); };
-  const auto meant = [&](double most) { return std::round(between(0, most) * 4096) / 4096; };
+  const auto meant = [&](double most) { return std::round(between(0, most) * 1024) / 1024; };
   return {current(),         current(),         between(0, 0.9999), between(-0.9, 0.9),
           current(),         current(),         between(0, 0.4),    between(0, 0.1),
           meant(0.3),        meant(0.3),        0.999};
@@ -167,6 +168,22 @@ TEST(CurrentControl, TheVoltageStaysInItsCircle) {
     ASSERT_LE(std::hypot(value(out.v_alpha), value(out.v_beta)), n.limit + 4 * kPlace);
   }
   EXPECT_GT(limited, 10'000);
+}
+
+// Three chords, up to the gamma axis' own limit; the lowest, 5/4 U - 13/16 |u_gamma|, passes the origin at
+// 5/4 U / hypot(1, 13/16), which is 3 % inside.
+TEST(CurrentControl, TheDeltaVoltageReachesTheCircleWithin3Percent) {
+  constexpr double kLimit = 0.5 * 4095 / 4096;  // of this dc voltage
+  for (int percent = -90; percent <= 90; ++percent) {
+    CurrentControl dut;
+    const double gamma = percent / 100.0 * kLimit;
+    const auto out = dut.tick(Numbers{0, 0, 0, 0, gamma, 0.9, 1, 0, 0, 0, 0.5}.in());
+    const double length = std::hypot(value(out.v_alpha), value(out.v_beta)) / kLimit;
+    ASSERT_TRUE(out.limited);
+    ASSERT_GT(length, 1.25 / std::hypot(1, 13.0 / 16) - 4 * kPlace / kLimit) << percent;
+    ASSERT_LE(length, 1 + 4 * kPlace / kLimit) << percent;
+    ASSERT_NEAR(value(out.v_alpha), std::clamp(gamma, -0.75 * kLimit, 0.75 * kLimit), 3 * kPlace);
+  }
 }
 
 TEST(CurrentControl, ALimitedIntegratorComesBackAtOnce) {

@@ -40,7 +40,7 @@ TEST(AppliedVoltage, IsTheReferenceWithinItsRounding) {
     for (int& clocks : on) clocks = draw(0, 9) == 0 ? draw(0, 1) * kPeriod : draw(20, kPeriod - 20);
     if (n % 3 == 0) u = draw(-40, 40);
     const auto got = applied_voltage({.on_u = on[0], .on_v = on[1], .on_w = on[2],
-                                      .period = kPeriod, .dead = 192, .inverse = 18641},
+                                      .period = kPeriod, .dead = 192, .inverse = 9321},
                                      Int<17>(2 * u), Int<17>(2 * v), UInt<13>(5400));
     const Vector wanted = clarke(voltage({double(on[0]) / kPeriod, double(on[1]) / kPeriod,
                                         double(on[2]) / kPeriod},

@@ -19,11 +19,11 @@ const SpiAdcWords kFast{.half = 1, .quiet = 8, .u = 0, .v = 1, .dc = 2};
 SinusoidalWords lasting_words(int period = kPeriod) {
   SinusoidalWords w;
   w.bridge = {.period = period, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-              .inverse = (1 << 26) / (3 * period)};
+              .inverse = (1 << 25) / (3 * period)};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 22, .slew = 32767, .filter = 983, .k_p = 70, .k_i = 53, .limit = 12288,
              .lock = 500, .slow = 100, .stop = 1000, .emf_low = 3277, .emf_high = 20480};
-  w.control = {.k_p = 109, .k_i = 83, .inductance = 357, .emf = 570, .limit = 18919};
+  w.control = {.k_p = 109, .k_i = 83, .inductance = 89, .emf = 142, .limit = 18919};
   w.sequence = {.hold_voltage = 2000, .pattern = (1 << 20) - 1, .lock = 400,
                 .give_up = (1 << 20) - 1, .brake = 10, .rest = 10, .retries = 1};
   w.fault = {.over_current = 30000, .lost_samples = 3};
@@ -217,13 +217,13 @@ TEST(SinusoidalBare, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) {
       const int codes = wires.until([&] { return wires.in.codes.valid; });
       EXPECT_EQ(codes, 98 * half + 2 * quiet + 5) << half << ' ' << quiet;
       const int on = wires.until([&] { return wires.out.on_u != 0; });
-      EXPECT_EQ(on, 226);
+      EXPECT_EQ(on, 232);
       const int done = wires.until([&] { return wires.out.done; });
       EXPECT_EQ(codes + on + done, SinusoidalBare::clocks_of_a_sample(half, quiet));
     }
   }
   // At 24 MHz, as docs/blocks/sinusoidal_bare.md has it.
-  EXPECT_EQ(SinusoidalBare::clocks_of_a_sample(1, 8), 590);
+  EXPECT_EQ(SinusoidalBare::clocks_of_a_sample(1, 8), 596);
 }
 
 // The 12 clocks that a leg loses by dead time are made up for by the sign of its current: what a current is in

@@ -24,12 +24,12 @@ class Source {
     in.locked = samples_ / 40 % 2 != 0;
     in.reverse = samples_ / 80 % 2 != 0;
     in.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-                 .inverse = 18641};
+                 .inverse = 9321};
     in.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     in.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
                 .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
                 .emf_high = 20480};
-    in.control = {.k_p = 1092, .k_i = 831, .inductance = 3570, .emf = 5700, .limit = 18919};
+    in.control = {.k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
     return in;
   }
 

@@ -18,12 +18,12 @@ class Bench {
   Bench() {
     auto& w = in.words;
     w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-                .inverse = 18641};
+                .inverse = 9321};
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
                .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
                .emf_high = 20480};
-    w.control = {.k_p = 1092, .k_i = 831, .inductance = 3570, .emf = 5700, .limit = 18919};
+    w.control = {.k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
     w.sequence = {.hold_voltage = 2000, .pattern = 20, .lock = 400, .give_up = 1000, .brake = 10,
                   .rest = 10, .retries = 1};
     w.fault = {.over_current = 30000, .saturated = 0, .lost_samples = 3};
@@ -121,9 +121,9 @@ TEST(SinusoidalTop, OverCurrentEndsAPilotPulseToo) {
 
 // The pattern's on-time follows 1 / v_dc, which needs a few samples from reset: until then it is another
 // in every period.
-TEST(SinusoidalTop, OnTimesAreNew227ClocksAfterTheSampleAndAllIsDoneAfter472) {
-  EXPECT_EQ(227, 2 + SinusoidalLoop::kEarly);
-  EXPECT_LT(227 / 24e6, 10e-6) << "at 24 MHz";
+TEST(SinusoidalTop, OnTimesAreNew233ClocksAfterTheSampleAndAllIsDoneAfter478) {
+  EXPECT_EQ(233, 2 + SinusoidalLoop::kEarly);
+  EXPECT_LT(233 / 24e6, 10e-6) << "at 24 MHz";
   Bench b;
   b.u = 100;
   b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
@@ -134,11 +134,11 @@ TEST(SinusoidalTop, OnTimesAreNew227ClocksAfterTheSampleAndAllIsDoneAfter472) {
     const int clocks = b.clocks_until(
         [&](const auto& o) { return o.done || o.on_u != before.on_u || o.on_v != before.on_v; });
     if (!b.out.done) {
-      EXPECT_EQ(clocks, 227);
+      EXPECT_EQ(clocks, 233);
       ++changed;
-      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 472 - 227);
+      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 478 - 233);
     }
-    EXPECT_EQ(472, 2 + SinusoidalLoop::kClocks);
+    EXPECT_EQ(478, 2 + SinusoidalLoop::kClocks);
   }
   EXPECT_GT(changed, 0);
 }

@@ -169,7 +169,7 @@ TEST(SpiAdc, TheDriveGetsASampleInEveryPeriod) {
   SinusoidalTop drive;
   SinusoidalTop::In in;
   in.words.bridge.period = 1000;
-  in.words.bridge.inverse = 22370;  // 2^26 / (3 * 1000)
+  in.words.bridge.inverse = 11185;  // 2^25 / (3 * 1000)
   int strobes = 0, done = 0;
   bool sample = false;
   for (int clock = 0; clock < 50'000; ++clock) {

@@ -79,7 +79,7 @@ class Turning {
     in.i_v = word(seen()[1]);
     in.v_dc = 2700;
     in.pattern = {.on_u = on_[0], .on_v = on_[1], .on_w = on_[2], .period = kPeriod,
-                  .dead = dead_, .inverse = 18641};
+                  .dead = dead_, .inverse = 9321};
     return in;
   }
   const exact::Interval& interval() const { return interval_; }

@@ -113,6 +113,17 @@ TEST(Command, DesignPrintsEveryWordAsTextAndAsJson) {
   }
 }
 
+TEST(Command, DesignPrintsTheWordsOfASinusoidalDriveToo) {
+  const std::string file = STEPLOCK_DRIVES "/m2310p_sinusoidal.toml";
+  const Result text = steplock("design " + file);
+  const auto j = nlohmann::json::parse(steplock("design " + file + " --json", false).output);
+  ASSERT_GT(j["words"].size(), 40u);
+  for (const auto& w : j["words"]) {
+    EXPECT_NE(text.output.find("  " + w["name"].get<std::string>() + " "), std::string::npos) << w;
+  }
+  EXPECT_EQ(j["words"][0]["word"], 1200) << "bridge.period: 24 MHz / 20 kHz";
+}
+
 TEST(Command, ASweepWritesWhatItPrintsAndReplaysItsRuns) {
   const fs::path out = fresh("sweep"), again = fresh("replay");
   fs::remove_all(out);

@@ -12,12 +12,12 @@ namespace {
 SinusoidalWords words() {
   SinusoidalWords w;
   w.bridge = {.period = 2400, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-              .inverse = 9320};
+              .inverse = 4660};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
              .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
              .emf_high = 20480};
-  w.control = {.k_p = 1092, .k_i = 831, .inductance = 3570, .emf = 5700, .limit = 18919};
+  w.control = {.k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
   w.sequence = {.hold_voltage = 2000, .pattern = 5, .lock = 20, .give_up = 30, .brake = 10,
                 .rest = 10, .retries = 1};
   w.pilot = {.short_periods = 2, .rounds = 2, .decayed = 30000, .saliency = 100};

@@ -55,7 +55,7 @@ BridgeWords bridge_words(ScaledQuantiser& word, const Parameters& p, const Setti
   w.minimum = word("bridge.minimum", "s", std::max(p.pwm.minimum, dead), f.clock, 0, 14);
   const double lost = dead * (1 + 2 * p.applied.diode_drop / s.inverter.bus_v);
   w.lost = word("bridge.lost", "s", lost, f.clock, 4, 12);
-  w.inverse = word("bridge.inverse", "1/clocks", 1 / (3.0 * w.period), 1, 26, 15);
+  w.inverse = word("bridge.inverse", "1/clocks", 1 / (3.0 * w.period), 1, 25, 15);
   return w;
 }
 
@@ -103,8 +103,8 @@ ControlWords control_words(ScaledQuantiser& word, const Parameters& p, const Sca
           .k_p = word("control.k_p", "V/A", p.current.kp_delta, ohm, 12, 15),
           .k_i = word("control.k_i", "V/(A s)", p.current.ki_delta, ohm / p.pwm.period, 15, 15),
           .inductance =
-              word("control.inductance", "H", p.motor.inductance_q, ohm / f.speed, 12, 15),
-          .emf = word("control.emf", "V s/rad", p.motor.k_e, kRoot * f.voltage / f.speed, 12, 15),
+              word("control.inductance", "H", p.motor.inductance_q, ohm / f.speed, 10, 15),
+          .emf = word("control.emf", "V s/rad", p.motor.k_e, kRoot * f.voltage / f.speed, 10, 15),
           .limit = word("control.limit", "", longest, 1, 15, 15)};
 }
 
@@ -185,6 +185,13 @@ void refuse_pilot(std::vector<std::string>& lines, const Settings& s, const Desi
 void refuse(std::vector<std::string>& lines, const Settings& s, const Design& d) {
   const auto& p = d.parameters;
   if (p.start.by == StartBy::kPilot) refuse_pilot(lines, s, d);
+  if (s.control.clock_hz < kSampleClocks * s.control.pwm_hz) {
+    std::ostringstream line;
+    line << "control.pwm_hz is " << s.control.pwm_hz << " Hz; must be at most "
+         << s.control.clock_hz / kSampleClocks << " Hz for this engine, which takes "
+         << kSampleClocks << " clocks a sample";
+    lines.push_back(line.str());
+  }
   if (p.estimator == Estimator::kVoltage && p.voltage_model.samples != 1 &&
       p.voltage_model.samples != 8) {
     std::ostringstream line;

@@ -69,4 +69,7 @@ Word target_word(const Settings&, double rpm);
 // Clocks of dead time that the gate guard never undercuts.
 inline constexpr int kDeadTimeFloor = 12;
 
+// Clocks of a sample, in which the arithmetic takes nothing new: the least of a PWM period.
+inline constexpr int kSampleClocks = 478;
+
 }  // namespace steplock::design::sinusoidal

@@ -30,7 +30,7 @@ TEST(SinusoidalWords, EveryDriveHasWordsNearToWhatItWants) {
 TEST(SinusoidalWords, TheWordsOfTheServoMotorAreThoseOfItsData) {
   const Words w = quantise(drive("m2310p_sinusoidal")).words;
   EXPECT_EQ(w.bridge.period, 1200u);
-  EXPECT_EQ(w.bridge.inverse, 18641u);                                 // 2^26 / 3600
+  EXPECT_EQ(w.bridge.inverse, 9321u);                                  // 2^25 / 3600
   EXPECT_EQ(w.estimator.decay, std::lround((0.38 + 0.01) * 0.25 * 32768));
   EXPECT_EQ(w.estimator.gain, std::lround(0.25 * 36 / 20 * 8192));
   EXPECT_NEAR(w.estimator.k_speed, 50e-6 * 36 / (2 * 3.14159265 * 6.37e-3) * 131072, 1);
@@ -77,10 +77,20 @@ TEST(SinusoidalWords, DeadTimeIsNeverBelowTheGuardsFloorAndPulsesNeverShorter) {
 
 TEST(SinusoidalWords, WhatDoesNotFitIsNamedWithItsWord) {
   Settings s = drive("m2310p_sinusoidal");
-  s.control.clock_hz = 12e6;  // 600 clocks
+  s.motor.inductance_h *= 20;
   const Quantised q = quantise(s);
-  ASSERT_EQ(q.problems.size(), 1u);
-  EXPECT_EQ(q.problems.front(), "bridge.inverse needs the word 37283; at most 32767");
+  ASSERT_FALSE(q.problems.empty());
+  EXPECT_EQ(q.problems.front(), "estimator.k_theta needs the word 65497; at most 32767");
+}
+
+TEST(SinusoidalWords, APwmPeriodTakesASampleAtLeast) {
+  Settings s = drive("m2310p_sinusoidal");
+  s.control.pwm_hz = 50e3;
+  EXPECT_TRUE(quantise(s).problems.empty());
+  s.control.clock_hz = 23.8e6;
+  EXPECT_EQ(quantise(s).problems,
+            std::vector<std::string>{"control.pwm_hz is 50000 Hz; must be at most 49790.8 Hz for "
+                                     "this engine, which takes 478 clocks a sample"});
 }
 
 }  // namespace
