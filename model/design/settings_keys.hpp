@@ -260,7 +260,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("pattern_s", z.pattern_s, "s", "V+ U- W- for half of it, U+ V- W- after; default: from the inertia", 1e-3, 100);
   k("pattern_current_a", z.pattern_current_a, "A", "phase peak; default: rated", 1e-3, 1e4);
   k("lock_rpm", z.lock_rpm, "rpm", "the estimate is trusted above; default: 2 % of no-load speed, or what a fifth of the resistance may look like", 0.1, 1e6);
-  k("lock_s", z.lock_s, "s", "for so long", 0, 10);
+  k("lock_s", z.lock_s, "s", "for so long; default: half an electrical turn from that speed on at slew_rpm_s, 0.02 at least", 0, 10);
   k("give_up_s", z.give_up_s, "s", "no lock in this time is a failed try", 1e-3, 100);
   k("stop_rpm", z.stop_rpm, "rpm", "the drive lets go below; default: lock_rpm", 0.1, 1e6);
   k("brake_s", z.brake_s, "s", "three low sides on, at the end of a stop", 0, 100);

@@ -70,7 +70,8 @@ std::vector<Point> measure(const design::Settings& believed, const design::Setti
                            const Case& c, const PaperOptions& options, const std::string& what) {
   constexpr double kStarted = 0.9;  // s, after which a start has locked
   const auto start = design::sinusoidal::design_drive(believed).parameters.start;
-  const double locks = 1.2 * design::sinusoidal::rpm_of(believed, start.lock_speed);
+  // Without load and without gamma current it hunts: nearer to the lock's speed no lock would be claimed.
+  const double locks = 2 * design::sinusoidal::rpm_of(believed, start.lock_speed);
   const double settle = c.rpm <= 10 ? 1 : c.rpm <= 50 ? 0.6 : 0.4;
   const double turn = 60 / c.rpm / believed.motor.pole_pairs;
   // What of its hunting does not go with the turns moves the rotor by a degree or two at both ends.  At the

@@ -83,6 +83,7 @@ TEST(SinusoidalEngines, TheFixedDriveTurnsSlowlyWithoutLoad) {
   s.scenario.speed_rpm = 50;
   s.scenario.duration_s = 4;
   s.sinusoidal_start.lock_rpm = 40;  // the resistance is what the drive believes
+  s.sinusoidal_start.lock_s = 0.02;  // hunting, it is not above that for longer
   for (const double noise : {0.0, s.adc.current_noise_a}) {
     s.adc.current_noise_a = noise;
     const Result r = result_of(s, EngineKind::kFixed, 130);

@@ -96,7 +96,11 @@ void set_start(const Settings& s, Design& d) {
       std::max({0.02 * d.no_load_rpm, 4 * d.slowest_rpm, 1.1 * rpm_of(s, mistaken)}));
   t.lock_speed = speed_of(s, lock);
   t.stop_speed = speed_of(s, z.stop_rpm.value_or(lock));
-  t.lock_s = z.lock_s;
+  // Half a turn by the slew's acceleration: a rotor on the wrong side, which the current's limit turns back
+  // faster than that, is through with what it makes the estimate do.
+  const double slew = p.speed.slew;
+  const double half_turn = (std::sqrt(t.lock_speed * t.lock_speed + 2 * kPi * slew) - t.lock_speed) / slew;
+  t.lock_s = z.lock_s.value_or(std::max(0.02, half_turn));
   t.give_up_s = z.give_up_s;
   t.brake_s = z.brake_s;
   t.rest_s = z.rest_s;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "testbench/drive_file/drive_file.hpp"
@@ -67,6 +68,17 @@ TEST(SinusoidalRules, AFifthOfTheResistanceAtTheCurrentsLimitLooksSlowerThanALoc
   const double ruled = design_drive(s).parameters.start.lock_speed;
   s.motor.resistance_ohm /= 10;
   EXPECT_LT(design_drive(s).parameters.start.lock_speed, ruled / 2) << "here it is what limits";
+}
+
+TEST(SinusoidalRules, ALockTakesHalfAnElectricalTurnUnlessTheFileSaysElse) {
+  Settings s = matsui();
+  const auto& p = design_drive(s).parameters;
+  const double t = p.start.lock_s;
+  EXPECT_NEAR(p.start.lock_speed * t + p.speed.slew * t * t / 2, std::numbers::pi, 1e-9);
+  s.sinusoidal_start.lock_rpm = 1000;  // half a turn in 8 ms
+  EXPECT_EQ(design_drive(s).parameters.start.lock_s, 0.02);
+  s.sinusoidal_start.lock_s = 0.005;
+  EXPECT_EQ(design_drive(s).parameters.start.lock_s, 0.005);
 }
 
 TEST(SinusoidalRules, ABelievedConstantMovesTheDriveAndNotTheMotor) {
