@@ -104,22 +104,25 @@ module six_step_bare (
   logic [16:0] bounce;
 
   wire both_47 = taken_run && second_run;  // line 47
-  wire [25:0] half = {1'b0, words_speed_target_i[25:1]};  // line 74
-  wire [25:0] quarter = {2'd0, words_speed_target_i[25:2]};  // line 75
-  wire [25:0] sum = half + quarter;
+  wire [25:0] choice_85 =  // line 85
+      ({2'd0, words_speed_target_i[25:2]} < words_start_hand_over_i) ? words_start_hand_over_i :
+      {2'd0, words_speed_target_i[25:2]};
+  wire [25:0] choice_85_2 =  // line 85
+      ({1'b0, words_speed_target_i[25:1]} < words_start_hand_over_i) ? words_start_hand_over_i :
+      {1'b0, words_speed_target_i[25:1]};
+  wire [25:0] part = {1'b0, words_speed_target_i[25:1]} + {2'd0, words_speed_target_i[25:2]};
 
-  logic [25:0] part;  // line 79
+  logic [25:0] words_speed_target;  // line 49
   always_comb begin
     case (taken_speed)
-      2'd2: part = sum;
-      2'd1: part = half;
-      2'd0: part = quarter;
-      default: part = words_speed_target_i;
+      2'd0: words_speed_target = choice_85;
+      2'd1: words_speed_target = choice_85_2;
+      2'd2: words_speed_target = (part < words_start_hand_over_i) ? words_start_hand_over_i : part;
+      default: words_speed_target =
+          (words_speed_target_i < words_start_hand_over_i) ? words_start_hand_over_i :
+          words_speed_target_i;
     endcase
   end
-
-  wire [25:0] words_speed_target =  // line 80
-      (part < words_start_hand_over_i) ? words_start_hand_over_i : part;
 
   wire drive_gates_uh;
   wire drive_gates_ul;

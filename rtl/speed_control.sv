@@ -49,8 +49,8 @@ module speed_control (
 
   logic [4:0] stage;
   logic started;  // the stage's product is under way
-  logic [20:0] work;  // duty on its way
-  logic [27:0] reference;  // u0.32, the slewed target; for one clock it may pass it
+  logic [20:0] work;  // duty on its way; 0 while idle; from kSlew to kReach the slew
+  logic [27:0] reference;  // u0.32, the slewed target
   logic rises;  // the reference went up
   logic [33:0] integral;  // u1.31: the duty and 16 bits more
   logic [15:0] duty;
@@ -91,7 +91,7 @@ module speed_control (
       .busy_o(unused_multiplier_busy)
   );
 
-  wire [33:0] joined_179 = {work[17:0], 16'd0};  // line 179
+  wire [33:0] joined_180 = {work[17:0], 16'd0};  // line 180
 
   always_ff @(posedge clk) begin
     case (stage)
@@ -101,25 +101,27 @@ module speed_control (
         end
       end
       Stage_kSlew, Stage_kReach: begin
+        logic [27:0] moved;
         logic [25:0] goal;
-        logic below_162;
+        logic below_164;
+        moved = reference + {{7{work[20]}}, work};  // line 163
         goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 161
-        below_162 = $signed(reference) < $signed({2'd0, goal});  // line 162
+        below_164 = $signed(moved) < $signed({2'd0, goal});  // line 164
         case (stage)
           Stage_kSlew: begin
-            logic at_most_164;
-            logic [20:0] slew_4;
-            logic [27:0] slew_5;
-            at_most_164 = $signed({2'd0, goal}) <= $signed(reference);  // line 164
-            slew_4 = {1'b0, words_slew_i} ^ {21{at_most_164}};  // line 164
-            slew_5 = {{7{slew_4[20]}}, slew_4};  // line 164
             stage <= stage + 5'd1;
-            reference <= reference + slew_5;
-            rises <= below_162;
+            if (below_164) begin
+              work <= {1'b0, words_slew_i};
+            end else begin
+              work <= ~{1'b0, words_slew_i};
+            end
+            rises <= below_164;
           end
           default: begin  // Stage_kReach
             stage <= stage + 5'd1;
-            if (mode_i != SpeedMode_kControl || (below_162 ^ rises)) begin
+            if (mode_i == SpeedMode_kControl && !(below_164 ^ rises)) begin
+              reference <= moved;
+            end else begin
               reference <= {2'd0, goal};
             end
           end
@@ -174,17 +176,17 @@ module speed_control (
         logic [20:0] wide_149;
         logic below_149;
         logic at_most_153;
-        logic either_190;
+        logic either_192;
         logic [20:0] wide_149_2;
-        logic either_191;
+        logic either_193;
         logic [20:0] wide_149_3;
-        limit = {2'd0, words_minimum_i};  // line 198
-        limit_2 = {2'd0, words_maximum_i};  // line 200
-        slew = ~{1'b0, words_duty_slew_i};  // line 206
+        limit = {2'd0, words_minimum_i};  // line 200
+        limit_2 = {2'd0, words_maximum_i};  // line 202
+        slew = ~{1'b0, words_duty_slew_i};  // line 208
         choice_148 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 148
         slew_2 = (stage != Stage_kUp || hurries_i) ? choice_148 : {1'b0, words_duty_slew_i};
         slew_3 = {{5{slew_2[12]}}, slew_2};  // line 148
-        limit_3 = slew_3 + {2'd0, duty};  // line 208
+        limit_3 = slew_3 + {2'd0, duty};  // line 210
         case (stage)
           Stage_kWholeLow, Stage_kLow: limit_4 = limit;
           Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
@@ -193,9 +195,9 @@ module speed_control (
         wide_149 = {{3{limit_4[17]}}, limit_4};  // line 149
         below_149 = $signed(work) < $signed(wide_149);  // line 149
         at_most_153 = $signed(wide_149) <= $signed(work);  // line 153
-        either_190 = at_low || below_149;  // line 190
+        either_192 = at_low || below_149;  // line 192
         wide_149_2 = {{3{limit_2[17]}}, limit_2};  // line 149
-        either_191 = at_high || at_most_153;  // line 191
+        either_193 = at_high || at_most_153;  // line 193
         wide_149_3 = {{3{limit_3[17]}}, limit_3};  // line 149
         case (stage)
           Stage_kSlip: begin
@@ -207,14 +209,14 @@ module speed_control (
             if (below_149) begin
               work <= {{3{limit[17]}}, limit};
             end
-            at_low <= either_190;
+            at_low <= either_192;
           end
           Stage_kWholeHigh: begin
             stage <= stage + 5'd1;
             if (at_most_153) begin
               work <= wide_149_2;
             end
-            at_high <= either_191;
+            at_high <= either_193;
           end
           Stage_kHigh: begin
             if (mode_i == SpeedMode_kControl) begin
@@ -225,21 +227,21 @@ module speed_control (
             if (at_most_153) begin
               work <= wide_149_2;
             end
-            at_high <= either_191;
+            at_high <= either_193;
           end
           Stage_kUp: begin
             stage <= stage + 5'd1;
             if (at_most_153) begin
               work <= wide_149_3;
             end
-            at_high <= either_191;
+            at_high <= either_193;
           end
           default: begin  // Stage_kDown
             stage <= stage + 5'd1;
             if (below_149) begin
               work <= wide_149_3;
             end
-            at_low <= either_190;
+            at_low <= either_192;
           end
         endcase
       end
@@ -261,13 +263,14 @@ module speed_control (
       Stage_kKeep: begin
         stage <= stage + 5'd1;
         if (at_low || at_high) begin
-          integral <= joined_179;
+          integral <= joined_180;
         end
       end
       Stage_kDuty: begin
         stage <= stage + 5'd1;
+        work <= 21'd0;
         if (mode_i != SpeedMode_kControl) begin
-          integral <= joined_179;
+          integral <= joined_180;
         end
         duty <= work[15:0];
         slips <= mode_i == SpeedMode_kControl && slips;

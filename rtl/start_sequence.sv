@@ -169,8 +169,8 @@ module start_sequence (
     endcase
   end
 
-  wire inverse_284 = !reverse;  // line 284
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 241
+  wire inverse_286 = !reverse;  // line 286
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 243
   wire both_78 = tick_i && ticks == 15'd0;  // line 78
   wire both_124 = fresh && words_good_crossings_i <= good;  // line 124
   wire either_125 = !command_run_i || (command_reverse_i ^ reverse);  // line 125
@@ -236,20 +236,15 @@ module start_sequence (
   wire unequal_80 = wanted != state;  // line 80
   wire equal_81 = wanted == state;  // line 81
   wire [3:0] state_next = equal_81 ? state : choice_81;  // line 81
-  wire began_next = unequal_80 && state == State_kIdle && wanted == State_kObserve;  // line 83
-  wire failed_next = unequal_80 && wanted == State_kRest;  // line 84
-  wire [3:0] retries_next =  // line 191
-      (began_next || (both_78 && state == State_kRun)) ? 4'd0 :
-      failed_next ? retries + 4'd1 :
-      retries;
-  wire [15:0] choice_226 =  // line 226
-      (retries_next[3:1] == 3'd0) ? words_start_duty_i :
+  wire both_83 = unequal_80 && state == State_kIdle;  // line 83
+  wire [15:0] choice_228 =  // line 228
+      (retries[3:1] == 3'd0) ? words_start_duty_i :
       words_start_duty_i[15] ? 16'd65535 :
       {words_start_duty_i[14:0], 1'b0};
 
   always_ff @(posedge clk) begin
     state <= state_next;  // line 81
-    if (began_next) begin
+    if (both_83 && wanted == State_kObserve) begin
       reason <= Reason_kNone;
     end else if (!equal_81 && (state_next == State_kRest || state_next == State_kFault)) begin
       if (wanted == State_kBrake) begin
@@ -317,45 +312,63 @@ module start_sequence (
       turns_reverse <= turns_reverse_i;
     end
     fresh <= update_i;
-    retries <= retries_next;  // line 191
-    if (state == State_kRun) begin
+    if (both_78 && state == State_kRun) begin
+      retries <= 4'd0;
       brakes <= 8'd0;
       began <= 1'b0;
     end else begin
       case (wanted)
         State_kObserve: begin
-          if (state == State_kIdle) begin
-            if (unequal_80) begin
-              brakes <= 8'd0;
+          if (both_83) begin
+            retries <= 4'd0;
+          end
+        end
+        State_kRest: begin
+          if (unequal_80) begin
+            retries <= retries + 4'd1;
+          end
+        end
+        default: ;
+      endcase
+      if (state == State_kRun) begin
+        brakes <= 8'd0;
+        began <= 1'b0;
+      end else begin
+        case (wanted)
+          State_kObserve: begin
+            if (state == State_kIdle) begin
+              if (unequal_80) begin
+                brakes <= 8'd0;
+              end
+              began <= unequal_80;
+            end else begin
+              began <= 1'b0;
             end
-            began <= unequal_80;
-          end else begin
+          end
+          State_kBrake: begin
+            if (unequal_80) begin
+              brakes <= brakes + 8'd1;
+            end
             began <= 1'b0;
           end
-        end
-        State_kBrake: begin
-          if (unequal_80) begin
-            brakes <= brakes + 8'd1;
-          end
-          began <= 1'b0;
-        end
-        default: began <= 1'b0;
-      endcase
+          default: began <= 1'b0;
+        endcase
+      end
     end
     if (state == State_kPullIn) begin
       if (commutate_i) begin
         if (lags_i) begin
-          logic [10:0] choice_219;
-          choice_219 = (boost < choice_226) ? boost[15:5] : 11'd0;  // line 219
-          boost <= boost + {5'd0, choice_219};
+          logic [10:0] choice_221;
+          choice_221 = (boost < choice_228) ? boost[15:5] : 11'd0;  // line 221
+          boost <= boost + {5'd0, choice_221};
         end else begin
           boost <= boost - {5'd0, boost[15:5]};
         end
       end
     end else begin
-      boost <= choice_226;
+      boost <= choice_228;
     end
-    failed <= failed_next;  // line 84
+    failed <= unequal_80 && wanted == State_kRest;  // line 84
     clear_was <= command_clear_fault_i;  // line 79
     if (rst) begin
       state <= State_kIdle;
@@ -388,7 +401,7 @@ module start_sequence (
   assign loop_o = loop;
   assign load_step_o = load_step;
   assign step_o =
-      (state == State_kAccelerate) ? {1'b0, {2{inverse_284}}} :
+      (state == State_kAccelerate) ? {1'b0, {2{inverse_286}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;

@@ -68,17 +68,21 @@ class SixStepBare {
  private:
   using Bounce = UInt<17>;
 
-  // Quarters are sums of halves; below the hand-over no drive runs well.
+  // Quarters are sums of halves; below the hand-over no drive runs well.  All four are bounded before one
+  // is taken: where the words are constants so are they, and the pins choose last.
   Frequency target(const Words& words) const {
     const Frequency whole = words.speed.target;
     const Frequency half = whole >> 1;
     const Frequency quarter = whole >> 2;
-    Frequency part = whole;
-    if (taken_.speed == 0) part = quarter;
-    if (taken_.speed == 1) part = half;
-    if (taken_.speed == 2) part = wrap<Frequency>(half + quarter);
-    return part < words.start.hand_over ? words.start.hand_over : part;
+    const Frequency least = words.start.hand_over;
+    switch (taken_.speed.raw()) {
+      case 0: return bounded(quarter, least);
+      case 1: return bounded(half, least);
+      case 2: return bounded(wrap<Frequency>(half + quarter), least);
+      default: return bounded(whole, least);
+    }
   }
+  static Frequency bounded(Frequency part, Frequency least) { return part < least ? least : part; }
 
   SixStepTop drive_;
   Controls first_;   // two flip-flops for each pin; nothing but the second reads the first

@@ -159,19 +159,20 @@ class SpeedControl {
     }
 
     const Frequency goal = control ? in.target : in.frequency;
-    const bool lower = reference_ < goal;
-    // Downwards one last bit more, the one's complement: kReach catches whatever passes the goal.
-    const Int<28> slew = lower ? Int<28>(in.words.slew) : ~Int<28>(in.words.slew);
+    // What kSlew decides kReach adds: a comparison and an addition in one clock would be the longest path.
+    const Int<28> moved = wrap<Int<28>>(reference_ + work);
+    const bool lower = moved < goal;
     switch (stage_) {
       case Stage::kIdle:
         if (in.tick) stage_ = Stage::kSlew;
         return;
       case Stage::kSlew:
+        // Downwards one last bit more, the one's complement: kReach catches whatever passes the goal.
         rises_ = lower;
-        reference_ = wrap<Int<28>>(reference_ + slew);
+        work_ = lower ? Work(in.words.slew) : ~Work(in.words.slew);
         break;
       case Stage::kReach:
-        if (!control || lower != rises_) reference_ = goal;
+        reference_ = !control || lower != rises_ ? Int<28>(goal) : moved;
         break;
       case Stage::kSlip: slips_ = below; break;
       case Stage::kWhole: at_low_ = at_high_ = false; break;
@@ -180,6 +181,7 @@ class SpeedControl {
         break;
       case Stage::kDuty:
         duty_ = wrap<Duty>(work);
+        work_ = 0;  // until kSlew
         if (!control) {
           integral_ = Int<34>(work) << 16;
           slips_ = false;
@@ -213,8 +215,8 @@ class SpeedControl {
   SerialMultiplier<27, 16> multiplier_;
   Stage stage_ = Stage::kIdle;
   bool started_ = false;    // the stage's product is under way
-  Work work_ = 0;           // duty on its way
-  Int<28> reference_ = 0;   // u0.32, the slewed target; for one clock it may pass it
+  Work work_ = 0;           // duty on its way; 0 while idle; from kSlew to kReach the slew
+  Int<28> reference_ = 0;   // u0.32, the slewed target
   bool rises_ = false;      // the reference went up
   Int<34> integral_ = 0;    // u1.31: the duty and 16 bits more
   Duty duty_ = 0;

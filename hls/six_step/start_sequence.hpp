@@ -92,8 +92,8 @@ class StartSequence {
                 : in.fatal || in.lost ? in.cause
                                                                     : Reason::kNoLock;
     }
-    count(in, over, leaves, wanted);
     fade(in);
+    count(in, over, leaves, wanted);
     if (leaves) {
       ticks_ = length(in, next, present.gentle);
     } else if (in.tick && !over) {
@@ -212,6 +212,8 @@ class StartSequence {
   // Pulling in, the start's torque fades by 1/32 per step: with all of it the rotor would keep its
   // lead on the VCO and run away from the loop.  A rotor that lags has too little torque and gets
   // 1/32 more per step, up to the start's: a heavy load would stop it else.
+  // The failures counted are those before this clock: one that counts now ends the pulling in, and
+  // waiting for the verdict would make this the longest path of the drive.
   void fade(const In& in) {
     const Duty part = boost_ >> 5;
     if (state_ != State::kPullIn) {
