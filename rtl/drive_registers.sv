@@ -1,4 +1,4 @@
-// drive_registers: steplock::DriveRegisters, printed by hlsgen from hls/bus/drive_registers.hpp:37.
+// drive_registers: steplock::DriveRegisters<steplock::SixStep>, printed by hlsgen from hls/bus/drive_registers.hpp:38.
 // Do not edit: change the C++ and print again.
 
 module drive_registers (
@@ -13,7 +13,7 @@ module drive_registers (
     input  logic        hole_i,
     input  logic        refused_i,  // a write here changes nothing
     input  logic        unlocked_i,
-    input  logic        no_period_i,  // the drive would hold a low side on, and its start would not end
+    input  logic        no_period_i,  // the bridge has to stay off
     input  logic        tick_i,  // the slow time base
     input  logic [3:0]  drive_state_i,
     input  logic [3:0]  drive_reason_i,
@@ -64,11 +64,11 @@ module drive_registers (
   logic read_error;
   logic write_error;
 
-  wire both_72 = request_write_i && !refused_i && request_index_i == 10'd11;  // line 72
-  wire [31:0] now_1 = {drive_phase_error_i, 16'd0} | {16'd0, drive_duty_i};  // line 194
+  wire both_65 = request_write_i && !refused_i && request_index_i == 10'd11;  // line 65
+  wire [31:0] now_1 = {drive_phase_error_i, 16'd0} | {16'd0, drive_duty_i};  // line 213
   wire [31:0] now_2 = {drive_counts_missed_i, 16'd0} | {16'd0, drive_counts_crossings_i};
   wire [31:0] now_3 = {drive_counts_limit_hits_i, 16'd0} | {16'd0, drive_counts_freewheel_long_i};
-  wire either_146 = drive_state_i == State_kIdle || drive_state_i == State_kFault;  // line 146
+  wire either_139 = drive_state_i == State_kIdle || drive_state_i == State_kFault;  // line 139
 
   wire [31:0] copies_0_data;
   telemetry_copy copies_0 (
@@ -76,7 +76,7 @@ module drive_registers (
       .rst(rst),
       .read_i(request_read_i),
       .address_i({2'd0, !hole_i && request_index_i == 10'd12 && taken}),
-      .write_i(both_72),
+      .write_i(both_65),
       .write_address_i(3'd1),
       .write_data_i({6'd0, drive_frequency_i}),
       .data_o(copies_0_data)
@@ -88,7 +88,7 @@ module drive_registers (
       .rst(rst),
       .read_i(request_read_i),
       .address_i({2'd0, !hole_i && request_index_i == 10'd13 && taken}),
-      .write_i(both_72),
+      .write_i(both_65),
       .write_address_i(3'd1),
       .write_data_i(now_1),
       .data_o(copies_1_data)
@@ -100,7 +100,7 @@ module drive_registers (
       .rst(rst),
       .read_i(request_read_i),
       .address_i({2'd0, !hole_i && request_index_i == 10'd14 && taken}),
-      .write_i(both_72),
+      .write_i(both_65),
       .write_address_i(3'd1),
       .write_data_i(now_2),
       .data_o(copies_2_data)
@@ -112,7 +112,7 @@ module drive_registers (
       .rst(rst),
       .read_i(request_read_i),
       .address_i({2'd0, !hole_i && request_index_i == 10'd15 && taken}),
-      .write_i(both_72),
+      .write_i(both_65),
       .write_address_i(3'd1),
       .write_data_i(now_3),
       .data_o(copies_3_data)
@@ -124,41 +124,41 @@ module drive_registers (
       .rst(rst),
       .read_i(request_read_i),
       .address_i({2'd0, !hole_i && request_index_i == 10'd16 && taken}),
-      .write_i(both_72),
+      .write_i(both_65),
       .write_address_i(3'd1),
       .write_data_i({16'd0, drive_counts_retries_i}),
       .data_o(copies_4_data)
   );
 
   wire [31:0] shown = copies_0_data | copies_1_data | copies_2_data | copies_3_data | copies_4_data;
-  wire [31:0] data_2 = read ? shown : 32'd0;  // line 242
-  wire both_91 = request_write_i && !refused_i;  // line 91
-  wire [9:0] sum_93 = request_index_i - 10'd9;  // line 93
-  wire both = both_91 && sum_93[9:1] == 9'd0;
-  wire either_94 = period == 12'd0 || !configured || watchdog_fault;  // line 94
-  wire both_94 = !(either_94 || !tick_i) && left == 12'd0 && !both;  // line 94
+  wire [31:0] data_2 = read ? shown : 32'd0;  // line 225
+  wire both_84 = request_write_i && !refused_i;  // line 84
+  wire [9:0] sum_86 = request_index_i - 10'd9;  // line 86
+  wire both = both_84 && sum_86[9:1] == 9'd0;
+  wire either_87 = period == 12'd0 || !configured || watchdog_fault;  // line 87
+  wire both_87 = !(either_87 || !tick_i) && left == 12'd0 && !both;  // line 87
   wire choice =
-      (both_91 && request_strobes_i[0] && request_index_i == 10'd3) ? request_data_i[1] : run;
-  wire both_95 = both_91 && request_index_i == 10'd5;  // line 95
-  wire [8:0] either_92 = {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
-  wire [11:0] ones = request_data_i[11:0] & {{3{either_92[8]}}, either_92};  // line 92
+      (both_84 && request_strobes_i[0] && request_index_i == 10'd3) ? request_data_i[1] : run;
+  wire both_88 = both_84 && request_index_i == 10'd5;  // line 88
+  wire [8:0] either_85 = {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
+  wire [11:0] ones = request_data_i[11:0] & {{3{either_85[8]}}, either_85};  // line 85
   wire drive_fault_next = drive_state_i == State_kFault || (drive_fault && !cleared);
-  wire choice_2 = both_95 ? !ones[1] && watchdog_fault : watchdog_fault;
-  wire [4:0] kept = (both_91 && request_index_i == 10'd6) ? ~ones[4:0] : 5'd31;  // line 107
-  wire both_169 = drive_locked_i && !was_locked;  // line 169
-  wire [2:0] wide_172 =  // line 172
-      {1'b0, (both_94 ? 2'd2 : 2'd0) | {1'b0, drive_state_i == State_kFault && !was_faulted}};
-  wire [3:0] sum_170 = drive_state_i + 4'd7;  // line 170
-  wire [3:0] choice_170 =  // line 170
+  wire choice_2 = both_88 ? !ones[1] && watchdog_fault : watchdog_fault;
+  wire [4:0] kept = (both_84 && request_index_i == 10'd6) ? ~ones[4:0] : 5'd31;  // line 100
+  wire both_162 = drive_locked_i && !was_locked;  // line 162
+  wire [2:0] wide_165 =  // line 165
+      {1'b0, (both_87 ? 2'd2 : 2'd0) | {1'b0, drive_state_i == State_kFault && !was_faulted}};
+  wire [3:0] sum_163 = drive_state_i + 4'd7;  // line 163
+  wire [3:0] choice_163 =  // line 163
       (drive_locked_i || !was_locked) ? 4'd0 :
-      (sum_170[3:1] == 3'd0) ? 4'd8 :
+      (sum_163[3:1] == 3'd0) ? 4'd8 :
       4'd0;
-  wire [4:0] wide_173 = {1'b0, {1'b0, wide_172 | (both_169 ? 3'd4 : 3'd0)} | choice_170};
-  wire [4:0] choice_184 = (both_169 && starting) ? 5'd16 : 5'd0;  // line 184
-  wire [4:0] events = wide_173 | choice_184;  // line 174
+  wire [4:0] wide_166 = {1'b0, {1'b0, wide_165 | (both_162 ? 3'd4 : 3'd0)} | choice_163};
+  wire [4:0] choice_177 = (both_162 && starting) ? 5'd16 : 5'd0;  // line 177
+  wire [4:0] events = wide_166 | choice_177;  // line 167
 
   always_ff @(posedge clk) begin
-    if (both_91) begin
+    if (both_84) begin
       if (request_strobes_i[0]) begin
         if (request_index_i == 10'd3) begin
           configured <= request_data_i[0];
@@ -173,26 +173,26 @@ module drive_registers (
     end else begin
       clear <= 1'b0;
     end
-    run <= !both_94 && choice;  // line 123
+    run <= !both_87 && choice;  // line 116
     if (drive_state_i != State_kFault || was_faulted) begin
-      cleared <= cleared || (both_95 && ones[0]);
+      cleared <= cleared || (both_88 && ones[0]);
     end else begin
       cleared <= 1'b0;
       fault_reason <= drive_reason_i;
     end
     drive_fault <= drive_fault_next;
-    watchdog_fault <= both_94 || choice_2;  // line 123
-    interrupts <= (interrupts & kept) | events;  // line 108
-    if (both_91 && request_index_i == 10'd9) begin
-      logic [8:0] inverse_120;
-      logic [11:0] either_121;
-      inverse_120 = ~either_92;  // line 120
-      either_121 = ones | (period & {{3{inverse_120[8]}}, inverse_120});  // line 121
-      period <= either_121;
-      left <= either_121;
+    watchdog_fault <= both_87 || choice_2;  // line 116
+    interrupts <= (interrupts & kept) | events;  // line 101
+    if (both_84 && request_index_i == 10'd9) begin
+      logic [8:0] inverse_113;
+      logic [11:0] either_114;
+      inverse_113 = ~either_85;  // line 113
+      either_114 = ones | (period & {{3{inverse_113[8]}}, inverse_113});  // line 114
+      period <= either_114;
+      left <= either_114;
       write_error <= 1'b0;
     end else begin
-      if (both || either_94) begin
+      if (both || either_87) begin
         left <= period;
       end else if (tick_i && !(tick_i && left == 12'd0)) begin
         left <= left - 12'd1;
@@ -201,40 +201,40 @@ module drive_registers (
         write_error <= refused_i;
       end
     end
-    starting <= !run || (starting && !both_169);
-    was_faulted <= drive_state_i == State_kFault;  // line 78
+    starting <= !run || (starting && !both_162);
+    was_faulted <= drive_state_i == State_kFault;  // line 71
     was_locked <= drive_locked_i;
-    taken <= both_72 || taken;  // line 244
-    read <= request_read_i || read;  // line 243
+    taken <= both_65 || taken;  // line 227
+    read <= request_read_i || read;  // line 226
     if (request_read_i) begin
       if (hole_i) begin
         data <= 32'd0;
       end else begin
-        logic [3:0] wide_202;
-        logic [9:0] wide_207;
-        logic [11:0] choice_146;
-        logic [11:0] wide_209;
-        logic [12:0] wide_210;
-        logic [5:0] part_198;
+        logic [3:0] wide_191;
+        logic [9:0] wide_196;
+        logic [11:0] choice_139;
+        logic [11:0] wide_198;
+        logic [12:0] wide_199;
+        logic [5:0] part_187;
         logic [11:0] choice_3;
         logic [12:0] choice_4;
-        wide_202 =  // line 202
+        wide_191 =  // line 191
             {1'b0, {1'b0, (run ? 2'd2 : 2'd0) | {1'b0, configured}} | (reverse ? 3'd4 : 3'd0)};
-        wide_207 =  // line 207
+        wide_196 =  // line 196
             {1'b0,
             {1'b0, {drive_reason_i, 4'd0} | {4'd0, drive_state_i}} |
             (drive_locked_i ? 9'd256 : 9'd0)};
-        choice_146 =  // line 146
+        choice_139 =  // line 139
             run ? 12'd0 :
-            either_146 ? 12'd2048 :
+            either_139 ? 12'd2048 :
             12'd0;
-        wide_209 =  // line 209
+        wide_198 =  // line 198
             {1'b0,
-            {1'b0, wide_207 | (drive_reverse_i ? 10'd512 : 10'd0)} |
+            {1'b0, wide_196 | (drive_reverse_i ? 10'd512 : 10'd0)} |
             (unlocked_i ? 11'd1024 : 11'd0)};
-        wide_210 = {1'b0, wide_209 | choice_146};  // line 210
-        part_198 = request_index_i[5:0];  // line 198
-        case (part_198)
+        wide_199 = {1'b0, wide_198 | choice_139};  // line 199
+        part_187 = request_index_i[5:0];  // line 187
+        case (part_187)
           6'd5: choice_3 =
               {4'd0,
               {6'd0, (watchdog_fault ? 2'd2 : 2'd0) | {1'b0, drive_fault_next}} |
@@ -245,8 +245,8 @@ module drive_registers (
           default: choice_3 = 12'd0;
         endcase
         choice_4 =
-            (part_198 == 6'd3) ? {9'd0, wide_202 | (brake_to_stop ? 4'd8 : 4'd0)} :
-            (part_198 == 6'd4) ? wide_210 | (no_period_i ? 13'd4096 : 13'd0) :
+            (part_187 == 6'd3) ? {9'd0, wide_191 | (brake_to_stop ? 4'd8 : 4'd0)} :
+            (part_187 == 6'd4) ? wide_199 | (no_period_i ? 13'd4096 : 13'd0) :
             {1'b0, choice_3};
         data <= {19'd0, choice_4};
       end
@@ -282,12 +282,12 @@ module drive_registers (
   assign command_reverse_o = reverse;
   assign command_brake_to_stop_o = brake_to_stop;
   assign command_clear_fault_o = clear;
-  assign stopped_o = !run && either_146;
+  assign stopped_o = !run && either_139;
   assign data_o = data_2 | word_i | data;
   assign read_error_o = read_error;
   assign write_error_o = write_error;
   assign interrupt_o = (interrupts & enabled) != 5'd0;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, request_data_i[31:12], request_strobes_i[3:2], sum_93[0], sum_170[0]};
+  wire unused = &{1'b0, request_data_i[31:12], request_strobes_i[3:2], sum_86[0], sum_163[0]};
 endmodule

@@ -170,6 +170,8 @@ module sinusoidal_bare (
   wire drive_locked;
   wire drive_estimating;
   wire unused_drive_done;
+  wire unused_drive_reverse;
+  wire [3:0] unused_drive_tries;
   wire [23:0] drive_angle;
   wire [23:0] unused_drive_initial;
   wire [15:0] unused_drive_speed;
@@ -177,6 +179,7 @@ module sinusoidal_bare (
   wire [15:0] unused_drive_i_gamma;
   wire [15:0] unused_drive_i_delta;
   wire [15:0] unused_drive_wanted;
+  wire [11:0] unused_drive_v_dc;
   wire [13:0] unused_drive_on_u;
   wire [13:0] unused_drive_on_v;
   wire [13:0] unused_drive_on_w;
@@ -258,6 +261,8 @@ module sinusoidal_bare (
       .locked_o(drive_locked),
       .estimating_o(drive_estimating),
       .done_o(unused_drive_done),
+      .reverse_o(unused_drive_reverse),
+      .tries_o(unused_drive_tries),
       .angle_o(drive_angle),
       .initial_o(unused_drive_initial),
       .speed_o(unused_drive_speed),
@@ -265,6 +270,7 @@ module sinusoidal_bare (
       .i_gamma_o(unused_drive_i_gamma),
       .i_delta_o(unused_drive_i_delta),
       .wanted_o(unused_drive_wanted),
+      .v_dc_o(unused_drive_v_dc),
       .on_u_o(unused_drive_on_u),
       .on_v_o(unused_drive_on_v),
       .on_w_o(unused_drive_on_w)

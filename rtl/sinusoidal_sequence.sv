@@ -41,7 +41,8 @@ module sinusoidal_sequence (
     output logic        modulate_o,  // gates follow the PWM
     output logic        brake_o,  // all low sides on
     output logic        slow_down_o,
-    output logic        locked_o
+    output logic        locked_o,
+    output logic [3:0]  tries_o  // that failed and were followed by another one, since `run` was obeyed
 );
   localparam logic [3:0] SinusoidalReason_kNone = 4'd0;
   localparam logic [3:0] SinusoidalReason_kFaultPin = 4'd1;
@@ -72,331 +73,328 @@ module sinusoidal_sequence (
   wire regulate =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire both_128 = command_run_i && command_configured_i;  // line 128
-  wire both_165 = timer == 20'd0 && first_half;  // line 165
-  wire either_129 = !both_128 || (command_reverse_i ^ reverse);  // line 129
-  wire both_89 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 89
-  wire both_87 = state != SinusoidalState_kFault && fault_pin_i;  // line 87
-  wire [19:0] choice_80 = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;  // line 80
-  wire [19:0] choice_83 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire [19:0] choice_84 = period_i ? ((choice_83 == 20'd0) ? 20'd0 : choice_83 - 20'd1) : choice_83;
-  wire [1:0] sum_81 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 81
+  wire both_132 = command_run_i && command_configured_i;  // line 132
+  wire both_169 = timer == 20'd0 && first_half;  // line 169
+  wire differ = command_reverse_i ^ reverse;
+  wire either_133 = !both_132 || differ;  // line 133
+  wire either_93 = state == SinusoidalState_kFault || command_configured_i;  // line 93
+  wire either_93_2 = either_93 || state == SinusoidalState_kIdle;  // line 93
+  wire both_91 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 91
+  wire both_89 = state != SinusoidalState_kFault && fault_pin_i;  // line 89
+  wire [19:0] choice_82 = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;  // line 82
+  wire [19:0] choice_85 = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
+  wire [19:0] choice_86 = period_i ? ((choice_85 == 20'd0) ? 20'd0 : choice_85 - 20'd1) : choice_85;
+  wire [1:0] sum_83 = modulated + {1'b0, period_i && regulated && modulated != 2'd3};  // line 83
+  wire either_84 = (sampled_i && regulate) || regulated;  // line 84
+  wire both_5 = command_configured_i && failed_i != SinusoidalReason_kNone;
+  wire either_133_2 = !command_run_i || differ;  // line 133
 
   always_ff @(posedge clk) begin
-    if (both_87 || both_89) begin
+    if (both_89 || both_91) begin
       state <= SinusoidalState_kFault;
-      timer <= choice_80;
-      trust <= choice_84;
-      modulated <= sum_81;
-      regulated <= (sampled_i && regulate) || regulated;
-    end else begin
-      logic below_112;
+      timer <= choice_82;
+      trust <= choice_86;
+      modulated <= sum_83;
+      regulated <= either_84;
+    end else if (either_93_2) begin
+      logic below_116;
       logic both;
       logic both_3;
       logic both_4;
-      below_112 = tries < words_retries_i;  // line 112
+      below_116 = tries < words_retries_i;  // line 116
       both = timer == 20'd0 && !first_half;
-      both_3 = both_128 && measured_i && words_arbitrary_i;
-      both_4 = both_128 && failed_i == SinusoidalReason_kNone && found_i;
+      both_3 = both_132 && measured_i && words_arbitrary_i;
+      both_4 = both_132 && failed_i == SinusoidalReason_kNone && found_i;
       if (state == SinusoidalState_kIdle) begin
-        if (both_128) begin
+        if (both_132) begin
           state <= SinusoidalState_kCalibrate;
         end
-      end else if (state == SinusoidalState_kCalibrate) begin
-        if (both_128) begin
-          if (measured_i) begin
-            if (words_arbitrary_i) begin
-              state <= SinusoidalState_kStarting;
-            end else if (words_pilot_i) begin
-              state <= SinusoidalState_kPilot;
-            end else begin
-              state <= SinusoidalState_kPattern;
+      end else if (either_93) begin
+        if (state == SinusoidalState_kCalibrate) begin
+          if (both_132) begin
+            if (measured_i) begin
+              state <=
+                  words_arbitrary_i ? SinusoidalState_kStarting :
+                  words_pilot_i ? SinusoidalState_kPilot :
+                  SinusoidalState_kPattern;
             end
+          end else begin
+            state <= SinusoidalState_kIdle;
           end
         end else begin
-          state <= SinusoidalState_kIdle;
+          logic [3:0] choice_164;
+          logic [3:0] choice;
+          choice_164 = below_116 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 164
+          choice = (timer == 20'd0) ? choice_164 : state;
+          if (state == SinusoidalState_kPilot) begin
+            if (both_132) begin
+              state <=
+                  (failed_i == SinusoidalReason_kNone) ?
+                  (found_i ? SinusoidalState_kStarting : choice) : choice_164;
+            end else begin
+              state <= SinusoidalState_kIdle;
+            end
+          end else if (state == SinusoidalState_kPattern) begin
+            state <= both_132 ? (both ? SinusoidalState_kStarting : state) : SinusoidalState_kIdle;
+          end else begin
+            logic [3:0] choice_2;
+            logic [3:0] choice_3;
+            choice_2 =
+                either_133 ?
+                ((both_132 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
+                SinusoidalState_kIdle) : state;
+            case (state)
+              SinusoidalState_kStarting: choice_3 =
+                  either_133 ? SinusoidalState_kBrake :
+                  (failed_i == SinusoidalReason_kNone) ?
+                  ((trust == 20'd0) ? SinusoidalState_kRun : choice) :
+                  choice_164;
+              SinusoidalState_kRun: choice_3 =
+                  (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_164;
+              SinusoidalState_kSlowDown: choice_3 =
+                  either_133 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
+              SinusoidalState_kBrake: choice_3 = (timer == 20'd0) ? SinusoidalState_kIdle : state;
+              SinusoidalState_kRest: choice_3 =
+                  both_132 ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
+                  SinusoidalState_kIdle;
+              default: choice_3 =
+                  (state == SinusoidalState_kFault &&
+                  command_clear_fault_i && !(command_run_i || fault_pin_i)) ?
+                  SinusoidalState_kIdle : state;
+            endcase
+            state <= choice_3;
+          end
         end
       end else begin
-        logic [3:0] choice_160;
-        logic [3:0] choice;
-        choice_160 = below_112 ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 160
-        choice = (timer == 20'd0) ? choice_160 : state;
-        if (state == SinusoidalState_kPilot) begin
-          if (both_128) begin
-            if (failed_i == SinusoidalReason_kNone) begin
-              if (found_i) begin
-                state <= SinusoidalState_kStarting;
-              end else begin
-                state <= choice;
-              end
-            end else begin
-              state <= choice_160;
-            end
-          end else begin
-            state <= SinusoidalState_kIdle;
-          end
-        end else if (state == SinusoidalState_kPattern) begin
-          if (both_128) begin
-            if (both) begin
-              state <= SinusoidalState_kStarting;
-            end
-          end else begin
-            state <= SinusoidalState_kIdle;
-          end
-        end else if (state == SinusoidalState_kStarting) begin
-          if (either_129) begin
-            state <= SinusoidalState_kBrake;
-          end else begin
-            state <=
-                (failed_i == SinusoidalReason_kNone) ?
-                ((trust == 20'd0) ? SinusoidalState_kRun : choice) : choice_160;
-          end
-        end else if (state == SinusoidalState_kRun) begin
-          logic [3:0] choice_2;
-          choice_2 =
-              either_129 ?
-              ((both_128 || command_brake_to_stop_i) ? SinusoidalState_kSlowDown :
-              SinusoidalState_kIdle) : state;
-          state <= (failed_i == SinusoidalReason_kNone) ? choice_2 : choice_160;
-        end else begin
-          logic [3:0] choice_3;
-          case (state)
-            SinusoidalState_kSlowDown: choice_3 =
-                either_129 ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
-            SinusoidalState_kBrake: choice_3 = (timer == 20'd0) ? SinusoidalState_kIdle : state;
-            SinusoidalState_kRest: choice_3 =
-                both_128 ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
-                SinusoidalState_kIdle;
-            default: choice_3 =
-                (state == SinusoidalState_kFault &&
-                command_clear_fault_i && !(command_run_i || fault_pin_i)) ? SinusoidalState_kIdle :
-                state;
-          endcase
-          state <= choice_3;
-        end
+        state <= SinusoidalState_kIdle;
       end
       if (state == SinusoidalState_kCalibrate) begin
         if (both_3) begin
           timer <= words_give_up_i;
           trust <= words_lock_i;
         end else begin
-          if (both_128 && measured_i) begin
+          if (both_132 && measured_i) begin
             if (words_arbitrary_i) begin
               timer <= words_give_up_i;
             end else begin
               timer <= words_pattern_i;
             end
           end else begin
-            timer <= choice_80;
+            timer <= choice_82;
           end
-          trust <= choice_84;
+          trust <= choice_86;
         end
       end else begin
-        logic [19:0] choice_5;
-        choice_5 = (timer == 20'd0) ? words_rest_i : choice_80;
+        logic [19:0] choice_4;
+        choice_4 = (timer == 20'd0) ? words_rest_i : choice_82;
         if (state == SinusoidalState_kPilot) begin
           if (both_4) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
-            if (both_128) begin
+            if (both_132) begin
               if (failed_i == SinusoidalReason_kNone) begin
-                if (found_i) begin
-                  timer <= words_give_up_i;
-                end else begin
-                  timer <= choice_5;
-                end
+                timer <= found_i ? words_give_up_i : choice_4;
               end else begin
                 timer <= words_rest_i;
               end
             end else begin
-              timer <= choice_80;
+              timer <= choice_82;
             end
-            trust <= choice_84;
+            trust <= choice_86;
           end
         end else begin
           logic both_2;
-          both_2 = both_128 && timer == 20'd0;
+          both_2 = both_132 && timer == 20'd0;
           if (state == SinusoidalState_kPattern && both_2 && !first_half) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
             if (state == SinusoidalState_kPattern) begin
               if (both_2) begin
-                if (first_half) begin
-                  timer <= words_pattern_i;
-                end else begin
-                  timer <= words_give_up_i;
-                end
+                timer <= first_half ? words_pattern_i : words_give_up_i;
               end else begin
-                timer <= choice_80;
+                timer <= choice_82;
               end
             end else if (state == SinusoidalState_kStarting) begin
-              if (either_129) begin
-                timer <= words_brake_i;
-              end else begin
-                timer <=
-                    (failed_i == SinusoidalReason_kNone) ?
-                    ((trust == 20'd0) ? choice_80 : choice_5) : words_rest_i;
-              end
-            end else if (state == SinusoidalState_kRun) begin
-              timer <= (failed_i == SinusoidalReason_kNone) ? choice_80 : words_rest_i;
+              timer <=
+                  either_133 ? words_brake_i :
+                  (failed_i == SinusoidalReason_kNone) ?
+                  ((trust == 20'd0) ? choice_82 : choice_4) :
+                  words_rest_i;
             end else begin
               timer <=
-                  (state == SinusoidalState_kSlowDown && either_129 && stopping_i) ?
-                  words_brake_i : choice_80;
+                  (state == SinusoidalState_kRun) ?
+                  ((failed_i == SinusoidalReason_kNone) ? choice_82 : words_rest_i) :
+                  (state == SinusoidalState_kSlowDown && either_133 && stopping_i) ?
+                  words_brake_i :
+                  choice_82;
             end
-            trust <= choice_84;
+            trust <= choice_86;
           end
         end
       end
       case (state)
         SinusoidalState_kIdle: begin
-          if (both_128) begin
+          if (both_132) begin
             tries <= 4'd0;
             reverse <= command_reverse_i;
           end
-          modulated <= sum_81;
+          modulated <= sum_83;
         end
         SinusoidalState_kCalibrate: begin
           if (both_3) begin
             modulated <= 2'd0;
             regulated <= 1'b0;
           end else begin
-            modulated <= sum_81;
+            modulated <= sum_83;
             if (measured_i) begin
-              if (both_128) begin
+              if (both_132) begin
                 regulated <= !words_arbitrary_i && regulated;
               end
-              first_half <= (both_128 && !words_arbitrary_i) || first_half;
+              first_half <= (both_132 && !words_arbitrary_i) || first_half;
             end
           end
         end
         SinusoidalState_kPilot, SinusoidalState_kStarting, SinusoidalState_kRun,
         SinusoidalState_kSlowDown: begin
-          logic [3:0] sum_115;
-          logic either_82;
-          sum_115 = tries + {3'd0, below_112};  // line 115
-          either_82 = sampled_i || regulated;  // line 82
+          logic [3:0] sum_119;
+          logic [3:0] choice_5;
+          logic either_84_2;
+          sum_119 = tries + {3'd0, below_116};  // line 119
+          choice_5 = (timer == 20'd0) ? sum_119 : tries;
+          either_84_2 = sampled_i || regulated;  // line 84
           case (state)
             SinusoidalState_kPilot: begin
               if (both_4) begin
                 modulated <= 2'd0;
                 regulated <= 1'b0;
               end else begin
-                if (both_128) begin
+                if (both_132) begin
                   if (failed_i == SinusoidalReason_kNone) begin
-                    if (!found_i && timer == 20'd0) begin
-                      tries <= sum_115;
+                    if (!found_i) begin
+                      tries <= choice_5;
                     end
                     regulated <= !found_i && regulated;
                   end else begin
-                    tries <= sum_115;
+                    tries <= sum_119;
                   end
                 end
-                modulated <= sum_81;
+                modulated <= sum_83;
               end
             end
             SinusoidalState_kStarting: begin
-              if (!either_129) begin
+              if (command_configured_i && !either_133_2) begin
                 if (failed_i == SinusoidalReason_kNone) begin
-                  if (trust != 20'd0 && timer == 20'd0) begin
-                    tries <= sum_115;
+                  if (trust != 20'd0) begin
+                    tries <= choice_5;
                   end
                 end else begin
-                  tries <= sum_115;
+                  tries <= sum_119;
                 end
               end
-              modulated <= sum_81;
-              regulated <= either_82;
+              modulated <= sum_83;
+              regulated <= either_84_2;
             end
             SinusoidalState_kRun: begin
-              if (failed_i != SinusoidalReason_kNone) begin
-                tries <= sum_115;
+              if (both_5) begin
+                tries <= sum_119;
               end
-              modulated <= sum_81;
-              regulated <= either_82;
+              modulated <= sum_83;
+              regulated <= either_84_2;
             end
             default: begin  // SinusoidalState_kSlowDown
-              modulated <= sum_81;
-              regulated <= either_82;
+              modulated <= sum_83;
+              regulated <= either_84_2;
             end
           endcase
         end
         SinusoidalState_kPattern: begin
-          if (both_128) begin
+          if (both_132) begin
             if (both) begin
               modulated <= 2'd0;
             end else begin
-              modulated <= sum_81;
+              modulated <= sum_83;
             end
-            if (!both_165) begin
+            if (!both_169) begin
               regulated <= timer != 20'd0 && regulated;
             end
-            first_half <= !both_165 && first_half;
+            first_half <= !both_169 && first_half;
           end else begin
-            modulated <= sum_81;
+            modulated <= sum_83;
           end
         end
-        default: modulated <= sum_81;
+        default: modulated <= sum_83;
       endcase
+    end else begin
+      state <= SinusoidalState_kIdle;
+      timer <= choice_82;
+      trust <= choice_86;
+      modulated <= sum_83;
+      regulated <= either_84;
     end
-    if (both_87) begin
+    if (both_89) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (both_89) begin
+    end else if (both_91) begin
       reason <= fatal_i;
       entered <= 1'b1;
-    end else if (state == SinusoidalState_kIdle) begin
-      if (both_128) begin
-        reason <= SinusoidalReason_kNone;
-      end
-      entered <= both_128;
-    end else if (state == SinusoidalState_kCalibrate) begin
-      entered <= !both_128 || measured_i;
-    end else if (state == SinusoidalState_kPilot) begin
-      if (both_128) begin
-        if (failed_i == SinusoidalReason_kNone) begin
-          reason <=
-              found_i ? reason :
-              (timer == 20'd0) ? SinusoidalReason_kNoDecay :
-              reason;
-          entered <= found_i || timer == 20'd0;
-        end else begin
-          reason <= failed_i;
-          entered <= 1'b1;
-        end
-      end else begin
-        entered <= 1'b1;
-      end
-    end else if (state == SinusoidalState_kPattern) begin
-      entered <= !both_128 || (!both_165 && timer == 20'd0);
-    end else if (state == SinusoidalState_kStarting) begin
-      logic [3:0] choice_4;
-      choice_4 =
-          (trust == 20'd0) ? reason :
-          (timer == 20'd0) ? SinusoidalReason_kNoLock :
-          reason;
-      reason <=
-          either_129 ? reason :
-          (failed_i == SinusoidalReason_kNone) ? choice_4 :
-          failed_i;
-      entered <=
-          either_129 || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
     end else begin
       logic choice_6;
       case (state)
-        SinusoidalState_kRun: choice_6 = failed_i != SinusoidalReason_kNone || either_129;
-        SinusoidalState_kSlowDown: choice_6 = !either_129 || stopping_i;
+        SinusoidalState_kIdle: choice_6 = both_132;
+        SinusoidalState_kCalibrate: choice_6 = !both_132 || measured_i;
+        SinusoidalState_kPilot: choice_6 =
+            !both_132 || failed_i != SinusoidalReason_kNone || found_i || timer == 20'd0;
+        SinusoidalState_kPattern: choice_6 = !both_132 || (!both_169 && timer == 20'd0);
+        SinusoidalState_kStarting: choice_6 =
+            either_133 || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
+        SinusoidalState_kRun: choice_6 = failed_i != SinusoidalReason_kNone || either_133;
+        SinusoidalState_kSlowDown: choice_6 = !either_133 || stopping_i;
         SinusoidalState_kBrake: choice_6 = timer == 20'd0;
-        SinusoidalState_kRest: choice_6 = !both_128 || timer == 20'd0;
+        SinusoidalState_kRest: choice_6 = !both_132 || timer == 20'd0;
         default: choice_6 =
             state == SinusoidalState_kFault &&
             command_clear_fault_i && !command_run_i && !fault_pin_i;
       endcase
-      reason <=
-          (state == SinusoidalState_kRun && failed_i != SinusoidalReason_kNone) ? failed_i : reason;
-      entered <= choice_6;
+      if (state == SinusoidalState_kIdle) begin
+        if (both_132) begin
+          reason <= SinusoidalReason_kNone;
+        end
+      end else begin
+        case (state)
+          SinusoidalState_kPilot: begin
+            if (command_configured_i && both_132) begin
+              if (failed_i == SinusoidalReason_kNone) begin
+                if (!found_i) begin
+                  reason <= (timer == 20'd0) ? SinusoidalReason_kNoDecay : reason;
+                end
+              end else begin
+                reason <= failed_i;
+              end
+            end
+          end
+          SinusoidalState_kStarting: begin
+            if (command_configured_i && !either_133_2) begin
+              if (failed_i == SinusoidalReason_kNone) begin
+                reason <=
+                    (trust == 20'd0) ? reason :
+                    (timer == 20'd0) ? SinusoidalReason_kNoLock :
+                    reason;
+              end else begin
+                reason <= failed_i;
+              end
+            end
+          end
+          SinusoidalState_kRun: begin
+            if (both_5) begin
+              reason <= failed_i;
+            end
+          end
+          default: ;
+        endcase
+      end
+      entered <= !either_93_2 || choice_6;
     end
     if (rst) begin
       state <= SinusoidalState_kIdle;
@@ -426,6 +424,7 @@ module sinusoidal_sequence (
   assign brake_o = state == SinusoidalState_kBrake;
   assign slow_down_o = state == SinusoidalState_kSlowDown;
   assign locked_o = regulate && state != SinusoidalState_kStarting;
+  assign tries_o = tries;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_hold_voltage_i};

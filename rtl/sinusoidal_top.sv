@@ -79,6 +79,8 @@ module sinusoidal_top (
     output logic        locked_o,  // running, the estimate is claimed to be right
     output logic        estimating_o,  // the loop is closed
     output logic        done_o,  // strobe: a sample is worked through
+    output logic        reverse_o,  // the wanted direction
+    output logic [3:0]  tries_o,  // that failed and were followed by another one, since `run` was obeyed
     output logic [23:0] angle_o,  // u0.24, electrical turns, at the last sample
     output logic [23:0] initial_o,  // u0.24, where the estimate begins: once found, by pilot pulses
     output logic [15:0] speed_o,  // s0.15 of 1/16 turn per sample, smoothed
@@ -86,6 +88,7 @@ module sinusoidal_top (
     output logic [15:0] i_gamma_o,  // s0.15
     output logic [15:0] i_delta_o,  // s0.15
     output logic [15:0] wanted_o,  // s0.15, i_delta*
+    output logic [11:0] v_dc_o,  // u0.12, of the last sample
     output logic [13:0] on_u_o,  // clocks, of the next period
     output logic [13:0] on_v_o,
     output logic [13:0] on_w_o
@@ -323,9 +326,9 @@ module sinusoidal_top (
       .clk(clk),
       .rst(rst),
       .restart_i(restart),
-      .period_i(pwm_u_start),
+      .period_i(pwm_u_start && command_configured_i),
       .sampled_i(control_done),
-      .over_current_i(sense_over && !waiting),
+      .over_current_i(sense_over && !waiting && command_configured_i),
       .regulating_i(orders_regulate),
       .saturated_i(control_limited || control_speed_saturated),
       .locked_i(orders_locked),
@@ -355,6 +358,7 @@ module sinusoidal_top (
   wire sequence__brake;
   wire sequence__slow_down;
   wire sequence__locked;
+  wire [3:0] sequence__tries;
   sinusoidal_sequence sequence_ (
       .clk(clk),
       .rst(rst),
@@ -395,11 +399,12 @@ module sinusoidal_top (
       .modulate_o(sequence__modulate),
       .brake_o(sequence__brake),
       .slow_down_o(sequence__slow_down),
-      .locked_o(sequence__locked)
+      .locked_o(sequence__locked),
+      .tries_o(sequence__tries)
   );
 
-  wire either_135 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 135
-  wire choice_136 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 136
+  wire either_140 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 140
+  wire choice_141 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 141
 
   wire pwm_v_on;
   wire unused_pwm_v_start;
@@ -417,7 +422,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_v_tick)
   );
 
-  wire choice_137 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 137
+  wire choice_142 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 142
 
   wire pwm_w_on;
   wire unused_pwm_w_start;
@@ -435,7 +440,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_w_tick)
   );
 
-  wire choice_138 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 138
+  wire choice_143 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 143
 
   wire guard_uh;
   wire guard_ul;
@@ -446,12 +451,12 @@ module sinusoidal_top (
   gate_guard guard (
       .clk(clk),
       .rst(rst),
-      .request_uh_i(either_135 && choice_136),
-      .request_ul_i(sequence__brake || (either_135 && !choice_136)),
-      .request_vh_i(either_135 && choice_137),
-      .request_vl_i(sequence__brake || (either_135 && !choice_137)),
-      .request_wh_i(either_135 && choice_138),
-      .request_wl_i(sequence__brake || (either_135 && !choice_138)),
+      .request_uh_i(either_140 && choice_141),
+      .request_ul_i(sequence__brake || (either_140 && !choice_141)),
+      .request_vh_i(either_140 && choice_142),
+      .request_vl_i(sequence__brake || (either_140 && !choice_142)),
+      .request_wh_i(either_140 && choice_143),
+      .request_wl_i(sequence__brake || (either_140 && !choice_143)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_bridge_dead_time_i),
@@ -489,7 +494,7 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 156
+    seen_backward <= control_i_delta[15];  // line 161
     restart <= sequence__entered;
     waiting <= pilot_waiting;
     if (rst) begin
@@ -531,6 +536,8 @@ module sinusoidal_top (
   assign locked_o = sequence__locked;
   assign estimating_o = sequence__regulate;
   assign done_o = control_done;
+  assign reverse_o = sequence__reverse;
+  assign tries_o = sequence__tries;
   assign angle_o = control_angle;
   assign initial_o = pilot_angle;
   assign speed_o = control_speed_speed;
@@ -538,6 +545,7 @@ module sinusoidal_top (
   assign i_gamma_o = control_i_gamma;
   assign i_delta_o = control_i_delta;
   assign wanted_o = control_speed_current;
+  assign v_dc_o = sense_v_dc;
   assign on_u_o = control_early_on_u;
   assign on_v_o = control_early_on_v;
   assign on_w_o = control_early_on_w;

@@ -1,4 +1,4 @@
-// six_step_registered: steplock::SixStepRegistered, printed by hlsgen from hls/bus/six_step_registered.hpp:22.
+// six_step_registered: steplock::SixStepRegistered, printed by hlsgen from hls/bus/six_step_registered.hpp:23.
 // Do not edit: change the C++ and print again.
 
 module six_step_registered (
@@ -372,7 +372,7 @@ module six_step_registered (
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 65
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 66
     boundary <= pwm_start;
     if (rst) begin
       command_configured <= 1'b0;

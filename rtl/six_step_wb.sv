@@ -99,7 +99,7 @@ module six_step_wb (
       .write_error_o(drive_write_error)
   );
 
-  wire choice_44 = wb_we_i ? drive_write_error : drive_read_error;  // line 44
+  wire choice_41 = wb_we_i ? drive_write_error : drive_read_error;  // line 41
 
   assign gates_uh_o = drive_gates_uh;
   assign gates_ul_o = drive_gates_ul;
@@ -110,8 +110,8 @@ module six_step_wb (
   assign interrupt_o = drive_interrupt;
   assign locked_o = drive_locked;
   assign fault_o = drive_fault;
-  assign wb_ack_o = bus_ack && !choice_44;
-  assign wb_err_o = bus_ack && choice_44;
+  assign wb_ack_o = bus_ack && !choice_41;
+  assign wb_err_o = bus_ack && choice_41;
   assign wb_stall_o = bus_stall;
   assign wb_dat_o = drive_data;
 endmodule

@@ -1,4 +1,4 @@
-// word_mirror: of steplock::Memory<steplock::WordMirror>, printed by hlsgen from hls/numeric/memory.hpp:34.
+// word_mirror: of steplock::Memory<steplock::WordMirror<steplock::SixStep> >, printed by hlsgen from hls/numeric/memory.hpp:34.
 
 module word_mirror (
     input  logic clk,

@@ -1,4 +1,4 @@
-// word_registers: steplock::WordRegisters, printed by hlsgen from hls/bus/word_registers.hpp:69.
+// word_registers: steplock::WordRegisters<steplock::SixStep>, printed by hlsgen from hls/bus/word_registers.hpp:73.
 // Do not edit: change the C++ and print again.
 
 module word_registers (
@@ -10,7 +10,7 @@ module word_registers (
     input  logic [31:0] request_data_i,
     input  logic [3:0]  request_strobes_i,  // bytes of `data` that count
     input  logic        stopped_i,  // stopped and keyed words may change
-    input  logic        boundary_i,  // strobe: a PWM period begins
+    input  logic        boundary_i,  // strobe: shadowed words are taken over
     output logic [13:0] words_pwm_period_o,  // clocks; 0 keeps the high sides off; taken at the period's start
     output logic [13:0] words_pwm_minimum_o,  // clocks; shorter on or off times become 0 % or 100 %
     output logic        words_pwm_centred_o,  // pulses centred in the period instead of at its start
@@ -71,7 +71,7 @@ module word_registers (
     output logic        hole_o,  // no register stands there
     output logic        refused_o,  // the map does not allow this write
     output logic        unlocked_o,  // the lock is open
-    output logic        no_period_o  // PWM.period is 0
+    output logic        no_period_o  // with this PWM period the bridge has to stay off
 );
   localparam logic [1:0] Sampling_kBoth = 2'd2;
   localparam logic Detector_kEveryStep = 1'b1;
@@ -166,9 +166,9 @@ module word_registers (
   logic written_27;  // since the reset
   logic shows;  // the last read was of the map
 
-  wire [5:0] part_185 = request_index_i[5:0];  // line 185
-  wire [4:0] part_179 = request_index_i[4:0];  // line 179
-  wire choice_179 =  // line 179
+  wire [5:0] part_195 = request_index_i[5:0];  // line 195
+  wire [4:0] part_189 = request_index_i[4:0];  // line 189
+  wire choice_189 =  // line 189
       request_index_i[2] ?
       (request_index_i[1] ? (request_index_i[0] ? written_15 : written_14) :
       request_index_i[0] ? written_13 :
@@ -176,12 +176,12 @@ module word_registers (
       request_index_i[1] ? (request_index_i[0] ? written_11 : written_10) :
       request_index_i[0] ? written_9 :
       written_8;
-  wire choice_179_2 =  // line 179
+  wire choice_189_2 =  // line 189
       request_index_i[1] ? (request_index_i[0] ? written_27 : written_26) :
       request_index_i[0] ? written_25 :
       written_24;
-  wire choice_179_3 =  // line 179
-      request_index_i[3] ? !request_index_i[2] && choice_179_2 :
+  wire choice_189_3 =  // line 189
+      request_index_i[3] ? !request_index_i[2] && choice_189_2 :
       request_index_i[2] ?
       (request_index_i[1] ? (request_index_i[0] ? written_23 : written_22) :
       request_index_i[0] ? written_21 :
@@ -189,9 +189,9 @@ module word_registers (
       request_index_i[1] ? (request_index_i[0] ? written_19 : written_18) :
       request_index_i[0] ? written_17 :
       written_16;
-  wire choice_179_4 =  // line 179
-      request_index_i[4] ? choice_179_3 :
-      request_index_i[3] ? choice_179 :
+  wire choice_189_4 =  // line 189
+      request_index_i[4] ? choice_189_3 :
+      request_index_i[3] ? choice_189 :
       request_index_i[2] ?
       (request_index_i[1] ? (request_index_i[0] ? written_7 : written_6) :
       request_index_i[0] ? written_5 :
@@ -199,134 +199,134 @@ module word_registers (
       request_index_i[1] ? (request_index_i[0] ? written_3 : written_2) :
       request_index_i[0] ? written_1 :
       written_0;
-  wire both_92 = request_index_i[5] && choice_179_4;  // line 92
+  wire both_99 = request_index_i[5] && choice_189_4;  // line 99
 
-  logic [2:0] entry_135;  // kRules
+  logic [2:0] entry_143;  // kRules
   always_comb begin
-    case (part_185)
-      6'd0, 6'd1, 6'd2, 6'd4, 6'd12, 6'd13, 6'd14, 6'd15, 6'd16: entry_135 = 3'd1;
+    case (part_195)
+      6'd0, 6'd1, 6'd2, 6'd4, 6'd12, 6'd13, 6'd14, 6'd15, 6'd16: entry_143 = 3'd1;
       6'd3, 6'd5, 6'd6, 6'd7, 6'd8, 6'd10, 6'd11, 6'd37, 6'd38, 6'd39, 6'd40, 6'd41, 6'd42,
-      6'd51, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56: entry_135 =
+      6'd51, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56: entry_143 =
           3'd2;
-      6'd9, 6'd33, 6'd34, 6'd57, 6'd58, 6'd59: entry_135 = 3'd4;
-      6'd32, 6'd35, 6'd36, 6'd43, 6'd44, 6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50: entry_135 = 3'd3;
-      default: entry_135 = 3'd0;
+      6'd9, 6'd33, 6'd34, 6'd57, 6'd58, 6'd59: entry_143 = 3'd4;
+      6'd32, 6'd35, 6'd36, 6'd43, 6'd44, 6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50: entry_143 = 3'd3;
+      default: entry_143 = 3'd0;
     endcase
   end
 
-  wire both = request_index_i[9:6] == 4'd0 && entry_135 == 3'd4 && stopped_i && unlocked;
-  wire choice = (request_index_i[9:6] == 4'd0 && entry_135 == 3'd3) ? stopped_i : both;
-  wire either = (request_index_i[9:6] == 4'd0 && entry_135 == 3'd2) || choice;
-  wire both_90 = request_write_i && either;  // line 90
-  wire [3:0] lanes = both_92 ? request_strobes_i : 4'd15;  // line 182
-  wire [8:0] either_180 =  // line 180
+  wire both = request_index_i[9:6] == 4'd0 && entry_143 == 3'd4 && stopped_i && unlocked;
+  wire choice = (request_index_i[9:6] == 4'd0 && entry_143 == 3'd3) ? stopped_i : both;
+  wire either = (request_index_i[9:6] == 4'd0 && entry_143 == 3'd2) || choice;
+  wire both_97 = request_write_i && either;  // line 97
+  wire [3:0] lanes = both_99 ? request_strobes_i : 4'd15;  // line 192
+  wire [8:0] either_190 =  // line 190
       {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
-  wire [16:0] either_180_2 =  // line 180
-      {1'b0, {7{either_180[8]}}, either_180} | (request_strobes_i[2] ? 17'd65536 : 17'd0);
-  wire [24:0] mask =  // line 180
-      {1'b0, {7{either_180_2[16]}}, either_180_2} | (request_strobes_i[3] ? 25'd16777216 : 25'd0);
-  wire [31:0] mask_2 = {{7{mask[24]}}, mask};  // line 180
-  wire [31:0] both_181 = request_data_i & mask_2;  // line 181
+  wire [16:0] either_190_2 =  // line 190
+      {1'b0, {7{either_190[8]}}, either_190} | (request_strobes_i[2] ? 17'd65536 : 17'd0);
+  wire [24:0] mask =  // line 190
+      {1'b0, {7{either_190_2[16]}}, either_190_2} | (request_strobes_i[3] ? 25'd16777216 : 25'd0);
+  wire [31:0] mask_2 = {{7{mask[24]}}, mask};  // line 190
+  wire [31:0] key = request_data_i & mask_2;  // line 191
 
-  logic [28:0] entry_181;
-  logic [30:0] entry_188;
+  logic [28:0] entry_191;
+  logic [30:0] entry_198;
   always_comb begin
-    case (part_179)
+    case (part_189)
       5'd0: begin
-        entry_181 = 29'd520306687;
-        entry_188 = 31'd16777216;
+        entry_191 = 29'd520306687;
+        entry_198 = 31'd16777216;
       end
       5'd1: begin
-        entry_181 = 29'd16728063;
-        entry_188 = 31'd0;
+        entry_191 = 29'd16728063;
+        entry_198 = 31'd0;
       end
       5'd2: begin
-        entry_181 = 29'd268370175;
-        entry_188 = 31'd0;
+        entry_191 = 29'd268370175;
+        entry_198 = 31'd0;
       end
       5'd3: begin
-        entry_181 = 29'd268386291;
-        entry_188 = 31'd16842754;
+        entry_191 = 29'd268386291;
+        entry_198 = 31'd16842754;
       end
       5'd4: begin
-        entry_181 = 29'd67047199;
-        entry_188 = 31'd3;
+        entry_191 = 29'd67047199;
+        entry_198 = 31'd3;
       end
       5'd5: begin
-        entry_181 = 29'd536870911;
-        entry_188 = 31'd1073774592;
+        entry_191 = 29'd536870911;
+        entry_198 = 31'd1073774592;
       end
       5'd6, 5'd12, 5'd21, 5'd22, 5'd23, 5'd26: begin
-        entry_181 = 29'd536870911;
-        entry_188 = 31'd0;
+        entry_191 = 29'd536870911;
+        entry_198 = 31'd0;
       end
       5'd7: begin
-        entry_181 = 29'd65535;
-        entry_188 = 31'd32768;
+        entry_191 = 29'd65535;
+        entry_198 = 31'd32768;
       end
       5'd8, 5'd9, 5'd10, 5'd14, 5'd19, 5'd25: begin
-        entry_181 = 29'd67108863;
-        entry_188 = 31'd0;
+        entry_191 = 29'd67108863;
+        entry_198 = 31'd0;
       end
       5'd11, 5'd16, 5'd17: begin
-        entry_181 = 29'd268374015;
-        entry_188 = 31'd0;
+        entry_191 = 29'd268374015;
+        entry_198 = 31'd0;
       end
       5'd13, 5'd20: begin
-        entry_181 = 29'd1048575;
-        entry_188 = 31'd0;
+        entry_191 = 29'd1048575;
+        entry_198 = 31'd0;
       end
       5'd15: begin
-        entry_181 = 29'd255852543;
-        entry_188 = 31'd0;
+        entry_191 = 29'd255852543;
+        entry_198 = 31'd0;
       end
       5'd18: begin
-        entry_181 = 29'd536809471;
-        entry_188 = 31'd0;
+        entry_191 = 29'd536809471;
+        entry_198 = 31'd0;
       end
       5'd24: begin
-        entry_181 = 29'd4095;
-        entry_188 = 31'd0;
+        entry_191 = 29'd4095;
+        entry_198 = 31'd0;
       end
       5'd27: begin
-        entry_181 = 29'd252706623;
-        entry_188 = 31'd0;
+        entry_191 = 29'd252706623;
+        entry_198 = 31'd0;
       end
       default: begin
-        entry_181 = 29'd0;
-        entry_188 = 31'd0;
+        entry_191 = 29'd0;
+        entry_198 = 31'd0;
       end
     endcase
   end
 
-  wire [31:0] data = both_181 & {{3{entry_181[28]}}, entry_181};  // line 181
-  wire [24:0] inverse_188 = ~mask;  // line 188
+  wire [31:0] data = key & {{3{entry_191[28]}}, entry_191};  // line 191
+  wire [24:0] inverse_198 = ~mask;  // line 198
 
   wire [31:0] mirror_data;
   word_mirror mirror (
       .clk(clk),
       .rst(rst),
       .read_i(request_read_i),
-      .address_i({1'b0, part_185} | (both_92 ? 7'd0 : 7'd64)),
-      .write_i(both_90 ? lanes : 4'd0),
-      .write_address_i({1'b0, part_185}),
-      .write_data_i(data | {1'b0, entry_188 & {{6{inverse_188[24]}}, inverse_188}}),
+      .address_i({1'b0, part_195} | (both_99 ? 7'd0 : 7'd64)),
+      .write_i(both_97 ? lanes : 4'd0),
+      .write_address_i({1'b0, part_195}),
+      .write_data_i(data | {1'b0, entry_198 & {{6{inverse_198[24]}}, inverse_198}}),
       .data_o(mirror_data)
   );
 
   always_ff @(posedge clk) begin
-    if (both_90) begin
-      logic [11:0] wide_171;
-      logic [3:0] wide_171_2;
-      logic [15:0] wide_171_3;
-      logic [25:0] wide_168;
+    if (both_97) begin
+      logic [11:0] wide_181;
+      logic [3:0] wide_181_2;
+      logic [15:0] wide_181_3;
+      logic [25:0] wide_178;
       logic either_2;
       logic either_3;
       logic either_4;
-      wide_171 = {{3{inverse_188[24]}}, inverse_188[24:16]};  // line 171
-      wide_171_2 = {4{inverse_188[24]}};  // line 171
-      wide_171_3 = {{7{inverse_188[24]}}, inverse_188[24:16]};  // line 171
-      wide_168 = {inverse_188[24], inverse_188};  // line 168
+      wide_181 = {{3{inverse_198[24]}}, inverse_198[24:16]};  // line 181
+      wide_181_2 = {4{inverse_198[24]}};  // line 181
+      wide_181_3 = {{7{inverse_198[24]}}, inverse_198[24:16]};  // line 181
+      wide_178 = {inverse_198[24], inverse_198};  // line 178
       either_2 =
           request_index_i == 10'd47 || request_index_i == 10'd48 || request_index_i == 10'd49;
       either_3 =
@@ -336,125 +336,124 @@ module word_registers (
           either_3 || request_index_i == 10'd53 || request_index_i == 10'd54 ||
           request_index_i == 10'd55;
       if (request_index_i == 10'd32) begin
-        words_pwm_period <= both_181[13:0] | (words_pwm_period & inverse_188[13:0]);
-        words_pwm_centred <= both_181[16] || (words_pwm_centred && inverse_188[16]);
-        words_pwm_complementary <= both_181[17] || (words_pwm_complementary && inverse_188[17]);
-        words_pwm_tick_periods <= both_181[31:24] | (words_pwm_tick_periods & {8{inverse_188[24]}});
+        words_pwm_period <= key[13:0] | (words_pwm_period & inverse_198[13:0]);
+        words_pwm_centred <= key[16] || (words_pwm_centred && inverse_198[16]);
+        words_pwm_complementary <= key[17] || (words_pwm_complementary && inverse_198[17]);
+        words_pwm_tick_periods <= key[31:24] | (words_pwm_tick_periods & {8{inverse_198[24]}});
       end
       if (request_index_i == 10'd33) begin
-        words_pwm_minimum <= both_181[13:0] | (words_pwm_minimum & inverse_188[13:0]);
-        words_pwm_dead_time <= both_181[23:16] | (words_pwm_dead_time & inverse_188[23:16]);
+        words_pwm_minimum <= key[13:0] | (words_pwm_minimum & inverse_198[13:0]);
+        words_pwm_dead_time <= key[23:16] | (words_pwm_dead_time & inverse_198[23:16]);
       end
       if (request_index_i == 10'd34) begin
-        words_limit_blanking <= both_181[7:0] | (words_limit_blanking & inverse_188[7:0]);
-        words_limit_off_time <= both_181[27:16] | (words_limit_off_time & wide_171);
+        words_limit_blanking <= key[7:0] | (words_limit_blanking & inverse_198[7:0]);
+        words_limit_off_time <= key[27:16] | (words_limit_off_time & wide_181);
       end
       if (request_index_i == 10'd35) begin
-        words_bemf_sampling <= both_181[1:0] | (words_bemf_sampling & inverse_188[1:0]);
-        words_bemf_blanking <= both_181[13:4] | (words_bemf_blanking & inverse_188[13:4]);
-        words_bemf_sample_every <= both_181[23:16] | (words_bemf_sample_every & inverse_188[23:16]);
-        words_bemf_samples <= both_181[27:24] | (words_bemf_samples & wide_171_2);
+        words_bemf_sampling <= key[1:0] | (words_bemf_sampling & inverse_198[1:0]);
+        words_bemf_blanking <= key[13:4] | (words_bemf_blanking & inverse_198[13:4]);
+        words_bemf_sample_every <= key[23:16] | (words_bemf_sample_every & inverse_198[23:16]);
+        words_bemf_samples <= key[27:24] | (words_bemf_samples & wide_181_2);
       end
       if (request_index_i == 10'd36) begin
-        words_loop_detector <= both_181[0] || (words_loop_detector && inverse_188[0]);
-        words_loop_bandwidth <= both_181[1] || (words_loop_bandwidth && inverse_188[1]);
-        words_loop_divide <= both_181[3:2] | (words_loop_divide & inverse_188[3:2]);
-        words_loop_delay <=
-            both_181[25:16] | (words_loop_delay & {inverse_188[24], inverse_188[24:16]});
-        words_speed_shift <= both_181[11:8] | (words_speed_shift & inverse_188[11:8]);
-        words_source <= both_181[4] || (words_source && inverse_188[4]);
+        words_loop_detector <= key[0] || (words_loop_detector && inverse_198[0]);
+        words_loop_bandwidth <= key[1] || (words_loop_bandwidth && inverse_198[1]);
+        words_loop_divide <= key[3:2] | (words_loop_divide & inverse_198[3:2]);
+        words_loop_delay <= key[25:16] | (words_loop_delay & {inverse_198[24], inverse_198[24:16]});
+        words_speed_shift <= key[11:8] | (words_speed_shift & inverse_198[11:8]);
+        words_source <= key[4] || (words_source && inverse_198[4]);
       end
       if (request_index_i == 10'd37) begin
-        words_loop_expected <= both_181[15:0] | (words_loop_expected & inverse_188[15:0]);
-        words_loop_lead_error <= both_181[31:16] | (words_loop_lead_error & wide_171_3);
+        words_loop_expected <= key[15:0] | (words_loop_expected & inverse_198[15:0]);
+        words_loop_lead_error <= key[31:16] | (words_loop_lead_error & wide_181_3);
       end
       if (request_index_i == 10'd38) begin
-        words_loop_ki <= both_181[15:0] | (words_loop_ki & inverse_188[15:0]);
-        words_loop_kp <= both_181[31:16] | (words_loop_kp & wide_171_3);
+        words_loop_ki <= key[15:0] | (words_loop_ki & inverse_198[15:0]);
+        words_loop_kp <= key[31:16] | (words_loop_kp & wide_181_3);
       end
       if (request_index_i == 10'd39) begin
-        words_loop_pole <= both_181[15:0] | (words_loop_pole & inverse_188[15:0]);
+        words_loop_pole <= key[15:0] | (words_loop_pole & inverse_198[15:0]);
       end
       if (request_index_i == 10'd40) begin
-        words_loop_scale <= both_181[25:0] | (words_loop_scale & wide_168);
+        words_loop_scale <= key[25:0] | (words_loop_scale & wide_178);
       end
       if (request_index_i == 10'd41) begin
-        words_loop_minimum <= both_181[25:0] | (words_loop_minimum & wide_168);
+        words_loop_minimum <= key[25:0] | (words_loop_minimum & wide_178);
       end
       if (request_index_i == 10'd42) begin
-        words_loop_maximum <= both_181[25:0] | (words_loop_maximum & wide_168);
+        words_loop_maximum <= key[25:0] | (words_loop_maximum & wide_178);
       end
       if (request_index_i == 10'd43) begin
-        words_start_settle <= both_181[11:0] | (words_start_settle & inverse_188[11:0]);
-        words_start_reset <= both_181[27:16] | (words_start_reset & wide_171);
+        words_start_settle <= key[11:0] | (words_start_settle & inverse_198[11:0]);
+        words_start_reset <= key[27:16] | (words_start_reset & wide_181);
       end
       if (request_index_i == 10'd44) begin
-        words_start_reset_duty <= both_181[15:0] | (words_start_reset_duty & inverse_188[15:0]);
-        words_start_start_duty <= both_181[31:16] | (words_start_start_duty & wide_171_3);
+        words_start_reset_duty <= key[15:0] | (words_start_reset_duty & inverse_198[15:0]);
+        words_start_start_duty <= key[31:16] | (words_start_start_duty & wide_181_3);
       end
       if (request_index_i == 10'd45) begin
-        words_start_ramp <= both_181[19:0] | (words_start_ramp & inverse_188[19:0]);
+        words_start_ramp <= key[19:0] | (words_start_ramp & inverse_198[19:0]);
       end
       if (request_index_i == 10'd46) begin
-        words_start_hand_over <= both_181[25:0] | (words_start_hand_over & wide_168);
+        words_start_hand_over <= key[25:0] | (words_start_hand_over & wide_178);
       end
       if (either_4 || request_index_i == 10'd56) begin
         if (request_index_i == 10'd47) begin
-          words_start_window <= both_181[15:0] | (words_start_window & inverse_188[15:0]);
+          words_start_window <= key[15:0] | (words_start_window & inverse_198[15:0]);
           words_start_good_crossings <=
-              both_181[21:16] | (words_start_good_crossings & inverse_188[21:16]);
-          words_start_retries <= both_181[27:24] | (words_start_retries & wide_171_2);
+              key[21:16] | (words_start_good_crossings & inverse_198[21:16]);
+          words_start_retries <= key[27:24] | (words_start_retries & wide_181_2);
         end
         if (request_index_i == 10'd48) begin
-          words_start_pull_in <= both_181[11:0] | (words_start_pull_in & inverse_188[11:0]);
-          words_start_rest <= both_181[27:16] | (words_start_rest & wide_171);
+          words_start_pull_in <= key[11:0] | (words_start_pull_in & inverse_198[11:0]);
+          words_start_rest <= key[27:16] | (words_start_rest & wide_181);
         end
         if (request_index_i == 10'd49) begin
-          words_start_observe <= both_181[11:0] | (words_start_observe & inverse_188[11:0]);
-          words_start_slow_down <= both_181[27:16] | (words_start_slow_down & wide_171);
+          words_start_observe <= key[11:0] | (words_start_observe & inverse_198[11:0]);
+          words_start_slow_down <= key[27:16] | (words_start_slow_down & wide_181);
         end
         if (request_index_i == 10'd50) begin
-          words_start_brake <= both_181[11:0] | (words_start_brake & inverse_188[11:0]);
-          words_start_brake_duty <= both_181[31:16] | (words_start_brake_duty & wide_171_3);
+          words_start_brake <= key[11:0] | (words_start_brake & inverse_198[11:0]);
+          words_start_brake_duty <= key[31:16] | (words_start_brake_duty & wide_181_3);
         end
         if (request_index_i == 10'd52) begin
-          words_speed_slew <= both_181[19:0] | (words_speed_slew & inverse_188[19:0]);
+          words_speed_slew <= key[19:0] | (words_speed_slew & inverse_198[19:0]);
         end
         if (request_index_i == 10'd53) begin
-          words_speed_kp <= both_181[15:0] | (words_speed_kp & inverse_188[15:0]);
-          words_speed_ki <= both_181[31:16] | (words_speed_ki & wide_171_3);
+          words_speed_kp <= key[15:0] | (words_speed_kp & inverse_198[15:0]);
+          words_speed_ki <= key[31:16] | (words_speed_ki & wide_181_3);
         end
         if (request_index_i == 10'd54) begin
-          words_speed_bemf <= both_181[15:0] | (words_speed_bemf & inverse_188[15:0]);
-          words_speed_loaded <= both_181[31:16] | (words_speed_loaded & wide_171_3);
+          words_speed_bemf <= key[15:0] | (words_speed_bemf & inverse_198[15:0]);
+          words_speed_loaded <= key[31:16] | (words_speed_loaded & wide_181_3);
         end
         if (request_index_i == 10'd55) begin
-          words_speed_minimum <= both_181[15:0] | (words_speed_minimum & inverse_188[15:0]);
-          words_speed_maximum <= both_181[31:16] | (words_speed_maximum & wide_171_3);
+          words_speed_minimum <= key[15:0] | (words_speed_minimum & inverse_198[15:0]);
+          words_speed_maximum <= key[31:16] | (words_speed_maximum & wide_181_3);
         end
         if (request_index_i == 10'd56) begin
-          words_speed_duty_slew <= both_181[11:0] | (words_speed_duty_slew & inverse_188[11:0]);
+          words_speed_duty_slew <= key[11:0] | (words_speed_duty_slew & inverse_198[11:0]);
         end
         if (request_index_i == 10'd51) begin
-          staged_speed_target <= both_181[25:0] | (staged_speed_target & wide_168);
+          staged_speed_target <= key[25:0] | (staged_speed_target & wide_178);
         end
       end else begin
         if (request_index_i == 10'd59) begin
-          words_protection_misses <= both_181[5:0] | (words_protection_misses & inverse_188[5:0]);
+          words_protection_misses <= key[5:0] | (words_protection_misses & inverse_198[5:0]);
           words_protection_wrong_lock <=
-              both_181[19:8] | (words_protection_wrong_lock & inverse_188[19:8]);
+              key[19:8] | (words_protection_wrong_lock & inverse_198[19:8]);
           words_protection_over_current <=
-              both_181[27:24] | (words_protection_over_current & wide_171_2);
+              key[27:24] | (words_protection_over_current & wide_181_2);
         end
         if (request_index_i == 10'd57) begin
-          words_protection_stall <= both_181[25:0] | (words_protection_stall & wide_168);
+          words_protection_stall <= key[25:0] | (words_protection_stall & wide_178);
         end
         if (request_index_i == 10'd58) begin
-          words_protection_slip <= both_181[15:0] | (words_protection_slip & inverse_188[15:0]);
-          words_protection_freewheel <= both_181[31:16] | (words_protection_freewheel & wide_171_3);
+          words_protection_slip <= key[15:0] | (words_protection_slip & inverse_198[15:0]);
+          words_protection_freewheel <= key[31:16] | (words_protection_freewheel & wide_181_3);
         end
         if (request_index_i == 10'd8) begin
-          unlocked <= both_181[15:0] == 16'd49374;
+          unlocked <= key[15:0] == 16'd49374;
         end
         written_25 <= request_index_i == 10'd57 || written_25;
         written_26 <= request_index_i == 10'd58 || written_26;
@@ -640,7 +639,7 @@ module word_registers (
   assign words_protection_over_current_o = words_protection_over_current;
   assign words_source_o = words_source;
   assign data_o = shows ? mirror_data : 32'd0;
-  assign hole_o = request_index_i[9:6] != 4'd0 || entry_135 == 3'd0;
+  assign hole_o = request_index_i[9:6] != 4'd0 || entry_143 == 3'd0;
   assign refused_o = !either;
   assign unlocked_o = unlocked;
   assign no_period_o = words_pwm_period == 14'd0;

@@ -77,4 +77,27 @@ class AxiLite {
   bool wrote_ = false;        // the last one taken was a write
 };
 
+// What a top shows of the bus: the slave's handshakes with its registers' answers.
+struct AxiAnswers {
+  bool awready = false;
+  bool wready = false;
+  bool bvalid = false;
+  UInt<2> bresp = 0;  // 0 okay, 2 SLVERR
+  bool arready = false;
+  bool rvalid = false;
+  UInt<32> rdata = 0;
+  UInt<2> rresp = 0;
+};
+template <class Registered>
+AxiAnswers axi_answers(const AxiLite::Out& bus, const Registered& drive) {
+  return {.awready = bus.awready,
+          .wready = bus.wready,
+          .bvalid = bus.bvalid,
+          .bresp = drive.write_error ? UInt<2>(2) : UInt<2>(0),
+          .arready = bus.arready,
+          .rvalid = bus.rvalid,
+          .rdata = drive.data,
+          .rresp = drive.read_error ? UInt<2>(2) : UInt<2>(0)};
+}
+
 }  // namespace steplock

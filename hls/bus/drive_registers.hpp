@@ -1,5 +1,5 @@
-// Drive registers: control, status, faults, interrupts, heartbeat watchdog and telemetry of the
-// six-step drive, and the answer to every read; what words and constants say comes from WordRegisters.
+// Drive registers: control, status, faults, interrupts, heartbeat watchdog and telemetry of a drive,
+// and the answer to every read; what words and constants say comes from WordRegisters.
 //
 //     fault      sticky with its reason; a one re-arms the drive: `run` down, the cause gone
 //     watchdog   `period` ticks without a heartbeat while configured: all gates off, `run` cleared,
@@ -19,9 +19,9 @@
 #include <array>
 
 #include "hls/bus/bus.hpp"
-#include "hls/bus/six_step_registers.hpp"
+#include "hls/bus/register_map.hpp"
 #include "hls/numeric/memory.hpp"
-#include "hls/six_step/telemetry.hpp"
+#include "hls/six_step/words.hpp"
 
 namespace steplock {
 
@@ -34,27 +34,20 @@ struct TelemetryCopy {
   static constexpr std::array<Word, 8> kWords{};
 };
 
+template <class Map = SixStep>
 class DriveRegisters {
- public:
-  // What the drive shows.
-  struct Drive {
-    State state = State::kIdle;
-    Reason reason = Reason::kNone;
-    bool locked = false;
-    bool reverse = false;
-    Frequency frequency = 0;     // u0.32
-    Duty duty = 0;               // u1.15
-    PhaseError phase_error = 0;  // s0.16
-    Telemetry::Out counts;
-  };
+  using Drive = typename Map::Shown;  // what the drive shows
+  using State = typename Map::State;
+  using Reason = typename Map::Reason;
 
+ public:
   struct In {
     BusRequest request;
     UInt<32> word = 0;      // of the last read, if it was of a word or a constant, else 0
     bool hole = false;
     bool refused = false;   // a write here changes nothing
     bool unlocked = false;
-    bool no_period = false;  // the drive would hold a low side on, and its start would not end
+    bool no_period = false;  // the bridge has to stay off
     bool tick = false;      // the slow time base
     Drive drive;
   };
@@ -109,10 +102,10 @@ class DriveRegisters {
 
     if (writes && request.strobes.bit(0)) {
       if (request.index == kControl) {
-        configured_ = request.data.bit(field("CONTROL", "configured").lsb);
-        run_ = request.data.bit(field("CONTROL", "run").lsb);
-        reverse_ = request.data.bit(field("CONTROL", "reverse").lsb);
-        brake_to_stop_ = request.data.bit(field("CONTROL", "brake_to_stop").lsb);
+        configured_ = request.data.bit(field<Map>("CONTROL", "configured").lsb);
+        run_ = request.data.bit(field<Map>("CONTROL", "run").lsb);
+        reverse_ = request.data.bit(field<Map>("CONTROL", "reverse").lsb);
+        brake_to_stop_ = request.data.bit(field<Map>("CONTROL", "brake_to_stop").lsb);
       }
       if (request.index == kEnable) enabled_ = wrap<UInt<kEvents>>(request.data);
     }
@@ -128,19 +121,19 @@ class DriveRegisters {
   }
 
  private:
-  static constexpr int kControl = index_of("CONTROL");
-  static constexpr int kFault = index_of("FAULT");
-  static constexpr int kInterrupt = index_of("INTERRUPT");
-  static constexpr int kEnable = index_of("INTERRUPT_ENABLE");
-  static constexpr int kWatchdog = index_of("WATCHDOG");
-  static constexpr int kHeartbeat = index_of("HEARTBEAT");
-  static constexpr int kSnapshot = index_of("SNAPSHOT");
-  static constexpr int kTelemetry = index_of("TELEMETRY_SPEED");  // the first of five in a row
-  static constexpr int kCopies = index_of("TELEMETRY_RETRIES") - kTelemetry + 1;
-  static_assert(kCopies == 5);
-  static constexpr int kDriveFault = field("FAULT", "drive").lsb;
-  static constexpr int kWatchdogFault = field("FAULT", "watchdog").lsb;
-  static constexpr int kEvents = field("INTERRUPT_ENABLE", "enable").width;
+  static constexpr int kControl = index_of<Map>("CONTROL");
+  static constexpr int kFault = index_of<Map>("FAULT");
+  static constexpr int kInterrupt = index_of<Map>("INTERRUPT");
+  static constexpr int kEnable = index_of<Map>("INTERRUPT_ENABLE");
+  static constexpr int kWatchdog = index_of<Map>("WATCHDOG");
+  static constexpr int kHeartbeat = index_of<Map>("HEARTBEAT");
+  static constexpr int kSnapshot = index_of<Map>("SNAPSHOT");
+  static constexpr int kCopies = Map::kCopies;
+  static constexpr int kTelemetry = index_of<Map>("TELEMETRY_SPEED");  // the first of so many in a row
+  static_assert(kCopies == index_of<Map>("TELEMETRY_RETRIES") - kTelemetry + 1);
+  static constexpr int kDriveFault = field<Map>("FAULT", "drive").lsb;
+  static constexpr int kWatchdogFault = field<Map>("FAULT", "watchdog").lsb;
+  static constexpr int kEvents = field<Map>("INTERRUPT_ENABLE", "enable").width;
 
   bool stopped(const Drive& drive) const {
     return !run_ && (drive.state == State::kIdle || drive.state == State::kFault);
@@ -168,11 +161,11 @@ class DriveRegisters {
     const bool faulted = drive.state == State::kFault;
     const bool locks = drive.locked && !was_locked_;
     const bool loses = !drive.locked && was_locked_ && (faulted || drive.state == State::kRest);
-    const UInt<kEvents> events = flag<field("INTERRUPT", "fault").lsb>(faulted && !was_faulted_) |
-                                 flag<field("INTERRUPT", "watchdog").lsb>(bites) |
-                                 flag<field("INTERRUPT", "lock").lsb>(locks) |
-                                 flag<field("INTERRUPT", "lost").lsb>(loses) |
-                                 flag<field("INTERRUPT", "started").lsb>(locks && starting_);
+    const UInt<kEvents> events = flag<field<Map>("INTERRUPT", "fault").lsb>(faulted && !was_faulted_) |
+                                 flag<field<Map>("INTERRUPT", "watchdog").lsb>(bites) |
+                                 flag<field<Map>("INTERRUPT", "lock").lsb>(locks) |
+                                 flag<field<Map>("INTERRUPT", "lost").lsb>(loses) |
+                                 flag<field<Map>("INTERRUPT", "started").lsb>(locks && starting_);
     if (faulted && !was_faulted_) fault_reason_ = drive.reason;
     starting_ = !run_ || (starting_ && !locks);
     was_faulted_ = faulted;
@@ -189,29 +182,25 @@ class DriveRegisters {
   static UInt<32> at(const T& value) {
     return bits_of(value) << Lsb;
   }
-  template <int W>
-  static UInt<32> both(UInt<W> low, UInt<16> high) {
-    return UInt<32>(low) | (UInt<32>(high) << 16);
-  }
-
   UInt<32> status(const In& in) const {
-    switch (in.request.index.slice<5, 0>().raw()) {
+    const WordIndex index = in.request.index;
+    switch (index.slice<5, 0>().raw()) {
       case kControl:
-        return at<field("CONTROL", "configured").lsb>(configured_) |
-               at<field("CONTROL", "run").lsb>(run_) |
-               at<field("CONTROL", "reverse").lsb>(reverse_) |
-               at<field("CONTROL", "brake_to_stop").lsb>(brake_to_stop_);
-      case index_of("STATUS"):
-        return at<field("STATUS", "state").lsb>(in.drive.state) |
-               at<field("STATUS", "reason").lsb>(in.drive.reason) |
-               at<field("STATUS", "locked").lsb>(in.drive.locked) |
-               at<field("STATUS", "reverse").lsb>(in.drive.reverse) |
-               at<field("STATUS", "unlocked").lsb>(in.unlocked) |
-               at<field("STATUS", "stopped").lsb>(stopped(in.drive)) |
-               at<field("STATUS", "no_period").lsb>(in.no_period);
+        return at<field<Map>("CONTROL", "configured").lsb>(configured_) |
+               at<field<Map>("CONTROL", "run").lsb>(run_) |
+               at<field<Map>("CONTROL", "reverse").lsb>(reverse_) |
+               at<field<Map>("CONTROL", "brake_to_stop").lsb>(brake_to_stop_);
+      case index_of<Map>("STATUS"):
+        return at<field<Map>("STATUS", "state").lsb>(in.drive.state) |
+               at<field<Map>("STATUS", "reason").lsb>(in.drive.reason) |
+               at<field<Map>("STATUS", "locked").lsb>(in.drive.locked) |
+               at<field<Map>("STATUS", "reverse").lsb>(in.drive.reverse) |
+               at<field<Map>("STATUS", "unlocked").lsb>(in.unlocked) |
+               at<field<Map>("STATUS", "stopped").lsb>(stopped(in.drive)) |
+               at<field<Map>("STATUS", "no_period").lsb>(in.no_period);
       case kFault:
         return at<kDriveFault>(faulted(in.drive)) | at<kWatchdogFault>(watchdog_fault_) |
-               at<field("FAULT", "reason").lsb>(fault_reason_);
+               at<field<Map>("FAULT", "reason").lsb>(fault_reason_);
       case kInterrupt: return interrupts_;
       case kEnable: return enabled_;
       case kWatchdog: return period_;
@@ -221,13 +210,7 @@ class DriveRegisters {
 
   // Takes and reads the copies: those of the last snapshot, 0 before the first.
   UInt<32> snapshot(const In& in) {
-    const Drive& drive = in.drive;
-    const std::array<UInt<32>, kCopies> now = {
-        UInt<32>(drive.frequency),
-        both(drive.duty, UInt<16>::of(drive.phase_error.raw())),
-        both(drive.counts.crossings, drive.counts.missed),
-        both(drive.counts.freewheel_long, drive.counts.limit_hits),
-        UInt<32>(drive.counts.retries)};
+    const std::array<UInt<32>, kCopies> now = Map::telemetry(in.drive);
     const bool takes = in.request.write && !in.refused && in.request.index == kSnapshot;
     UInt<32> shown = 0;
     for (int i = 0; i < kCopies; ++i) {

@@ -32,7 +32,7 @@ class SixStepAxes {
     AxiLite::In axi;
   };
 
-  using Axi = SixStepAxi::Axi;
+  using Axi = AxiAnswers;
 
   struct Axis {
     Gates gates;

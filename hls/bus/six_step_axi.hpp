@@ -23,23 +23,12 @@ class SixStepAxi {
     AxiLite::In axi;
   };
 
-  struct Axi {
-    bool awready = false;
-    bool wready = false;
-    bool bvalid = false;
-    UInt<2> bresp = 0;  // 0 okay, 2 SLVERR
-    bool arready = false;
-    bool rvalid = false;
-    UInt<32> rdata = 0;
-    UInt<2> rresp = 0;
-  };
-
   struct Out {
     Gates gates;
     bool interrupt = false;  // level
     bool locked = false;     // running under speed control
     bool fault = false;      // the drive's fault is latched
-    Axi axi;
+    AxiAnswers axi;
   };
 
   Out tick(const In& in) {
@@ -49,14 +38,7 @@ class SixStepAxi {
             .interrupt = drive.interrupt,
             .locked = drive.locked,
             .fault = drive.fault,
-            .axi = {.awready = bus.awready,
-                    .wready = bus.wready,
-                    .bvalid = bus.bvalid,
-                    .bresp = drive.write_error ? UInt<2>(2) : UInt<2>(0),
-                    .arready = bus.arready,
-                    .rvalid = bus.rvalid,
-                    .rdata = drive.data,
-                    .rresp = drive.read_error ? UInt<2>(2) : UInt<2>(0)}};
+            .axi = axi_answers(bus, drive)};
   }
 
  private:

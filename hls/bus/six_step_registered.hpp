@@ -14,6 +14,7 @@
 #pragma once
 
 #include "hls/bus/drive_registers.hpp"
+#include "hls/bus/six_step_registers.hpp"
 #include "hls/bus/word_registers.hpp"
 #include "hls/six_step/six_step_top.hpp"
 
@@ -75,10 +76,10 @@ class SixStepRegistered {
   }
 
  private:
-  WordRegisters words_;
+  WordRegisters<> words_;
   PwmGenerator pwm_;  // of the drive's period alone, for its boundaries and ticks
   SixStepTop drive_;
-  DriveRegisters registers_;
+  DriveRegisters<> registers_;
 
   Command command_;
   bool stopped_ = true;

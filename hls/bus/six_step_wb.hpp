@@ -23,33 +23,22 @@ class SixStepWb {
     Wishbone::In wb;
   };
 
-  struct Wb {
-    bool ack = false;
-    bool err = false;
-    bool stall = false;  // for pipelined hosts
-    UInt<32> dat = 0;
-  };
-
   struct Out {
     Gates gates;
     bool interrupt = false;  // level
     bool locked = false;     // running under speed control
     bool fault = false;      // the drive's fault is latched
-    Wb wb;
+    WishboneAnswers wb;
   };
 
   Out tick(const In& in) {
     const auto bus = bus_.tick(in.wb);
     const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
-    const bool error = in.wb.we ? drive.write_error : drive.read_error;
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,
             .locked = drive.locked,
             .fault = drive.fault,
-            .wb = {.ack = bus.ack && !error,
-                   .err = bus.ack && error,
-                   .stall = bus.stall,
-                   .dat = drive.data}};
+            .wb = wishbone_answers(bus, in.wb.we, drive)};
   }
 
  private:

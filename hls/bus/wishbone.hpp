@@ -58,4 +58,17 @@ class Wishbone {
   bool rests_ = false;  // after an answer
 };
 
+// What a top shows of the bus: an answer of the registers is an ack, or an err.
+struct WishboneAnswers {
+  bool ack = false;
+  bool err = false;
+  bool stall = false;  // for pipelined hosts
+  UInt<32> dat = 0;
+};
+template <class Registered>
+WishboneAnswers wishbone_answers(const Wishbone::Out& bus, bool we, const Registered& drive) {
+  const bool error = we ? drive.write_error : drive.read_error;
+  return {.ack = bus.ack && !error, .err = bus.ack && error, .stall = bus.stall, .dat = drive.data};
+}
+
 }  // namespace steplock

@@ -1,5 +1,6 @@
 #include "hls/bus/word_registers.hpp"
+#include "hls/bus/six_step_registers.hpp"
 
 #include "hls/numeric/block.hpp"
 
-template struct steplock::Synthesize<steplock::WordRegisters>;
+template struct steplock::Synthesize<steplock::WordRegisters<>>;

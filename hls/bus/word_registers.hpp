@@ -1,4 +1,4 @@
-// Word registers: keeps the words of the six-step drive, and says which writes the map refuses.
+// Word registers: keeps the words of a drive, and says which writes its map refuses.
 //
 // A write to a hole, to a read-only register, to a stopped or keyed one while the motor may turn,
 // or to a keyed one behind the closed lock changes nothing and is refused.  Byte strobes count.
@@ -15,7 +15,8 @@
 //
 //     latency      1 clock from a write to the word, and from a read to `data`, which then stays;
 //                  `hole` and `refused` are of this clock
-//     registers    all words, the shadow of the set-point and the lock: 732 bits; 29 flags
+//     registers    all words, the shadow of the set-point and the lock; a flag per register: 761 bits
+//                  of the six-step drive's map, 757 of the sinusoidal one's
 //     memory       128 words of 32 bits     multipliers  none
 //
 // Doc: docs/blocks/word_registers.md   Test: tests/hls/word_registers_test.cpp
@@ -25,32 +26,34 @@
 #include <array>
 
 #include "hls/bus/bus.hpp"
-#include "hls/bus/six_step_registers.hpp"
+#include "hls/bus/register_map.hpp"
 #include "hls/numeric/memory.hpp"
 
 namespace steplock {
 
 // One number for each register of words, the upper half of the map: `bits` of all its fields.
 using OfRows = std::array<UInt<32>, kMapBytes / 8>;
+template <class Map>
 constexpr OfRows of_rows(std::uint32_t (*bits)(const Field&)) {
   OfRows all{};
   const auto add = [&](const Field& f) {
     UInt<32>& one = all[f.address / 4 - kMapBytes / 8];
     one = one | UInt<32>::of(bits(f));
   };
-  std::apply([&](const auto&... row) { (add(row), ...); }, kWordRows);
+  std::apply([&](const auto&... row) { (add(row), ...); }, Map::kWordRows);
   return all;
 }
 
 // What is read back, as it stands before any write: see WordRegisters.
+template <class Map = SixStep>
 struct WordMirror {
   using Word = UInt<32>;
   static constexpr int kLanes = 4;  // a byte each
   static constexpr int kRegisters = kMapBytes / 4;
-  static constexpr int kLastConstant = index_of("CAPABILITY");  // behind ID and VERSION
+  static constexpr int kLastConstant = index_of<Map>("CAPABILITY");  // behind ID and VERSION
 
-  static constexpr OfRows kResets = of_rows([](const Field& f) { return f.reset << f.lsb; });
-  static constexpr OfRows kFieldBits = of_rows(mask_of);
+  static constexpr OfRows kResets = of_rows<Map>([](const Field& f) { return f.reset << f.lsb; });
+  static constexpr OfRows kFieldBits = of_rows<Map>(mask_of);
 
   static constexpr std::array<Word, 2 * kRegisters> kWords = [] {
     std::array<Word, 2 * kRegisters> words{};
@@ -59,19 +62,23 @@ struct WordMirror {
       word = word | Word::of(f.reset << f.lsb);
     };
     for (int i = 0; i < kRegisters / 2; ++i) words[kRegisters + kRegisters / 2 + i] = kResets[i];
-    for (const Field& f : kSystemFields) {
+    for (const Field& f : Map::kSystemFields) {
       if (f.address <= 4 * kLastConstant) add(f);
     }
     return words;
   }();
 };
 
+template <class Map = SixStep>
 class WordRegisters {
+  using Words = typename Map::Words;
+  using Mirror = WordMirror<Map>;
+
  public:
   struct In {
     BusRequest request;
     bool stopped = false;   // stopped and keyed words may change
-    bool boundary = false;  // strobe: a PWM period begins
+    bool boundary = false;  // strobe: shadowed words are taken over
   };
 
   struct Out {
@@ -80,7 +87,7 @@ class WordRegisters {
     bool hole = false;      // no register stands there
     bool refused = false;   // the map does not allow this write
     bool unlocked = false;  // the lock is open
-    bool no_period = false;  // PWM.period is 0
+    bool no_period = false;  // with this PWM period the bridge has to stay off
   };
 
   Out tick(const In& in) {
@@ -93,14 +100,14 @@ class WordRegisters {
                   .hole = rule == Rule::kHole,
                   .refused = !allowed,
                   .unlocked = unlocked_,
-                  .no_period = words_.pwm.period == Clocks(0)};
+                  .no_period = Map::no_period(words_)};
 
     if (in.boundary || in.stopped) each<0>([&](auto row) { show<decltype(row)>(); });
     if (writes) {
       const UInt<32> mask = byte_mask(in.request.strobes);
       each<0>([&](auto row) { write<decltype(row)>(in.request, mask); });
       if (in.request.index == kLock) {
-        unlocked_ = (in.request.data & mask).slice<15, 0>() == UInt<16>(kLockKey);
+        unlocked_ = opens(in.request.data & mask);
       }
     }
     return out;
@@ -109,15 +116,16 @@ class WordRegisters {
  private:
   enum class Rule : std::uint8_t { kHole, kNever, kOpen, kStopped, kKeyed };
 
-  static constexpr int kLock = index_of("LOCK");
-  static constexpr int kRegisters = WordMirror::kRegisters;
+  using Rows = std::remove_cvref_t<decltype(Map::kWordRows)>;
+  static constexpr int kLock = index_of<Map>("LOCK");
+  static constexpr int kRegisters = Mirror::kRegisters;
   static constexpr int kFirst = kRegisters / 2;  // words stand in the upper half of the map
-  static constexpr int kRows = std::tuple_size_v<decltype(kWordRows)>;
+  static constexpr int kRows = std::tuple_size_v<Rows>;
 
   // What the fields of every address say; a writable one speaks for all.
   static constexpr std::array<Rule, kRegisters> kRules = [] {
     std::array<Rule, kRegisters> rules{};
-    for (const Field& f : kFields) {
+    for (const Field& f : Map::kFields) {
       Rule& rule = rules[f.address / 4];
       if (f.access == Access::kStopped) {
         rule = Rule::kStopped;
@@ -135,13 +143,15 @@ class WordRegisters {
     return index >= kRegisters ? Rule::kHole : kRules[index.slice<5, 0>().raw()];
   }
 
+  static bool opens(UInt<32> key) { return key.slice<15, 0>() == UInt<16>(kLockKey); }
+
   // A row of the table as a type, so that nothing of the table itself remains.
   template <int I>
   struct Row {
-    using Word = typename std::tuple_element_t<I, std::remove_cv_t<decltype(kWordRows)>>::Word;
-    static constexpr int index = std::get<I>(kWordRows).address / 4;
-    static constexpr int lsb = std::get<I>(kWordRows).lsb;
-    static constexpr bool shadowed = std::get<I>(kWordRows).access == Access::kShadowed;
+    using Word = typename std::tuple_element_t<I, Rows>::Word;
+    static constexpr int index = std::get<I>(Map::kWordRows).address / 4;
+    static constexpr int lsb = std::get<I>(Map::kWordRows).lsb;
+    static constexpr bool shadowed = std::get<I>(Map::kWordRows).access == Access::kShadowed;
   };
   template <int I, class Use>
   static void each(const Use& use) {
@@ -178,14 +188,14 @@ class WordRegisters {
     const auto row = place.slice<4, 0>().raw();
     const bool fresh = !(place.bit(5) && written_[row]);
     const UInt<32> mask = byte_mask(request.strobes);
-    const UInt<32> data = request.data & mask & WordMirror::kFieldBits[row];
+    const UInt<32> data = request.data & mask & Mirror::kFieldBits[row];
     const UInt<4> lanes = fresh ? UInt<4>::max() : request.strobes;
     const auto word = mirror_.tick(
         {.read = request.read,
          .address = UInt<7>(place) | (fresh ? UInt<7>(kRegisters) : UInt<7>(0)),
          .write = writes ? lanes : UInt<4>(0),
          .write_address = place,
-         .write_data = data | (WordMirror::kResets[row] & ~mask)});
+         .write_data = data | (Mirror::kResets[row] & ~mask)});
     const UInt<32> shown = shows_ ? word.data : UInt<32>(0);
     if (request.read) shows_ = request.index < kRegisters;
     return shown;
@@ -194,7 +204,7 @@ class WordRegisters {
   Words words_;
   Words staged_;  // of shadowed words alone; the others' bits never leave their reset values
   bool unlocked_ = false;
-  Memory<WordMirror> mirror_;
+  Memory<Mirror> mirror_;
   std::array<bool, kRegisters - kFirst> written_{};  // since the reset
   bool shows_ = false;  // the last read was of the map
 };

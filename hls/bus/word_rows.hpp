@@ -11,31 +11,12 @@
 #pragma once
 
 #include <tuple>
-#include <type_traits>
 
-#include "hls/bus/register_fields.hpp"
+#include "hls/bus/register_map.hpp"
 #include "hls/six_step/words.hpp"
 
 namespace steplock {
 
-// A member of Words, by the members on the way to it.
-template <auto First, auto... Rest>
-struct At {
-  template <class Group>
-  static constexpr auto& of(Group& group) {
-    if constexpr (sizeof...(Rest) == 0) {
-      return group.*First;
-    } else {
-      return At<Rest...>::of(group.*First);
-    }
-  }
-};
-
-// Bits of a word's type, and its number.
-template <class T>
-inline constexpr int kBitsOf = T::width;
-template <>
-inline constexpr int kBitsOf<bool> = 1;
 template <>
 inline constexpr int kBitsOf<Sampling> = 2;
 template <>
@@ -44,40 +25,6 @@ template <>
 inline constexpr int kBitsOf<Bandwidth> = 1;
 template <>
 inline constexpr int kBitsOf<Source> = 1;
-
-template <class T>
-constexpr UInt<32> bits_of(const T& word) {
-  if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
-    return UInt<32>(int(word));
-  } else {
-    return UInt<32>(word);
-  }
-}
-template <class T>
-constexpr T word_of(UInt<32> bits) {
-  if constexpr (std::is_same_v<T, bool>) {
-    return bits.bit(0);
-  } else if constexpr (std::is_enum_v<T>) {
-    return static_cast<T>(wrap<UInt<kBitsOf<T>>>(bits).raw());
-  } else {
-    return wrap<T>(bits);
-  }
-}
-
-template <class Place>
-struct WordRow : Field {
-  using Word = Place;
-};
-
-template <auto... Path>
-constexpr WordRow<At<Path...>> word(const char* group, const char* name, int address, int lsb,
-                                    Access access, const char* unit, const char* prose) {
-  const Words reset;
-  const auto& value = At<Path...>::of(reset);
-  using Type = std::remove_cvref_t<decltype(value)>;
-  return {{group, name, address, lsb, kBitsOf<Type>, access,
-           static_cast<std::uint32_t>(bits_of(value).raw()), unit, prose}};
-}
 
 inline constexpr auto kWordRows = std::make_tuple(
     word<&Words::pwm, &PwmWords::period>(

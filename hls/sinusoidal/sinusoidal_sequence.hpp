@@ -55,6 +55,7 @@ class SinusoidalSequence {
     bool brake = false;       // all low sides on
     bool slow_down = false;
     bool locked = false;
+    UInt<4> tries = 0;        // that failed and were followed by another one, since `run` was obeyed
   };
 
   Out tick(const In& in) {
@@ -73,7 +74,8 @@ class SinusoidalSequence {
                   .modulate = holding || (regulating && modulated_ != 0),
                   .brake = state_ == SinusoidalState::kBrake,
                   .slow_down = state_ == SinusoidalState::kSlowDown,
-                  .locked = regulating && state_ != SinusoidalState::kStarting};
+                  .locked = regulating && state_ != SinusoidalState::kStarting,
+                  .tries = tries_};
     entered_ = false;
     // As they stand at the begin of the clock: counting and deciding are a path each.
     const bool over = timer_ == 0, trusted = trust_ == 0;
@@ -88,6 +90,8 @@ class SinusoidalSequence {
       end(SinusoidalReason::kFaultPin);
     } else if (alive && in.fatal != SinusoidalReason::kNone) {
       end(in.fatal);
+    } else if (alive && !in.command.configured && state_ != SinusoidalState::kIdle) {
+      enter(SinusoidalState::kIdle);  // the guard has turned the bridge off: nothing goes on when it is on again
     } else {
       walk(in, over, trusted);
     }

@@ -50,6 +50,8 @@ class SinusoidalTop {
     bool locked = false;      // running, the estimate is claimed to be right
     bool estimating = false;  // the loop is closed
     bool done = false;        // strobe: a sample is worked through
+    bool reverse = false;     // the wanted direction
+    UInt<4> tries = 0;        // that failed and were followed by another one, since `run` was obeyed
     Angle angle = 0;          // u0.24, electrical turns, at the last sample
     Angle initial = 0;        // u0.24, where the estimate begins: once found, by pilot pulses
     Int<16> speed = 0;        // s0.15 of 1/16 turn per sample, smoothed
@@ -57,6 +59,7 @@ class SinusoidalTop {
     Int<16> i_gamma = 0;      // s0.15
     Int<16> i_delta = 0;      // s0.15
     Int<16> wanted = 0;       // s0.15, i_delta*
+    UInt<12> v_dc = 0;        // u0.12, of the last sample
     LegClocks on_u = 0;       // clocks, of the next period
     LegClocks on_v = 0;
     LegClocks on_w = 0;
@@ -108,10 +111,12 @@ class SinusoidalTop {
     const auto v = pwm_v_.tick(pulse(legs.on_v, words.bridge));
     const auto w = pwm_w_.tick(pulse(legs.on_w, words.bridge));
 
+    // Until the words are there, no sample is due and no current too large.
+    const bool configured = in.command.configured;
     const auto faults = protection_.tick({.restart = restart_,
-                                          .period = u.start,
+                                          .period = u.start && configured,
                                           .sampled = control.done,
-                                          .over_current = sense.over && !waiting_,
+                                          .over_current = sense.over && !waiting_ && configured,
                                           .regulating = orders_.regulate,
                                           .saturated = control.limited || speed.saturated,
                                           .locked = orders_.locked,
@@ -142,7 +147,7 @@ class SinusoidalTop {
                                                 .vl = now.brake || (!off && !on_v),
                                                 .wh = !off && on_w,
                                                 .wl = now.brake || (!off && !on_w)},
-                                    .enable = in.command.configured,
+                                    .enable = configured,
                                     .fault = pins.fault,
                                     .dead_time = words.bridge.dead_time});
 
@@ -166,6 +171,8 @@ class SinusoidalTop {
             .locked = now.locked,
             .estimating = now.regulate,
             .done = control.done,
+            .reverse = now.reverse,
+            .tries = now.tries,
             .angle = control.angle,
             .initial = pilot.angle,
             .speed = speed.speed,
@@ -173,6 +180,7 @@ class SinusoidalTop {
             .i_gamma = control.i_gamma,
             .i_delta = control.i_delta,
             .wanted = speed.current,
+            .v_dc = sense.v_dc,
             .on_u = legs.on_u,
             .on_v = legs.on_v,
             .on_w = legs.on_w};

@@ -1,6 +1,6 @@
 // AXI4-Lite master for tests and co-simulation: one transfer after the other, any top behind it.
 //
-// `Clock` gives the top one clock: SixStepAxi::Axi operator()(const AxiLite::In&).  It shows valid
+// `Clock` gives the top one clock: AxiAnswers operator()(const AxiLite::In&).  It shows valid
 // until ready, as the protocol asks, and gives up (Response::stuck) after kPatience clocks.
 //
 // Test: tests/hls/six_step_axi_test.cpp
@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "hls/bus/six_step_axi.hpp"
+#include "hls/bus/axi_lite.hpp"
 
 namespace steplock {
 
@@ -27,7 +27,7 @@ class AxiMaster {
     AxiLite::In pins{.awvalid = true, .awaddr = UInt<12>::of(address), .wvalid = true,
                      .wdata = data, .wstrb = strobes, .bready = true};
     for (int i = 0; i < kPatience; ++i) {
-      const SixStepAxi::Axi axi = clock_(pins);
+      const AxiAnswers axi = clock_(pins);
       if (axi.awready) pins.awvalid = false;
       if (axi.wready) pins.wvalid = false;
       if (axi.bvalid) return {.okay = axi.bresp == UInt<2>(0)};
@@ -37,7 +37,7 @@ class AxiMaster {
   Response read(std::uint32_t address) {
     AxiLite::In pins{.arvalid = true, .araddr = UInt<12>::of(address), .rready = true};
     for (int i = 0; i < kPatience; ++i) {
-      const SixStepAxi::Axi axi = clock_(pins);
+      const AxiAnswers axi = clock_(pins);
       if (axi.arready) pins.arvalid = false;
       if (axi.rvalid) {
         return {.okay = axi.rresp == UInt<2>(0), .data = std::uint32_t(axi.rdata.raw())};

@@ -1,7 +1,7 @@
 // Random traffic on a bus that has one transfer under way at a time: every answer is the map's, it comes once
 // and in time, and nothing comes unasked.
 //
-//     Bus    struct { using Top; static void idle(Top::In&), show(Top::In&, const Transfer&, int phase);
+//     Bus    struct { using Top, Map; static void idle(Top::In&), show(Top::In&, const Transfer&, int phase);
 //                     static Answer answer(const Top::Out&); static constexpr int kPhases, kClocks; }
 //
 // `phase` counts the clocks of a transfer up to kPhases - 1 and stays there until the answer.
@@ -30,15 +30,17 @@ struct Answer {
   std::uint32_t data = 0;
 };
 
-// One transfer; `clocks` says how many it took.
-template <class Bus>
-Answer transfer(typename Bus::Top& top, typename Bus::Top::In& in, const Transfer& t,
-                int* clocks = nullptr) {
+// One transfer, with `pins()` before every clock; `clocks` says how many it took.
+template <class Bus, class Pins>
+Answer transfer(typename Bus::Top& top, typename Bus::Top::In& in, typename Bus::Top::Out& out, const Transfer& t,
+                const Pins& pins, int* clocks = nullptr) {
   Answer answer;
   int clock = 0;
   for (; !answer.done && clock < 100; ++clock) {
+    pins();
     Bus::show(in, t, std::min(clock, Bus::kPhases - 1));
-    answer = Bus::answer(top.tick(in));
+    out = top.tick(in);
+    answer = Bus::answer(out);
   }
   EXPECT_TRUE(answer.done);
   Bus::idle(in);
@@ -53,7 +55,8 @@ void random_bus_traffic(int transfers, std::uint64_t seed, int lie = -1) {
   const auto chance = [&](int percent) { return int(random() % 100) < percent; };
   typename Bus::Top top;
   typename Bus::Top::In in;
-  MapModel model;
+  typename Bus::Top::Out out;
+  MapModel<typename Bus::Map> model;
   int errors = 0;
   for (int i = 0; i < transfers; ++i) {
     for (int idle = int(random() % 4); idle > 0; --idle) {
@@ -64,11 +67,11 @@ void random_bus_traffic(int transfers, std::uint64_t seed, int lie = -1) {
                .data = chance(30) ? kLockKey : std::uint32_t(random()),
                .strobes = chance(60) ? 15 : int(random() % 16)};
     const int home = t.address & ~3;
-    // Run stays low and no watchdog bites: this is the traffic of an idle drive.
+    // Run stays low: this is the traffic of an idle drive.
     if (home == kControl) t.data &= ~2U;
-    if (home == address_of(index_of("WATCHDOG"))) t.write = false;
+    if (Behind<typename Bus::Map>::bites(home)) t.write = false;
     int clocks = 0;
-    Answer answer = transfer<Bus>(top, in, t, &clocks);
+    Answer answer = transfer<Bus>(top, in, out, t, [] {}, &clocks);
     if (i == lie) answer.error = !answer.error;
     ASSERT_LE(clocks, Bus::kClocks) << "transfer " << i;
     if (t.write) {
@@ -87,38 +90,36 @@ void random_bus_traffic(int transfers, std::uint64_t seed, int lie = -1) {
 // The host turns the bridge on and off, and a fault pin needs its one.
 template <class Bus>
 void start_fault_and_stop() {
+  using Drive = Behind<typename Bus::Map>;
   typename Bus::Top top;
   typename Bus::Top::In in;
-  const auto write = [&](int address, std::uint32_t data) {
-    return !transfer<Bus>(top, in, {.write = true, .address = address, .data = data}).error;
-  };
-  const auto read = [&](int address) { return transfer<Bus>(top, in, {.address = address}).data; };
   typename Bus::Top::Out out;
+  bool fault = false;
+  const auto pins = [&] { Drive::pins(in, out, fault); };
+  const auto write = [&](int address, std::uint32_t data) {
+    return !transfer<Bus>(top, in, out, {.write = true, .address = address, .data = data}, pins).error;
+  };
+  const auto read = [&](int address) { return transfer<Bus>(top, in, out, {.address = address}, pins).data; };
   const auto gates_move = [&](int clocks) {
     bool moved = false;
     for (int i = 0; i < clocks; ++i) {
+      pins();
       out = top.tick(in);
-      const Gates& g = out.gates;
-      moved = moved || g.uh || g.ul || g.vh || g.vl || g.wh || g.wl;
+      moved = moved || !(out.gates == Gates{});
     }
     return moved;
   };
-  // A reset pattern that lasts, half of the time on.
-  EXPECT_TRUE(write(kPwm, 1u << 24 | 200));
-  EXPECT_TRUE(write(address_of(index_of("START_RESET")), 4095u << 16));
-  EXPECT_TRUE(write(address_of(index_of("START_DUTY")), 0x4000));
-  EXPECT_TRUE(write(address_of(index_of("SPEED_DUTY")), 0x8000u << 16));
-  EXPECT_TRUE(write(address_of(index_of("SPEED_DUTY_SLEW")), 0xfff));
+  for (const auto& [address, value] : Drive::words()) EXPECT_TRUE(write(address, value));
   EXPECT_TRUE(write(address_of(index_of("INTERRUPT_ENABLE")), 1));
-  EXPECT_FALSE(gates_move(2000));
+  EXPECT_FALSE(gates_move(Drive::kMoves));
   EXPECT_TRUE(write(kControl, 3));
-  EXPECT_TRUE(gates_move(2000));
+  EXPECT_TRUE(gates_move(Drive::kMoves));
   EXPECT_FALSE(write(kPwm, 1000)) << "it runs";
 
-  in.pins.fault = true;
+  fault = true;
   gates_move(3);
   EXPECT_FALSE(gates_move(1000));
-  in.pins.fault = false;
+  fault = false;
   gates_move(5);
   EXPECT_TRUE(out.interrupt && out.fault);
   EXPECT_EQ(read(kFault), 0x11u) << "fault pin";

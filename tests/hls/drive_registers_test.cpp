@@ -2,19 +2,26 @@
 
 #include <gtest/gtest.h>
 
+#include "hls/bus/sinusoidal_registers.hpp"
+#include "hls/bus/six_step_registers.hpp"
+
 namespace steplock {
 namespace {
 
+template <class Map = SixStep>
 struct Bench {
-  DriveRegisters dut;
-  DriveRegisters::In in;
+  using State = typename Map::State;
+  using Reason = typename Map::Reason;
+  using Out = typename DriveRegisters<Map>::Out;
+  DriveRegisters<Map> dut;
+  typename DriveRegisters<Map>::In in;
 
-  DriveRegisters::Out tick() {
+  Out tick() {
     const auto out = dut.tick(in);
     in.request = {};
     return out;
   }
-  DriveRegisters::Out write(int index, std::uint32_t data, int strobes = 15) {
+  Out write(int index, std::uint32_t data, int strobes = 15) {
     in.request = {.write = true, .index = index, .data = data, .strobes = strobes};
     tick();
     return tick();
@@ -38,18 +45,24 @@ constexpr int kInterrupt = index_of("INTERRUPT"), kEnable = index_of("INTERRUPT_
 constexpr std::uint32_t kConfigured = bit(field("CONTROL", "configured"));
 constexpr std::uint32_t kRun = bit(field("CONTROL", "run"));
 
-TEST(DriveRegisters, ResetIsThatOfTheTable) {
-  Bench bench;
+// What holds for every map.
+template <class Map>
+struct DriveRegistersOf : testing::Test {};
+using Maps = testing::Types<SixStep, Sinusoidal>;
+TYPED_TEST_SUITE(DriveRegistersOf, Maps);
+
+TYPED_TEST(DriveRegistersOf, ResetIsThatOfTheTable) {
+  Bench<TypeParam> bench;
   bench.in.no_period = true;
-  for (const Field& f : kSystemFields) {
+  for (const Field& f : TypeParam::kSystemFields) {
     if (f.address <= 4 * index_of("CAPABILITY")) continue;  // constants: WordRegisters
     EXPECT_EQ(bench.read(f.address / 4) >> f.lsb & (mask_of(f) >> f.lsb), f.reset)
         << f.group << '.' << f.name;
   }
 }
 
-TEST(DriveRegisters, ControlIsTheCommand) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, ControlIsTheCommand) {
+  Bench<TypeParam> bench;
   for (std::uint32_t bits = 0; bits < 16; ++bits) {
     const Command c = bench.write(kControl, bits).command;
     EXPECT_EQ(c.configured + 2 * c.run + 4 * c.reverse + 8 * c.brake_to_stop, bits);
@@ -58,8 +71,8 @@ TEST(DriveRegisters, ControlIsTheCommand) {
   EXPECT_TRUE(bench.write(kControl, 0, 14).command.run) << "no strobe, no change";
 }
 
-TEST(DriveRegisters, ARefusedWriteIsAnErrorAndChangesNothing) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, ARefusedWriteIsAnErrorAndChangesNothing) {
+  Bench<TypeParam> bench;
   bench.in.refused = true;
   const auto out = bench.write(kControl, 3);
   EXPECT_TRUE(out.write_error);
@@ -68,8 +81,8 @@ TEST(DriveRegisters, ARefusedWriteIsAnErrorAndChangesNothing) {
   EXPECT_FALSE(bench.write(kControl, 3).write_error);
 }
 
-TEST(DriveRegisters, AHoleReadsZeroWithAnError) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, AHoleReadsZeroWithAnError) {
+  Bench<TypeParam> bench;
   bench.in.word = 77;
   EXPECT_EQ(bench.read(0x20), 77u) << "a word register";
   bench.in.word = 0;
@@ -82,11 +95,11 @@ TEST(DriveRegisters, AHoleReadsZeroWithAnError) {
   EXPECT_EQ(out.data, UInt<32>(0));
 }
 
-TEST(DriveRegisters, AFaultIsStickyWithItsReasonUntilAOneIsWritten) {
-  Bench bench;
-  bench.enter(State::kFault, false, Reason::kOverCurrent);
+TYPED_TEST(DriveRegistersOf, AFaultIsStickyWithItsReasonUntilAOneIsWritten) {
+  Bench<TypeParam> bench;
+  bench.enter(TypeParam::State::kFault, false, TypeParam::Reason::kOverCurrent);
   EXPECT_EQ(bench.read(kFault), 0x21u);
-  bench.enter(State::kIdle);
+  bench.enter(TypeParam::State::kIdle);
   EXPECT_EQ(bench.read(kFault), 0x21u) << "even when the drive has left it";
   bench.write(kFault, 0);
   EXPECT_EQ(bench.read(kFault), 0x21u) << "a zero leaves it";
@@ -95,25 +108,25 @@ TEST(DriveRegisters, AFaultIsStickyWithItsReasonUntilAOneIsWritten) {
   EXPECT_EQ(bench.read(kFault), 0x20u) << "the reason stays";
 }
 
-TEST(DriveRegisters, AFaultWhoseCauseLastsStays) {
-  Bench bench;
-  bench.enter(State::kFault, false, Reason::kFaultPin);
+TYPED_TEST(DriveRegistersOf, AFaultWhoseCauseLastsStays) {
+  Bench<TypeParam> bench;
+  bench.enter(TypeParam::State::kFault, false, TypeParam::Reason::kFaultPin);
   bench.write(kFault, 1);
   for (int clock = 0; clock < 5; ++clock) bench.tick();
   EXPECT_EQ(bench.read(kFault) & 1, 1u);
 }
 
-TEST(DriveRegisters, InterruptsFollowTheirEvents) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, InterruptsFollowTheirEvents) {
+  Bench<TypeParam> bench;
   bench.write(kControl, kConfigured | kRun);
-  bench.enter(State::kRun, true);
+  bench.enter(TypeParam::State::kRun, true);
   EXPECT_EQ(bench.read(kInterrupt), 0x14u) << "lock, started";
   bench.write(kInterrupt, 0x14);
-  bench.enter(State::kRest, false, Reason::kStepOut);
+  bench.enter(TypeParam::State::kRest, false, TypeParam::Reason::kOverCurrent);
   EXPECT_EQ(bench.read(kInterrupt), 0x08u) << "lost";
-  bench.enter(State::kRun, true);
+  bench.enter(TypeParam::State::kRun, true);
   EXPECT_EQ(bench.read(kInterrupt), 0x0cu) << "lock again, but not another start";
-  bench.enter(State::kFault, false, Reason::kFaultPin);
+  bench.enter(TypeParam::State::kFault, false, TypeParam::Reason::kFaultPin);
   EXPECT_EQ(bench.read(kInterrupt), 0x0du);
   EXPECT_FALSE(bench.tick().interrupt) << "none enabled";
   bench.write(kEnable, 0x01);
@@ -123,22 +136,22 @@ TEST(DriveRegisters, InterruptsFollowTheirEvents) {
   EXPECT_EQ(bench.read(kInterrupt), 0x0cu) << "a zero leaves the others";
 }
 
-TEST(DriveRegisters, AnEventWinsOverItsAcknowledgement) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, AnEventWinsOverItsAcknowledgement) {
+  Bench<TypeParam> bench;
   bench.in.request = {.write = true, .index = kInterrupt, .data = 0x1f, .strobes = 15};
-  bench.enter(State::kFault);
+  bench.enter(TypeParam::State::kFault);
   EXPECT_EQ(bench.read(kInterrupt), 0x01u);
 }
 
-TEST(DriveRegisters, AStopIsNoLostLock) {
-  Bench bench;
-  bench.enter(State::kRun, true);
-  bench.enter(State::kIdle);
+TYPED_TEST(DriveRegistersOf, AStopIsNoLostLock) {
+  Bench<TypeParam> bench;
+  bench.enter(TypeParam::State::kRun, true);
+  bench.enter(TypeParam::State::kIdle);
   EXPECT_EQ(bench.read(kInterrupt) & bit(field("INTERRUPT", "lost")), 0u);
 }
 
-TEST(DriveRegisters, WithoutAHeartbeatTheBridgeGoesOffAndStaysOff) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, WithoutAHeartbeatTheBridgeGoesOffAndStaysOff) {
+  Bench<TypeParam> bench;
   bench.write(index_of("WATCHDOG"), 3);
   bench.write(kControl, kConfigured | kRun);
   bench.in.tick = true;
@@ -158,8 +171,8 @@ TEST(DriveRegisters, WithoutAHeartbeatTheBridgeGoesOffAndStaysOff) {
   EXPECT_FALSE(again.run) << "nothing starts by itself";
 }
 
-TEST(DriveRegisters, AWatchdogSetWhileConfiguredWaitsItsWholeTime) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, AWatchdogSetWhileConfiguredWaitsItsWholeTime) {
+  Bench<TypeParam> bench;
   bench.write(kControl, kConfigured);
   bench.in.tick = true;
   bench.write(index_of("WATCHDOG"), 5);
@@ -169,7 +182,7 @@ TEST(DriveRegisters, AWatchdogSetWhileConfiguredWaitsItsWholeTime) {
 }
 
 TEST(DriveRegisters, ASnapshotIsOfOneInstant) {
-  Bench bench;
+  Bench<> bench;
   bench.in.drive.frequency = 1000;
   bench.in.drive.duty = 2000;
   bench.in.drive.phase_error = -2;
@@ -184,8 +197,22 @@ TEST(DriveRegisters, ASnapshotIsOfOneInstant) {
   EXPECT_EQ(bench.read(index_of("TELEMETRY_RETRIES")), 5u);
 }
 
+// Negative numbers keep to their own half of a register.
+TEST(DriveRegisters, ASnapshotOfTheSinusoidalDriveIsOfOneInstant) {
+  Bench<Sinusoidal> bench;
+  bench.in.drive = {.speed = -1, .reference = 2, .i_gamma = -3, .i_delta = 0x7fff, .angle = 0xfedc, .v_dc = 0xabc,
+                    .on_u = 1, .on_v = 0x3fff, .on_w = 3, .retries = 15};
+  bench.write(index_of("SNAPSHOT"), 1);
+  bench.in.drive = {};
+  EXPECT_EQ(bench.read(index_of<Sinusoidal>("TELEMETRY_SPEED")), 0x0002ffffu);
+  EXPECT_EQ(bench.read(index_of<Sinusoidal>("TELEMETRY_CURRENT")), 0x7ffffffdu);
+  EXPECT_EQ(bench.read(index_of<Sinusoidal>("TELEMETRY_ANGLE")), 0x0abcfedcu);
+  EXPECT_EQ(bench.read(index_of<Sinusoidal>("TELEMETRY_LEGS")), 0x3fff0001u);
+  EXPECT_EQ(bench.read(index_of<Sinusoidal>("TELEMETRY_RETRIES")), 0x0003000fu);
+}
+
 TEST(DriveRegisters, OnlyTheNextSnapshotChangesWhatWasTaken) {
-  Bench bench;
+  Bench<> bench;
   const int speed = index_of("TELEMETRY_SPEED");
   bench.in.drive.frequency = 7;
   EXPECT_EQ(bench.read(speed), 0u) << "none was taken";
@@ -201,8 +228,8 @@ TEST(DriveRegisters, OnlyTheNextSnapshotChangesWhatWasTaken) {
   EXPECT_EQ(bench.read(speed), 8u);
 }
 
-TEST(DriveRegisters, WithoutAPeriodTheDriveIsNotConfigured) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, WithoutAPeriodTheDriveIsNotConfigured) {
+  Bench<TypeParam> bench;
   bench.in.no_period = true;
   EXPECT_FALSE(bench.write(kControl, kConfigured).command.configured);
   EXPECT_EQ(bench.read(kControl), kConfigured) << "what was written stays";
@@ -212,12 +239,12 @@ TEST(DriveRegisters, WithoutAPeriodTheDriveIsNotConfigured) {
   EXPECT_FALSE(bench.read(index_of("STATUS")) & bit(field("STATUS", "no_period")));
 }
 
-TEST(DriveRegisters, StoppedMeansIdleAndNotToldToRun) {
-  Bench bench;
+TYPED_TEST(DriveRegistersOf, StoppedMeansIdleAndNotToldToRun) {
+  Bench<TypeParam> bench;
   EXPECT_TRUE(bench.tick().stopped);
   EXPECT_FALSE(bench.write(kControl, kRun).stopped);
   EXPECT_TRUE(bench.write(kControl, 0).stopped);
-  bench.in.drive.state = State::kBrake;
+  bench.in.drive.state = TypeParam::State::kBrake;
   EXPECT_FALSE(bench.tick().stopped);
 }
 

@@ -1,5 +1,5 @@
-// The map's rules, each broken once; and the map against the drive's printed ports.
-#include "hls/bus/six_step_registers.hpp"
+// The maps' rules, each broken once; and each map against its drive's printed ports.
+#include "hls/bus/register_fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include <map>
 #include <regex>
 #include <string>
+
+#include "hls/bus/sinusoidal_registers.hpp"
+#include "hls/bus/six_step_registers.hpp"
 
 namespace steplock {
 namespace {
@@ -47,11 +50,16 @@ static_assert(broken({"B", "", 4, 0, 1, Access::kReadWrite, 0, "", "p"}) ==
 static_assert(broken({"B", "b", 4, 0, 1, Access::kReadWrite, 0, "", ""}) ==
               "a field without prose");
 
-TEST(RegisterFields, TheMapBreaksNoRule) { EXPECT_EQ(problem(kFields), nullptr); }
+template <class Map>
+struct RegisterFieldsOf : testing::Test {};
+using Maps = testing::Types<SixStep, Sinusoidal>;
+TYPED_TEST_SUITE(RegisterFieldsOf, Maps);
+
+TYPED_TEST(RegisterFieldsOf, TheMapBreaksNoRule) { EXPECT_EQ(problem(TypeParam::kFields), nullptr); }
 
 // Bits of every input of the drive whose name begins with `words_`.
-std::map<std::string, int> word_ports() {
-  std::ifstream file(STEPLOCK_ROOT "/rtl/six_step_top.sv");
+std::map<std::string, int> word_ports(const std::string& top) {
+  std::ifstream file(STEPLOCK_ROOT "/rtl/" + top + ".sv");
   std::map<std::string, int> ports;
   const std::regex port(R"( *input +logic *(\[(\d+):0\])? *words_(\w+)_i.*)");
   std::smatch found;
@@ -63,28 +71,51 @@ std::map<std::string, int> word_ports() {
   return ports;
 }
 
-TEST(RegisterFields, EveryWordOfTheDriveHasOnePlaceOfItsWidth) {
-  const auto ports = word_ports();
+template <class Map>
+constexpr int kRowsOf = std::tuple_size_v<std::remove_cvref_t<decltype(Map::kWordRows)>>;
+
+TYPED_TEST(RegisterFieldsOf, EveryWordOfTheDriveHasOnePlaceOfItsWidth) {
+  const auto ports = word_ports(std::is_same_v<TypeParam, SixStep> ? "six_step_top" : "sinusoidal_top");
   ASSERT_GT(ports.size(), 50u);
   int bits = 0, map_bits = 0;
   for (const auto& [name, width] : ports) bits += width;
-  std::apply([&](const auto&... row) { ((map_bits += row.width), ...); }, kWordRows);
-  EXPECT_EQ(std::tuple_size_v<std::remove_cv_t<decltype(kWordRows)>>, ports.size());
+  std::apply([&](const auto&... row) { ((map_bits += row.width), ...); }, TypeParam::kWordRows);
+  EXPECT_EQ(std::size_t(kRowsOf<TypeParam>), ports.size());
   EXPECT_EQ(map_bits, bits);
 }
 
 // Each row moves a word that no row before it has moved.
-TEST(RegisterFields, NoTwoPlacesAreOfOneWord) {
+TYPED_TEST(RegisterFieldsOf, NoTwoPlacesAreOfOneWord) {
   std::map<const void*, int> seen;
-  Words words;
+  typename TypeParam::Words words;
   std::apply(
       [&](const auto&... row) {
         ((++seen[static_cast<const void*>(&std::remove_cvref_t<decltype(row)>::Word::of(words))]),
          ...);
       },
-      kWordRows);
+      TypeParam::kWordRows);
   for (const auto& [address, times] : seen) EXPECT_EQ(times, 1);
-  EXPECT_EQ(seen.size(), std::tuple_size_v<std::remove_cv_t<decltype(kWordRows)>>);
+  EXPECT_EQ(seen.size(), std::size_t(kRowsOf<TypeParam>));
+}
+
+// What the C driver does with either drive stands in the same place of both maps.
+TEST(RegisterFields, WhatEveryDriveHasStandsAtTheSamePlace) {
+  int same_places = 0;
+  for (const Field& f : kFields) {
+    for (const Field& g : kSinusoidalFields) {
+      const bool common = f.address < 0x30 || same(f.group, "SPEED_TARGET");
+      if (!common || f.address != g.address || f.lsb != g.lsb) continue;
+      ++same_places;
+      EXPECT_TRUE(same(f.group, g.group) && same(f.name, g.name) && f.access == g.access) << f.group << '.' << f.name;
+    }
+  }
+  EXPECT_EQ(same_places, int(system_fields({}).size()) + 1);
+}
+
+// A negative number keeps to its own bits.
+TEST(RegisterFields, ANegativeWordIsItsBits) {
+  EXPECT_EQ(bits_of(Int<16>(-2)), UInt<32>(0xfffe));
+  EXPECT_EQ(word_of<Int<16>>(0x7fff'fffe), Int<16>(-2));
 }
 
 TEST(RegisterFields, ResetsAreThoseOfTheWords) {

@@ -170,6 +170,33 @@ TEST(SinusoidalSequence, AReversalBrakesAndStartsTheOtherWay) {
   EXPECT_TRUE(s.period().reverse);
 }
 
+// The guard turns the bridge off at once; what went on would have it turn again when it is configured again.
+TEST(SinusoidalSequence, WhatIsNoLongerConfiguredIsIdle) {
+  for (const S state : {S::kCalibrate, S::kPattern, S::kStarting, S::kRun, S::kSlowDown, S::kBrake, S::kRest}) {
+    Started s;
+    s.in.fast = s.in.plausible = state == S::kRun || state == S::kSlowDown || state == S::kBrake;
+    if (state == S::kCalibrate) s.in.measured = false;
+    if (state == S::kRest) s.until(S::kStarting), s.in.failed = R::kEmf;
+    if (state == S::kSlowDown || state == S::kBrake) {
+      s.until(S::kRun);
+      s.in.command = {.configured = true, .brake_to_stop = true};
+      s.in.stopping = state == S::kBrake;
+    }
+    ASSERT_LT(s.until(state), 1000) << int(state);
+    s.in.command.configured = false;
+    s.in.failed = R::kNone;
+    s.period();
+    s.in.command.configured = true;
+    s.in.command.run = false;
+    EXPECT_EQ(s.period().state, S::kIdle) << int(state);
+  }
+  Started s;
+  s.in.fault_pin = true;
+  s.until(S::kFault);
+  s.in.command.configured = false;
+  EXPECT_EQ(s.period().state, S::kFault) << "a latched fault stays";
+}
+
 TEST(SinusoidalSequence, UnconfiguredItNeverStarts) {
   Started s;
   s.in.command.configured = false;

@@ -14,6 +14,7 @@ namespace {
 
 struct ApbHost {
   using Top = SixStepApb;
+  using Map = SixStep;
   static constexpr int kPhases = 2;
   static constexpr int kClocks = 3;  // of a transfer at most
   static void idle(Top::In& in) { in.apb = {}; }

@@ -91,7 +91,7 @@ class Bench {
  private:
   SixStepAxes<Axes> axes_;
   std::array<SixStepAxi, Axes> alone_;
-  SixStepAxi::Axi answer_;
+  AxiAnswers answer_;
 };
 
 template <int Axes>

@@ -41,7 +41,7 @@ void random_frames(int frames, std::uint64_t seed, int lie = -1) {
   std::mt19937_64 random(seed);
   const auto chance = [&](int percent) { return int(random() % 100) < percent; };
   Bench b;
-  MapModel model;
+  MapModel<> model;
   b({});
   int errors = 0;
   for (int i = 0; i < frames; ++i) {

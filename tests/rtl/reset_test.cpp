@@ -7,6 +7,7 @@
 #include "Vdrive_registers.h"
 #include "Vword_registers.h"
 #include "hls/bus/drive_registers.hpp"
+#include "hls/bus/six_step_registers.hpp"
 #include "hls/bus/word_registers.hpp"
 #include "ports/drive_registers_ports.hpp"
 #include "ports/word_registers_ports.hpp"
@@ -17,7 +18,7 @@ namespace steplock {
 namespace {
 
 struct WordPorts {
-  using Block = WordRegisters;
+  using Block = WordRegisters<>;
   using Rtl = Vword_registers;
   static void randomise(Block::In& in, Stimulus& any) { ports::word_registers::randomise(in, any); }
   static void drive(Rtl& rtl, const Block::In& in) { ports::word_registers::drive_ports(rtl, in); }
@@ -26,7 +27,7 @@ struct WordPorts {
   }
 };
 struct DrivePorts {
-  using Block = DriveRegisters;
+  using Block = DriveRegisters<>;
   using Rtl = Vdrive_registers;
   static void randomise(Block::In& in, Stimulus& any) { ports::drive_registers::randomise(in, any); }
   static void drive(Rtl& rtl, const Block::In& in) { ports::drive_registers::drive_ports(rtl, in); }

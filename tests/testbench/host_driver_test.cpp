@@ -70,7 +70,7 @@ class Bench {
   bool fault_pin = false;
 
  private:
-  SixStepAxi::Axi tick(const AxiLite::In& axi) {
+  AxiAnswers tick(const AxiLite::In& axi) {
     Vsix_step_axi& rtl = rtl_;
     const double now = double(clock_) / clock_hz_;
     if (now >= plant_.next_event()) plant_.advance_to(now);
@@ -87,7 +87,7 @@ class Bench {
       plant_.advance_to(now);
       plant_.set_gates(gates_ = gates);
     }
-    const SixStepAxi::Axi out{.awready = rtl.axi_awready_o != 0,
+    const AxiAnswers out{.awready = rtl.axi_awready_o != 0,
                               .wready = rtl.axi_wready_o != 0,
                               .bvalid = rtl.axi_bvalid_o != 0,
                               .bresp = rtl.axi_bresp_o,
@@ -108,7 +108,7 @@ class Bench {
   plant::Gates gates_;
   Vsix_step_axi rtl_;
   std::uint64_t clock_ = 0;
-  std::function<SixStepAxi::Axi(const AxiLite::In&)> step_ = [this](const AxiLite::In& axi) {
+  std::function<AxiAnswers(const AxiLite::In&)> step_ = [this](const AxiLite::In& axi) {
     return tick(axi);
   };
   AxiMaster<decltype(step_)> master_{step_};

@@ -1,0 +1,2 @@
+rtl/telemetry_copy.sv
+rtl/drive_registers_sinusoidal.sv

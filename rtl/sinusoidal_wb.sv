@@ -1,0 +1,115 @@
+// sinusoidal_wb: steplock::SinusoidalWb, printed by hlsgen from hls/bus/sinusoidal_wb.hpp:19.
+// Do not edit: change the C++ and print again.
+
+module sinusoidal_wb (
+    input  logic        clk,
+    input  logic        rst,  // synchronous, active high
+    input  logic        fault_i,  // asynchronous pin, active high
+    input  logic        codes_valid_i,  // one clock: the codes are of a new sample
+    input  logic [11:0] codes_u_i,  // s0.11, current of phase u
+    input  logic [11:0] codes_v_i,  // s0.11, current of phase v
+    input  logic [11:0] codes_dc_i,  // u0.12, dc voltage
+    input  logic        wb_cyc_i,
+    input  logic        wb_stb_i,
+    input  logic        wb_we_i,
+    input  logic [11:0] wb_adr_i,  // bytes; the lowest two bits do not count
+    input  logic [31:0] wb_dat_i,
+    input  logic [3:0]  wb_sel_i,
+    output logic        gates_uh_o,  // phase U, high side
+    output logic        gates_ul_o,  // phase U, low side
+    output logic        gates_vh_o,  // phase V, high side
+    output logic        gates_vl_o,  // phase V, low side
+    output logic        gates_wh_o,  // phase W, high side
+    output logic        gates_wl_o,  // phase W, low side
+    output logic        sample_o,  // strobe: hold currents and dc voltage now
+    output logic        interrupt_o,  // level
+    output logic        locked_o,  // running, the estimate is claimed to be right
+    output logic        fault_o,  // the drive's fault is latched
+    output logic        wb_ack_o,
+    output logic        wb_err_o,
+    output logic        wb_stall_o,  // for pipelined hosts
+    output logic [31:0] wb_dat_o
+);
+  wire bus_ack;
+  wire bus_stall;
+  wire bus_request_write;
+  wire bus_request_read;
+  wire [9:0] bus_request_index;
+  wire [31:0] bus_request_data;
+  wire [3:0] bus_request_strobes;
+  wishbone bus (
+      .clk(clk),
+      .rst(rst),
+      .cyc_i(wb_cyc_i),
+      .stb_i(wb_stb_i),
+      .we_i(wb_we_i),
+      .adr_i(wb_adr_i),
+      .dat_i(wb_dat_i),
+      .sel_i(wb_sel_i),
+      .ack_o(bus_ack),
+      .stall_o(bus_stall),
+      .request_write_o(bus_request_write),
+      .request_read_o(bus_request_read),
+      .request_index_o(bus_request_index),
+      .request_data_o(bus_request_data),
+      .request_strobes_o(bus_request_strobes)
+  );
+
+  wire drive_gates_uh;
+  wire drive_gates_ul;
+  wire drive_gates_vh;
+  wire drive_gates_vl;
+  wire drive_gates_wh;
+  wire drive_gates_wl;
+  wire drive_sample;
+  wire drive_interrupt;
+  wire drive_locked;
+  wire drive_fault;
+  wire [31:0] drive_data;
+  wire drive_read_error;
+  wire drive_write_error;
+  sinusoidal_registered drive (
+      .clk(clk),
+      .rst(rst),
+      .fault_i(fault_i),
+      .codes_valid_i(codes_valid_i),
+      .codes_u_i(codes_u_i),
+      .codes_v_i(codes_v_i),
+      .codes_dc_i(codes_dc_i),
+      .request_write_i(bus_request_write),
+      .request_read_i(bus_request_read),
+      .request_index_i(bus_request_index),
+      .request_data_i(bus_request_data),
+      .request_strobes_i(bus_request_strobes),
+      .gates_uh_o(drive_gates_uh),
+      .gates_ul_o(drive_gates_ul),
+      .gates_vh_o(drive_gates_vh),
+      .gates_vl_o(drive_gates_vl),
+      .gates_wh_o(drive_gates_wh),
+      .gates_wl_o(drive_gates_wl),
+      .sample_o(drive_sample),
+      .interrupt_o(drive_interrupt),
+      .locked_o(drive_locked),
+      .fault_o(drive_fault),
+      .data_o(drive_data),
+      .read_error_o(drive_read_error),
+      .write_error_o(drive_write_error)
+  );
+
+  wire choice_44 = wb_we_i ? drive_write_error : drive_read_error;  // line 44
+
+  assign gates_uh_o = drive_gates_uh;
+  assign gates_ul_o = drive_gates_ul;
+  assign gates_vh_o = drive_gates_vh;
+  assign gates_vl_o = drive_gates_vl;
+  assign gates_wh_o = drive_gates_wh;
+  assign gates_wl_o = drive_gates_wl;
+  assign sample_o = drive_sample;
+  assign interrupt_o = drive_interrupt;
+  assign locked_o = drive_locked;
+  assign fault_o = drive_fault;
+  assign wb_ack_o = bus_ack && !choice_44;
+  assign wb_err_o = bus_ack && choice_44;
+  assign wb_stall_o = bus_stall;
+  assign wb_dat_o = drive_data;
+endmodule

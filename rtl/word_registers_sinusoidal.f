@@ -1,0 +1,2 @@
+rtl/word_mirror_sinusoidal.sv
+rtl/word_registers_sinusoidal.sv
