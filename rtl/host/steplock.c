@@ -80,6 +80,13 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
   return put(bus, STEPLOCK_CONTROL, STEPLOCK_CONTROL_CONFIGURED_MASK);
 }
 
+enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned *kind) {
+  uint32_t capability;
+  const enum steplock_result result = get(bus, STEPLOCK_CAPABILITY, &capability);
+  if (result == STEPLOCK_OK) *kind = (unsigned)GET(CAPABILITY_KIND, capability);
+  return result;
+}
+
 enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes) {
   uint32_t capability;
   const enum steplock_result result = get(bus, STEPLOCK_CAPABILITY, &capability);

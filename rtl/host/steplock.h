@@ -1,4 +1,5 @@
-/* Driver of the six-step drive for a bare-metal host: C99, no allocation, no state of its own.
+/* Driver of the drives for a bare-metal host: C99, no allocation, no state of its own.  All of it serves the
+ * six-step drive; the sinusoidal one all but what its comment says, and steplock_sinusoidal.h the rest.
  *
  * Every function gets the bus, two functions that read and write one register.  For a drive in the
  * address space of the processor steplock_memory_mapped() gives them.  Words for a motor come from
@@ -24,7 +25,7 @@ enum steplock_result {
   STEPLOCK_NOT_STOPPED, /* the drive has to be stopped for this */
   STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
   STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
-  STEPLOCK_NO_PERIOD     /* the words leave PWM.period 0: the bridge stays off */
+  STEPLOCK_NO_PERIOD     /* the words leave PWM.period 0, or too short: the bridge stays off */
 };
 
 /* Offsets in bytes from the drive's base; 0 when the access was answered well. */
@@ -39,7 +40,7 @@ struct steplock_word {
 };
 
 struct steplock_status {
-  unsigned state, reason; /* as in STATUS of docs/registers.md */
+  unsigned state, reason; /* as in STATUS of docs/registers.md, or docs/sinusoidal_registers.md */
   int locked, reverse, stopped, fault, watchdog;
 };
 
@@ -58,6 +59,9 @@ struct steplock_bus steplock_memory_mapped(volatile uint32_t *base);
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count);
 
+/* 1: six-step, 2: sinusoidal; its words are of that kind. */
+enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned *kind);
+
 /* Drives on this bus, each 0x100 behind the one before. */
 enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes);
 
@@ -66,13 +70,14 @@ enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake);
 /* Turns round: slows down, brakes and starts the other way; also while running. */
 enum steplock_result steplock_reverse(const struct steplock_bus *bus, int reverse);
 
-/* `speed` as steplock_speed() gives it; acts from the next PWM period on. */
+/* `speed` as steplock_speed() or steplock_sinusoidal_speed() gives it; acts from the next PWM period on. */
 enum steplock_result steplock_set_speed(const struct steplock_bus *bus, uint32_t speed);
-/* The word of a speed in electrical revolutions per minute; stops at the largest word. */
+/* The word of a speed in electrical revolutions per minute; stops at the largest word.  Six-step. */
 uint32_t steplock_speed(uint32_t erpm, uint32_t clock_hz, unsigned divide);
 
 enum steplock_result steplock_get_status(const struct steplock_bus *bus,
                                          struct steplock_status *status);
+/* Six-step. */
 enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
                                             struct steplock_telemetry *telemetry);
 

@@ -4,26 +4,17 @@
 // Doc: docs/registers.md   Test: tests/testbench/host_driver_test.cpp
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
-#include "hls/bus/word_rows.hpp"
+#include "testbench/registers/registers.hpp"
 #include "rtl/host/steplock.h"
 
 namespace steplock {
 
-inline std::vector<steplock_word> register_words(const Words& words) {
-  std::map<int, std::uint32_t> values;
-  const auto place = [&](const auto& row) {
-    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-    values[row.address] |= static_cast<std::uint32_t>(bits_of(Word::of(words)).raw()) << row.lsb;
-  };
-  std::apply([&](const auto&... row) { (place(row), ...); }, kWordRows);
+template <class Table = SixStep>
+std::vector<steplock_word> register_words(const typename Table::Words& words) {
   std::vector<steplock_word> list;
-  for (const auto& [address, value] : values) list.push_back({std::uint32_t(address), value});
+  for (const auto& [address, value] : registers::values_of<Table>(words)) list.push_back({std::uint32_t(address), value});
   return list;
 }
 

@@ -37,14 +37,16 @@ std::string name_of(const Arguments& arguments) {
 }
 
 int print_sinusoidal_part(const DriveFile& file, const Arguments& arguments) {
-  if (arguments.circuit || arguments.c_header) {
-    throw BadInput(fmt::format("{}: {} is for six-step drives; leave it out", arguments.file,
-                               arguments.circuit ? "--circuit" : "--c-header"));
+  if (arguments.circuit) {
+    throw BadInput(fmt::format("{}: --circuit is for six-step drives; leave it out", arguments.file));
   }
+  const std::string name = name_of(arguments);
+  const double clock_hz = file.settings.control.clock_hz;
   try {
-    fmt::print("{}", registers::words_verilog(sinusoidal::words_of(file.settings),
-                                              sinusoidal::converter_words_of(file.settings),
-                                              name_of(arguments), file.settings.control.clock_hz));
+    const SinusoidalWords words = sinusoidal::words_of(file.settings);
+    fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
+                                        : registers::words_verilog(words, sinusoidal::converter_words_of(file.settings),
+                                                                   name, clock_hz));
   } catch (const std::invalid_argument& e) {
     throw BadInput(fmt::format("{}: {}", arguments.file, e.what()));
   }

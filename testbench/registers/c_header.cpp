@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 
 #include "testbench/registers/registers.hpp"
 
@@ -17,19 +16,21 @@ std::string upper(std::string text) {
 
 }  // namespace
 
-std::string c_header() {
-  std::string text =
-      "/* The registers of the six-step drive: offsets in bytes, fields by lowest bit and mask.\n"
-      " * Printed by `steplock registers --c-header`; do not edit.  See docs/registers.md. */\n"
-      "#ifndef STEPLOCK_REGISTERS_H\n#define STEPLOCK_REGISTERS_H\n\n";
-  text += fmt::format("#define STEPLOCK_LOCK_KEY 0x{:x}u\n#define STEPLOCK_MAP_BYTES {}u\n",
+std::string c_header(const Map& map) {
+  const std::string guard = upper(map.stem) + "_REGISTERS_H";
+  std::string text = fmt::format(
+      "/* The registers of the {0} drive: offsets in bytes, fields by lowest bit and mask.\n"
+      " * Printed by `steplock registers{1} --c-header`; do not edit.  See {2}. */\n"
+      "#ifndef {3}\n#define {3}\n\n",
+      map.drive, map.option, page_of(map), guard);
+  text += fmt::format("#define {0}LOCK_KEY 0x{1:x}u\n#define {0}MAP_BYTES {2}u\n", map.prefix,
                       kLockKey, kMapBytes);
-  for (const Register& r : registers()) {
-    text += fmt::format("\n#define STEPLOCK_{} 0x{:02x}u /* {} */\n", r.name, r.address,
+  for (const Register& r : registers(map)) {
+    text += fmt::format("\n#define {}{} 0x{:02x}u /* {} */\n", map.prefix, r.name, r.address,
                         access_name(r.access));
-    text += fmt::format("#define STEPLOCK_{}_RESET 0x{:08x}u\n", r.name, r.reset);
+    text += fmt::format("#define {}{}_RESET 0x{:08x}u\n", map.prefix, r.name, r.reset);
     for (const Field& f : r.fields) {
-      const std::string name = fmt::format("STEPLOCK_{}_{}", r.name, upper(f.name));
+      const std::string name = fmt::format("{}{}_{}", map.prefix, r.name, upper(f.name));
       text += fmt::format("#define {}_LSB {}\n#define {}_MASK 0x{:08x}u\n", name, f.lsb, name,
                           mask_of(f));
     }
@@ -37,27 +38,37 @@ std::string c_header() {
   return text + "\n#endif\n";
 }
 
-std::string words_c_header(const Words& words, const std::string& name, double clock_hz) {
-  std::map<int, std::uint32_t> values;
-  const auto place = [&](const auto& row) {
-    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-    values[row.address] |= static_cast<std::uint32_t>(bits_of(Word::of(words)).raw()) << row.lsb;
-  };
-  std::apply([&](const auto&... row) { (place(row), ...); }, kWordRows);
+namespace {
 
+// `constants`: what else the program wants to know of the drive, each with its value.
+std::string words_text(const Map& map, const std::map<int, std::uint32_t>& values, const std::string& name,
+                       const std::string& constants) {
   std::string text = fmt::format(
       "/* The words of the drive {0}, for steplock_init().\n"
       " * Printed by `steplock design {0}.toml --c-header`. */\n"
-      "#include \"steplock.h\"\n\n"
-      "enum {{ {0}_clock_hz = {1:.0f}, {0}_divide = {2} }};\n\n"
+      "#include \"{1}.h\"\n\n"
+      "enum {{ {2} }};\n\n"
       "static const struct steplock_word {0}_words[] = {{\n",
-      name, clock_hz, int(words.loop.divide.raw()));
-  for (const Register& r : registers()) {
+      name, map.stem, constants);
+  for (const Register& r : registers(map)) {
     if (const auto value = values.find(r.address); value != values.end()) {
-      text += fmt::format("    {{STEPLOCK_{}, 0x{:08x}u}},\n", r.name, value->second);
+      text += fmt::format("    {{{}{}, 0x{:08x}u}},\n", map.prefix, r.name, value->second);
     }
   }
   return text + "};\n";
+}
+
+}  // namespace
+
+std::string words_c_header(const Words& words, const std::string& name, double clock_hz) {
+  return words_text(six_step(), values_of<SixStep>(words), name,
+                    fmt::format("{0}_clock_hz = {1:.0f}, {0}_divide = {2}", name, clock_hz,
+                                int(words.loop.divide.raw())));
+}
+std::string words_c_header(const SinusoidalWords& words, const std::string& name, double clock_hz) {
+  return words_text(sinusoidal(), values_of<Sinusoidal>(words), name,
+                    fmt::format("{0}_clock_hz = {1:.0f}, {0}_period = {2}", name, clock_hz,
+                                int(words.bridge.period.raw())));
 }
 
 }  // namespace steplock::registers

@@ -39,17 +39,17 @@ std::string field_text(const Field& f) {
 
 }  // namespace
 
-std::string ip_xact() {
+std::string ip_xact(const Map& map) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<!-- Printed by `steplock registers` (its option ip-xact); do not edit. -->\n"
+      "<!-- Printed by `steplock registers{}` (its option ip-xact); do not edit. -->\n"
       "<ipxact:component xmlns:ipxact=\"http://www.accellera.org/XMLSchema/IPXACT/1685-2014\"\n"
       "    xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"\n"
       "    xsi:schemaLocation=\"http://www.accellera.org/XMLSchema/IPXACT/1685-2014\n"
       "    http://www.accellera.org/XMLSchema/IPXACT/1685-2014/index.xsd\">\n"
       "  <ipxact:vendor>steplock</ipxact:vendor>\n"
       "  <ipxact:library>motor</ipxact:library>\n"
-      "  <ipxact:name>six_step_axi</ipxact:name>\n"
+      "  <ipxact:name>{}</ipxact:name>\n"
       "  <ipxact:version>{}.{}.{}</ipxact:version>\n"
       "  <ipxact:memoryMaps>\n"
       "    <ipxact:memoryMap>\n"
@@ -60,8 +60,10 @@ std::string ip_xact() {
       "        <ipxact:range>{}</ipxact:range>\n"
       "        <ipxact:width>32</ipxact:width>\n"
       "        <ipxact:usage>register</ipxact:usage>\n",
-      kMapVersion >> 16, kMapVersion >> 8 & 255, kMapVersion & 255, kMapBytes);
-  for (const Register& r : registers()) {
+      // No two hyphens in a row in a comment of XML.
+      std::string_view(map.option).empty() ? "" : fmt::format(", for the {} drive,", map.drive),
+      map.top, kMapVersion >> 16, kMapVersion >> 8 & 255, kMapVersion & 255, kMapBytes);
+  for (const Register& r : registers(map)) {
     text += fmt::format(
         "        <ipxact:register>\n"
         "          <ipxact:name>{}</ipxact:name>\n"

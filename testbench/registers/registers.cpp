@@ -5,9 +5,29 @@
 
 namespace steplock::registers {
 
-std::vector<Register> registers() {
+const Map& six_step() {
+  static constexpr Map map{.fields = kFields,
+                           .drive = "six-step",
+                           .top = "six_step_axi",
+                           .option = "",
+                           .stem = "steplock",
+                           .prefix = "STEPLOCK_"};
+  return map;
+}
+const Map& sinusoidal() {
+  static constexpr Map map{
+      .fields = kSinusoidalFields,
+      .drive = "sinusoidal",
+      .top = "sinusoidal_axi",
+      .option = " --sinusoidal",
+      .stem = "steplock_sinusoidal",
+      .prefix = "STEPLOCK_SINUSOIDAL_"};
+  return map;
+}
+
+std::vector<Register> registers(const Map& map) {
   std::vector<Register> all;
-  for (const Field& f : kFields) {
+  for (const Field& f : map.fields) {
     auto r = std::find_if(all.begin(), all.end(), [&](auto& r) { return r.address == f.address; });
     if (r == all.end()) {
       r = all.insert(r, Register{});
@@ -24,6 +44,10 @@ std::vector<Register> registers() {
     std::sort(r.fields.begin(), r.fields.end(), [](auto& a, auto& b) { return a.lsb < b.lsb; });
   }
   return all;
+}
+
+std::string page_of(const Map& map) {
+  return map.fields.data() == kFields.data() ? "docs/registers.md" : "docs/sinusoidal_registers.md";
 }
 
 const char* access_name(Access a) {

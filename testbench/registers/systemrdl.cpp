@@ -27,15 +27,16 @@ std::string described(const Field& f) {
 
 }  // namespace
 
-std::string systemrdl() {
-  std::string text =
-      "// The registers of the six-step drive in SystemRDL 2.0.\n"
-      "// Printed by `steplock registers --systemrdl`; do not edit.\n\n"
-      "addrmap steplock {\n"
-      "  name = \"Steplock six-step drive\";\n"
+std::string systemrdl(const Map& map) {
+  std::string text = fmt::format(
+      "// The registers of the {0} drive in SystemRDL 2.0.\n"
+      "// Printed by `steplock registers{1} --systemrdl`; do not edit.\n\n"
+      "addrmap {2} {{\n"
+      "  name = \"Steplock {0} drive\";\n"
       "  default regwidth = 32;\n"
-      "  default accesswidth = 32;\n";
-  for (const Register& r : registers()) {
+      "  default accesswidth = 32;\n",
+      map.drive, map.option, map.stem);
+  for (const Register& r : registers(map)) {
     text += "\n  reg {\n";
     for (const Field& f : r.fields) {
       text += fmt::format(

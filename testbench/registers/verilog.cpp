@@ -66,55 +66,15 @@ class FixedModule {
   std::string ports_, wires_;
 };
 
-template <class Word>
-constexpr int kWidth = 0;
-template <>
-constexpr int kWidth<bool> = 1;
-template <int W, bool Signed>
-constexpr int kWidth<Bits<W, Signed>> = W;
-
-template <auto... Path>
-void tie_word(FixedModule& module, const SinusoidalWords& words) {
-  const auto& word = At<Path...>::of(words);
-  constexpr int width = kWidth<std::remove_cvref_t<decltype(word)>>;
-  std::uint64_t value = 0;
-  if constexpr (width == 1) {
-    value = word ? 1 : 0;
-  } else {
-    value = static_cast<std::uint64_t>(word.raw()) & ((std::uint64_t{1} << width) - 1);
-  }
-  module.tie(port_name<At<Path...>>() + "_i", width, value);
-}
-
-// Every member of a group of words.
-template <auto Group, auto... Members>
-void tie_group(FixedModule& module, const SinusoidalWords& words) {
-  (tie_word<Group, Members>(module, words), ...);
-}
-
-void tie_all(FixedModule& m, const SinusoidalWords& words) {
-  using W = SinusoidalWords;
-  using B = BridgeWords;
-  tie_group<&W::bridge, &B::period, &B::minimum, &B::dead_time, &B::lost, &B::compensate, &B::sine,
-            &B::inverse>(m, words);
-  using E = EstimatorWords;
-  tie_group<&W::estimator, &E::voltage, &E::average, &E::decay, &E::gain, &E::k_theta, &E::k_e,
-            &E::k_speed, &E::k_emf, &E::k_si>(m, words);
-  using R = RegulatorWords;
-  tie_group<&W::speed, &R::target, &R::slew, &R::filter, &R::k_p, &R::k_i, &R::limit, &R::lock,
-            &R::slow, &R::stop, &R::emf_low, &R::emf_high>(m, words);
-  using C = ControlWords;
-  tie_group<&W::control, &C::set_gamma, &C::k_p, &C::k_i, &C::inductance, &C::emf, &C::limit>(
-      m, words);
-  using S = SequenceWords;
-  tie_group<&W::sequence, &S::arbitrary, &S::pilot, &S::hold_voltage, &S::pattern, &S::lock,
-            &S::give_up, &S::brake, &S::rest, &S::retries>(m, words);
-  using P = PilotWords;
-  tie_group<&W::pilot, &P::short_periods, &P::long_periods, &P::rounds, &P::decayed, &P::saliency,
-            &P::polarity>(m, words);
-  using F = FaultWords;
-  tie_group<&W::fault, &F::over_current, &F::saturated, &F::slow, &F::emf, &F::lost_samples>(m,
-                                                                                            words);
+// Every word of a drive, at the port that is called after it.
+template <class Table>
+void tie_words(FixedModule& module, const typename Table::Words& words) {
+  const auto tie = [&](const auto& row) {
+    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
+    const auto value = static_cast<std::uint32_t>(bits_of(Word::of(words)).raw());
+    module.tie(port_name<Word>() + "_i", row.width, value);
+  };
+  std::apply([&](const auto&... row) { (tie(row), ...); }, Table::kWordRows);
 }
 
 }  // namespace
@@ -123,12 +83,7 @@ std::string words_verilog(const Words& words, const std::string& name, double cl
   FixedModule module;
   for (const char* pin : kPins) module.port("input ", "", fmt::format("pins_{}_i", pin));
   module.controls_and_gates();
-  const auto tie = [&](const auto& row) {
-    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-    const auto value = static_cast<std::uint32_t>(bits_of(Word::of(words)).raw());
-    module.tie(port_name<Word>() + "_i", row.width, value);
-  };
-  std::apply([&](const auto&... row) { (tie(row), ...); }, kWordRows);
+  tie_words<SixStep>(module, words);
   return module.text("six_step", name, clock_hz);
 }
 
@@ -146,7 +101,7 @@ std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& conve
   module.tie("converter_v_i", 3, number(converter.v));
   module.tie("converter_dc_i", 3, number(converter.dc));
   module.tie("converter_twice_i", 1, converter.twice ? 1 : 0);
-  tie_all(module, words);
+  tie_words<Sinusoidal>(module, words);
   return module.text("sinusoidal", name, clock_hz);
 }
 

@@ -24,10 +24,13 @@ std::string committed(const std::string& path) {
 }
 
 TEST(Registers, EveryPrintIsCurrent) {
-  EXPECT_EQ(markdown(), committed("docs/registers.md")) << "steplock registers --markdown";
-  EXPECT_EQ(c_header(), committed("rtl/host/steplock_registers.h")) << "--c-header";
-  EXPECT_EQ(systemrdl(), committed("rtl/host/steplock.rdl")) << "--systemrdl";
-  EXPECT_EQ(ip_xact(), committed("rtl/host/steplock.xml")) << "--ip-xact";
+  for (const Map* map : {&six_step(), &sinusoidal()}) {
+    const std::string stem = std::string("rtl/host/") + map->stem;
+    EXPECT_EQ(markdown(*map), committed(page_of(*map))) << "steplock registers" << map->option << " --markdown";
+    EXPECT_EQ(c_header(*map), committed(stem + "_registers.h")) << "--c-header";
+    EXPECT_EQ(systemrdl(*map), committed(stem + ".rdl")) << "--systemrdl";
+    EXPECT_EQ(ip_xact(*map), committed(stem + ".xml")) << "--ip-xact";
+  }
 }
 
 int count(const std::string& text, const std::string& what) {
@@ -37,24 +40,26 @@ int count(const std::string& text, const std::string& what) {
 }
 
 TEST(Registers, EveryFieldIsInEveryPrint) {
-  const int fields = int(kFields.size()), all = int(registers().size());
-  EXPECT_EQ(count(c_header(), "_MASK "), fields);
-  EXPECT_EQ(count(systemrdl(), "    field {"), fields);
-  EXPECT_EQ(count(systemrdl(), "  reg {"), all);
-  EXPECT_EQ(count(ip_xact(), "<ipxact:field>"), fields);
-  EXPECT_EQ(count(ip_xact(), "<ipxact:register>"), all);
-  EXPECT_EQ(count(markdown(), "\n## "), all);
+  for (const Map* map : {&six_step(), &sinusoidal()}) {
+    const int fields = int(map->fields.size()), all = int(registers(*map).size());
+    EXPECT_EQ(count(c_header(*map), "_MASK "), fields);
+    EXPECT_EQ(count(systemrdl(*map), "    field {"), fields);
+    EXPECT_EQ(count(systemrdl(*map), "  reg {"), all);
+    EXPECT_EQ(count(ip_xact(*map), "<ipxact:field>"), fields);
+    EXPECT_EQ(count(ip_xact(*map), "<ipxact:register>"), all);
+    EXPECT_EQ(count(markdown(*map), "\n## "), all);
+  }
 }
 
 TEST(Registers, ADrawingHasAColumnForEveryBit) {
-  std::istringstream page(markdown());
+  std::istringstream page(markdown(six_step()) + markdown(sinusoidal()));
   int drawings = 0;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("    |")) continue;
     ++drawings;
     EXPECT_EQ(line.size(), 4 + 3 * 32 + 1u) << line;
   }
-  EXPECT_EQ(drawings, int(registers().size()));
+  EXPECT_EQ(drawings, int(registers(six_step()).size() + registers(sinusoidal()).size()));
 }
 
 // The initialisers, written into empty registers, give the words they were made of.
@@ -77,6 +82,27 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
   std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
   EXPECT_EQ(read, 56);
   EXPECT_EQ(count(text, "    {STEPLOCK_"), 28);
+}
+
+TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
+  const design::Settings s = open_drive_file(STEPLOCK_DRIVES "/matsui1996.toml").settings;
+  const SinusoidalWords words = sinusoidal::words_of(s);
+  const std::string text = words_c_header(words, "matsui", s.control.clock_hz);
+  int read = 0;
+  const auto check = [&](const auto& row) {
+    using Word = typename std::remove_cvref_t<decltype(row)>::Word;
+    const std::regex line("STEPLOCK_SINUSOIDAL_" + std::string(row.group) + ", 0x([0-9a-f]+)u");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, line)) << row.group;
+    const auto value = std::uint32_t(std::stoul(found[1], nullptr, 16));
+    EXPECT_EQ((value & mask_of(row)) >> row.lsb, bits_of(Word::of(words)).raw()) << row.name;
+    ++read;
+  };
+  std::apply([&](const auto&... row) { (check(row), ...); }, kSinusoidalWordRows);
+  EXPECT_EQ(read, 53);
+  EXPECT_EQ(count(text, "    {STEPLOCK_"), 30);
+  EXPECT_NE(text.find("#include \"steplock_sinusoidal.h\""), text.npos);
+  EXPECT_NE(text.find(std::to_string(int(words.bridge.period.raw()))), text.npos);
 }
 
 // Every word that the design library names is tied to the port of that name; the tests of boards tell
