@@ -11,13 +11,13 @@ module word_registers_sinusoidal (
     input  logic [3:0]  request_strobes_i,  // bytes of `data` that count
     input  logic        stopped_i,  // stopped and keyed words may change
     input  logic        boundary_i,  // strobe: shadowed words are taken over
-    output logic [13:0] words_bridge_period_o,  // clocks; 683 at least
+    output logic [13:0] words_bridge_period_o,  // clocks; 478 at least, a sample's
     output logic [13:0] words_bridge_minimum_o,  // clocks; shorter on or off times become 0 % or 100 %
     output logic [7:0]  words_bridge_dead_time_o,  // clocks; the guard's floor wins
     output logic [11:0] words_bridge_lost_o,  // u8.4 clocks that a leg loses by it, with its diode's drop
     output logic        words_bridge_compensate_o,  // the on-times make up for it
     output logic        words_bridge_sine_o,  // no zero component
-    output logic [14:0] words_bridge_inverse_o,  // u0.26: 1 / (3 period)
+    output logic [14:0] words_bridge_inverse_o,  // u0.25: 1 / (3 period)
     output logic        words_estimator_voltage_o,  // the voltage model's estimate, else the current model's
     output logic        words_estimator_average_o,  // voltage model: the mean of 8 samples
     output logic [14:0] words_estimator_decay_o,  // u0.15, per sample
@@ -41,8 +41,8 @@ module word_registers_sinusoidal (
     output logic [15:0] words_control_set_gamma_o,  // s0.15
     output logic [14:0] words_control_k_p_o,  // u3.12
     output logic [14:0] words_control_k_i_o,  // u0.15, per sample
-    output logic [14:0] words_control_inductance_o,  // u3.12, voltage per current and speed
-    output logic [14:0] words_control_emf_o,  // u3.12, voltage per speed
+    output logic [14:0] words_control_inductance_o,  // u5.10, voltage per current and speed
+    output logic [14:0] words_control_emf_o,  // u5.10, voltage per speed
     output logic [14:0] words_control_limit_o,  // u0.15, of the dc voltage
     output logic        words_sequence_arbitrary_o,  // no pattern before the loop is closed
     output logic        words_sequence_pilot_o,  // pilot pulses instead of the pattern: a salient rotor
@@ -70,13 +70,13 @@ module word_registers_sinusoidal (
     output logic        unlocked_o,  // the lock is open
     output logic        no_period_o  // with this PWM period the bridge has to stay off
 );
-  logic [13:0] words_bridge_period;  // clocks; 683 at least
+  logic [13:0] words_bridge_period;  // clocks; 478 at least, a sample's
   logic [13:0] words_bridge_minimum;  // clocks; shorter on or off times become 0 % or 100 %
   logic [7:0] words_bridge_dead_time;  // clocks; the guard's floor wins
   logic [11:0] words_bridge_lost;  // u8.4 clocks that a leg loses by it, with its diode's drop
   logic words_bridge_compensate;  // the on-times make up for it
   logic words_bridge_sine;  // no zero component
-  logic [14:0] words_bridge_inverse;  // u0.26: 1 / (3 period)
+  logic [14:0] words_bridge_inverse;  // u0.25: 1 / (3 period)
   logic words_estimator_voltage;  // the voltage model's estimate, else the current model's
   logic words_estimator_average;  // voltage model: the mean of 8 samples
   logic [14:0] words_estimator_decay;  // u0.15, per sample
@@ -100,8 +100,8 @@ module word_registers_sinusoidal (
   logic [15:0] words_control_set_gamma;  // s0.15
   logic [14:0] words_control_k_p;  // u3.12
   logic [14:0] words_control_k_i;  // u0.15, per sample
-  logic [14:0] words_control_inductance;  // u3.12, voltage per current and speed
-  logic [14:0] words_control_emf;  // u3.12, voltage per speed
+  logic [14:0] words_control_inductance;  // u5.10, voltage per current and speed
+  logic [14:0] words_control_emf;  // u5.10, voltage per speed
   logic [14:0] words_control_limit;  // u0.15, of the dc voltage
   logic words_sequence_arbitrary;  // no pattern before the loop is closed
   logic words_sequence_pilot;  // pilot pulses instead of the pattern: a salient rotor
@@ -559,7 +559,7 @@ module word_registers_sinusoidal (
   assign hole_o = request_index_i[9:6] != 4'd0 || entry_143 == 3'd0;
   assign refused_o = !either;
   assign unlocked_o = unlocked;
-  assign no_period_o = words_bridge_period < 14'd683;
+  assign no_period_o = words_bridge_period[13:1] < 13'd239;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, request_data_i[31]};

@@ -38,7 +38,7 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "PWM_LOST", "lost", 0x88, 0, Access::kStopped, "u8.4 clocks",
         "What a leg loses by its dead time and its diode's drop."),
     word<&SinusoidalWords::bridge, &BridgeWords::inverse>(
-        "PWM_INVERSE", "inverse", 0x8c, 0, Access::kStopped, "u0.26",
+        "PWM_INVERSE", "inverse", 0x8c, 0, Access::kStopped, "u0.25",
         "1 / (3 PWM.period)."),
     word<&SinusoidalWords::estimator, &EstimatorWords::voltage>(
         "ESTIMATOR", "voltage", 0x90, 0, Access::kStopped, "",
@@ -80,10 +80,10 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "CURRENT_GAIN", "k_i", 0xa4, 16, Access::kStopped, "u0.15 per sample",
         "Voltage per current."),
     word<&SinusoidalWords::control, &ControlWords::inductance>(
-        "CURRENT_DECOUPLING", "inductance", 0xa8, 0, Access::kStopped, "u3.12",
+        "CURRENT_DECOUPLING", "inductance", 0xa8, 0, Access::kStopped, "u5.10",
         "Voltage per current and speed."),
     word<&SinusoidalWords::control, &ControlWords::emf>(
-        "CURRENT_DECOUPLING", "emf", 0xa8, 16, Access::kStopped, "u3.12",
+        "CURRENT_DECOUPLING", "emf", 0xa8, 16, Access::kStopped, "u5.10",
         "Voltage per speed."),
     word<&SinusoidalWords::sequence, &SequenceWords::arbitrary>(
         "START", "arbitrary", 0xac, 0, Access::kStopped, "",

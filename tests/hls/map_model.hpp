@@ -54,7 +54,7 @@ struct Behind<Sinusoidal> {
   // A pattern that lasts, a quarter of the voltage; 16 samples are calibrated before.
   static std::vector<std::pair<int, std::uint32_t>> words() {
     return {{kPwm, kPeriod},
-            {address_of(index_of<Sinusoidal>("PWM_INVERSE")), (1u << 26) / (3 * kPeriod)},
+            {address_of(index_of<Sinusoidal>("PWM_INVERSE")), (1u << 25) / (3 * kPeriod)},
             {address_of(index_of<Sinusoidal>("START")), 0x1000u << 16},
             {address_of(index_of<Sinusoidal>("START_PATTERN")), 0xfffff}};
   }
@@ -102,7 +102,7 @@ class MapModel {
   }
 
  private:
-  static constexpr std::uint32_t kLeast = std::is_same_v<Map, Sinusoidal> ? 683 : 1;  // clocks, of a PWM period
+  static constexpr std::uint32_t kLeast = std::is_same_v<Map, Sinusoidal> ? 478 : 1;  // clocks, of a PWM period
 
   static std::uint32_t reset(int address) {
     std::uint32_t bits = 0;

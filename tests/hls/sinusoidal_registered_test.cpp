@@ -174,10 +174,10 @@ class Beside {
  public:
   explicit Beside(int late) : late_(late) {
     SinusoidalWords w;
-    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true, .inverse = 18641};
+    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true, .inverse = 9321};
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288};
-    w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 3570, .emf = 5700, .limit = 18919};
+    w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
     w.sequence = {.arbitrary = true, .lock = 400, .give_up = 100'000, .brake = 10, .rest = 10};
     w.fault = {.over_current = 30000};
     write(kLock, kLockKey);
@@ -196,7 +196,7 @@ class Beside {
   // Codes come 100 clocks after the strobe; with `again` in every clock of the sample too.
   void tick(const BusRequest& request = {}, bool again = false) {
     if (out.sample) since_ = 0;
-    const bool due = since_ == 100, under_way = since_ > 100 && since_ < 100 + 470;
+    const bool due = since_ == 100, under_way = since_ > 100 && since_ < 100 + SinusoidalLoop::kClocks;
     CurrentSense::Codes codes{.valid = due, .u = int(random_() % 201) - 100, .v = int(random_() % 201) - 100, .dc = 2700};
 
     auto words = words_.tick({.request = request, .stopped = true}).words;

@@ -103,13 +103,13 @@ TEST(WordRegisters, BytesThatWereNeverWrittenReadTheirReset) {
   }
 }
 
-// 683 clocks is what 1 / (3 period) and a sample ask for; docs/sinusoidal_registers.md.
+// 478 clocks is what a sample takes; docs/sinusoidal_registers.md.
 TEST(WordRegisters, TellsAPeriodThatIsTooShortForASample) {
   Bench<Sinusoidal> bench;
   EXPECT_TRUE(bench.tick({}).no_period);
-  bench.write(kPwm, 682);
+  bench.write(kPwm, 477);
   EXPECT_TRUE(bench.tick({}).no_period);
-  bench.write(kPwm, 683);
+  bench.write(kPwm, 478);
   EXPECT_FALSE(bench.tick({}).no_period);
 }
 

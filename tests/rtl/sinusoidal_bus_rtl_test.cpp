@@ -33,15 +33,15 @@ struct WishboneRtl : WishboneHost<SinusoidalWb, Sinusoidal> {
   static const char* differs(const Rtl& rtl, const Top::Out& out) { return ports::sinusoidal_wb::differs(rtl, out); }
 };
 
-constexpr int kPeriod = 1200, kSample = 480;  // clocks; of a sample at most
+constexpr int kPeriod = 1200, kSample = SinusoidalLoop::kClocks + 10;  // clocks; of a sample at most
 
 // Words under which it starts at once, regulates and locks on anything.
 SinusoidalWords lenient_words() {
   SinusoidalWords w;
-  w.bridge = {.period = kPeriod, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true, .inverse = 18641};
+  w.bridge = {.period = kPeriod, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true, .inverse = 9321};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288, .emf_high = 32767};
-  w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 3570, .emf = 5700, .limit = 18919};
+  w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
   w.sequence = {.arbitrary = true, .hold_voltage = 2000, .pattern = 3, .lock = 3, .give_up = 100, .brake = 2, .rest = 2,
                 .retries = 3};
   w.fault = {.over_current = 30000};
@@ -141,7 +141,7 @@ class Life {
     if (out_.sample) since_sample_ = 0, late_ = 1 + int(draw() % 100);
     const bool due = since_sample_ == late_;
     if (due) since_codes_ = 0;
-    in_.codes = {.valid = due || (since_codes_ > 0 && since_codes_ < 470 && draw() % 256 == 0),  // those count for nothing
+    in_.codes = {.valid = due || (since_codes_ > 0 && since_codes_ < SinusoidalLoop::kClocks && draw() % 256 == 0),  // those count for nothing
                  .u = int(draw() % 801) - 400, .v = int(draw() % 801) - 400, .dc = 2500 + int(draw() % 400)};
     in_.fault = in_.fault ? draw() % 64 != 0 : draw() % 65536 == 0;
 
