@@ -10,11 +10,11 @@
 #include "model/plant/adc.hpp"
 #include "ports/sinusoidal_axi_ports.hpp"
 #include "rtl/host/steplock_sinusoidal.h"
-#include "testbench/bus/axi_master.hpp"
 #include "testbench/bus/register_words.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/units.hpp"
 #include "testbench/sinusoidal/words.hpp"
+#include "tests/testbench/host_bus.hpp"
 
 namespace steplock {
 namespace {
@@ -30,27 +30,13 @@ class Bench {
         words_(sinusoidal::words_of(settings_)),
         plant_(plant_parameters(settings_), initial_state(settings_, 70)),
         adc_(adc_parameters(settings_)) {
-    rtl_.rst = 1;
-    rtl_.eval();
-    rtl_.clk = 1;
-    rtl_.eval();
-    rtl_.rst = 0;
+    reset_rtl(rtl_);
   }
   ~Bench() { rtl_.final(); }
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
 
-  steplock_bus bus() {
-    return {.write = [](void* self, std::uint32_t offset, std::uint32_t value) {
-              return static_cast<Bench*>(self)->master_.write(offset, value).okay ? 0 : 1;
-            },
-            .read = [](void* self, std::uint32_t offset, std::uint32_t* value) {
-              const auto answer = static_cast<Bench*>(self)->master_.read(offset);
-              *value = answer.data;
-              return answer.okay ? 0 : 1;
-            },
-            .context = this};
-  }
+  steplock_bus bus() { return driver_bus(master_); }
   std::vector<steplock_word> words() const { return register_words<Sinusoidal>(words_); }
   std::uint32_t clock_hz() const { return std::uint32_t(clock_hz_); }
   std::uint32_t period() const { return std::uint32_t(words_.bridge.period.raw()); }
@@ -86,9 +72,7 @@ class Bench {
     ports::sinusoidal_axi::drive_ports(rtl, in);
     rtl.clk = 0;
     rtl.eval();
-    const plant::Gates gates{.uh = rtl.gates_uh_o != 0, .ul = rtl.gates_ul_o != 0,
-                             .vh = rtl.gates_vh_o != 0, .vl = rtl.gates_vl_o != 0,
-                             .wh = rtl.gates_wh_o != 0, .wl = rtl.gates_wl_o != 0};
+    const plant::Gates gates = gates_at(rtl);
     if (!(gates == gates_)) {
       plant_.advance_to(now);
       plant_.set_gates(gates_ = gates);
@@ -98,14 +82,7 @@ class Bench {
       held_ = adc_.sample(plant_.state(), samples_++);
       left_ = kConversion;
     }
-    const AxiAnswers out{.awready = rtl.axi_awready_o != 0,
-                         .wready = rtl.axi_wready_o != 0,
-                         .bvalid = rtl.axi_bvalid_o != 0,
-                         .bresp = rtl.axi_bresp_o,
-                         .arready = rtl.axi_arready_o != 0,
-                         .rvalid = rtl.axi_rvalid_o != 0,
-                         .rdata = rtl.axi_rdata_o,
-                         .rresp = rtl.axi_rresp_o};
+    const AxiAnswers out = answers_at(rtl);
     rtl.clk = 1;
     rtl.eval();
     ++clock_;
