@@ -5,6 +5,7 @@
 // registers (the proof script connects them) and says how they go with its counts: that is what makes
 // the induction close.  The negative controls run without, so that what fails there is the contract.
 //
+//! induction sat
 //! connect u_timer dut.u.timer
 //! connect u_was dut.u.was
 //! connect v_timer dut.v.timer
