@@ -15,6 +15,7 @@ namespace {
 struct Arguments {
   std::string name, out = "out/papers", drives = "drives";
   EngineKind engine = EngineKind::kRtl;
+  std::vector<int> sections;
 };
 
 int print_paper(const Arguments& arguments) {
@@ -24,6 +25,7 @@ int print_paper(const Arguments& arguments) {
     Interrupt interrupt;
     ProgressBar bar(arguments.name);
     const PaperOptions options{.engine = arguments.engine,
+                               .sections = arguments.sections,
                                .progress = [&](const std::string& what, double done) {
                                  bar.show(done, what);
                                  return !interrupt.asked();
@@ -58,6 +60,9 @@ void add_paper_command(CLI::App& app, int& exit_code) {
   command->add_option("--engine", arguments->engine,
                       "rtl (generated SystemVerilog, the default) or fixed (its C++ source, faster)")
       ->transform(engine_among({EngineKind::kRtl, EngineKind::kFixed}));
+  command->add_option("--section", arguments->sections,
+                      "only these sections of the page, counted from 1 (default all)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--drives", arguments->drives, "where the drive file is (default drives)");
   command->add_option("--out", arguments->out,
                       "directory of the page and its figures (default out/papers)");

@@ -14,6 +14,7 @@ namespace {
 
 struct Arguments {
   std::string file = "drives/br2804_drone.toml", out = "out/range";
+  double least_erpm = 0;
 };
 
 int print_range(const Arguments& arguments) {
@@ -24,7 +25,7 @@ int print_range(const Arguments& arguments) {
   {
     Interrupt interrupt;
     ProgressBar bar("range");
-    range = measure_range(file.settings, [&](double done) {
+    range = measure_range(file.settings, arguments.least_erpm, [&](double done) {
       bar.show(done);
       return !interrupt.asked();
     });
@@ -45,6 +46,8 @@ void add_range_command(CLI::App& app, int& exit_code) {
       "range", "Measure up to which speed the drive locks, and how well it commutates.");
   command->add_option("FILE", arguments->file,
                       "drive file that lends what is not varied (default drives/br2804_drone.toml)");
+  command->add_option("--from", arguments->least_erpm,
+                      "only from this electrical speed on, r/min (default all; slow ones take longest)");
   command->add_option("--out", arguments->out, "directory of range.md and its figure (default out/range)");
   command->footer("Example: steplock range --out docs");
   command->callback([arguments, &exit_code] { exit_code = print_range(*arguments); });

@@ -62,17 +62,21 @@ PaperPage matsui1996_page(const design::Settings& drive, const design::Settings&
                                   "numbers are from its text.",
                                   name_of(options.engine))};
   Found found;
-  std::vector<PaperSection> figures;
-  figures.push_back(voltage_model(drive, options, found));
-  figures.push_back(current_model(drive, options, found));
-  figures.push_back(loop_rates(drive, options, found));
-  figures.push_back(wrong_parameters(drive, options));
-  figures.push_back(torque_on_and_off(drive, options));
-  figures.push_back(starts(drive, options));
-  figures.push_back(initial_position(salient, options, found));
-  figures.push_back(salient_running(salient, options));
-  page.sections.push_back(comparison(drive, found));
-  for (auto& section : figures) page.sections.push_back(std::move(section));
+  const std::vector<std::function<PaperSection()>> figures = {
+      [&] { return voltage_model(drive, options, found); },
+      [&] { return current_model(drive, options, found); },
+      [&] { return loop_rates(drive, options, found); },
+      [&] { return wrong_parameters(drive, options); },
+      [&] { return torque_on_and_off(drive, options); },
+      [&] { return starts(drive, options); },
+      [&] { return initial_position(salient, options, found); },
+      [&] { return salient_running(salient, options); }};
+  int number = 1;
+  for (const auto& figure : figures) {
+    if (options.wants(++number)) page.sections.push_back(figure());
+  }
+  // The first one is of all the others.
+  if (options.sections.empty()) page.sections.insert(page.sections.begin(), comparison(drive, found));
   return page;
 }
 

@@ -108,7 +108,7 @@ LoadPoint measure_load(const design::Settings& s, double set_rpm, double most_nm
   return point;
 }
 
-LoadEnvelope measure_envelope(const DriveFile& file, const std::string& stem,
+LoadEnvelope measure_envelope(const DriveFile& file, const std::string& stem, int only,
                               const std::function<bool(double done)>& progress) {
   const design::Settings& s = file.settings;
   const design::Design d = design::design_drive(s);
@@ -118,6 +118,7 @@ LoadEnvelope measure_envelope(const DriveFile& file, const std::string& stem,
   constexpr int kSpeeds = 4;
   const double low = 1.3 * d.hand_over_rpm, high = std::min(s.scenario.speed_rpm, 0.9 * e.no_load_rpm);
   for (int i = 0; i < kSpeeds; ++i) {
+    if (only != 0 && only != i + 1) continue;
     e.points.push_back(measure_load(s, low + (high - low) * i / (kSpeeds - 1), most));
     if (progress && !progress(double(i + 1) / kSpeeds)) throw Stopped();
   }

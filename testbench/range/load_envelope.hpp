@@ -34,7 +34,8 @@ struct LoadEnvelope {
 
 // Raises the torque in twenty steps up to `most_nm`.
 LoadPoint measure_load(const design::Settings&, double rpm, double most_nm);
-LoadEnvelope measure_envelope(const DriveFile&, const std::string& stem,
+// `only`: of its four set speeds this one alone, from 1; 0 is all.
+LoadEnvelope measure_envelope(const DriveFile&, const std::string& stem, int only = 0,
                               const std::function<bool(double done)>& progress = {});
 
 Figure envelope_figure(const LoadEnvelope&);

@@ -87,7 +87,7 @@ double RangeCurve::cap_erpm() const {
   return cap;
 }
 
-Range measure_range(const design::Settings& drive,
+Range measure_range(const design::Settings& drive, double least_erpm,
                     const std::function<bool(double done)>& progress) {
   const std::vector<RangeSettings> all = {
       {"48 MHz, 4 samples of 2 us, blanking 4 us, PWM 30 kHz (defaults)"},
@@ -98,8 +98,10 @@ Range measure_range(const design::Settings& drive,
       {"100 MHz, 2 samples of 0.1 us, blanking 0.5 us, PWM 96 kHz", 100e6, 96e3, 0.5e-6, 0.1e-6, 2}};
   // Round speeds beat with a round PWM frequency: then samples always fall on the same place.
   constexpr double kNotRound = 1.0037;
-  const std::vector<double> speeds = {600,   1e3,   2e3,   5e3,   10e3,  20e3, 50e3, 100e3,
-                                      200e3, 300e3, 500e3, 700e3, 850e3, 1e6,  1.2e6};
+  std::vector<double> speeds = {600,   1e3,   2e3,   5e3,   10e3,  20e3, 50e3, 100e3,
+                                200e3, 300e3, 500e3, 700e3, 850e3, 1e6,  1.2e6};
+  std::erase_if(speeds, [&](double erpm) { return erpm < least_erpm; });
+  if (speeds.empty()) throw std::runtime_error("no speed of the range is left");
   Range range;
   double done = 0;
   for (const RangeSettings& r : all) {

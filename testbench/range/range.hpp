@@ -40,7 +40,8 @@ RangePoint measure_point(const design::Settings& drive, const RangeSettings&, do
 struct Range {
   std::vector<RangeCurve> curves;
 };
-Range measure_range(const design::Settings& drive,
+// From `least_erpm` on.
+Range measure_range(const design::Settings& drive, double least_erpm = 0,
                     const std::function<bool(double done)>& progress = {});
 
 Figure range_figure(const Range&);

@@ -6,7 +6,7 @@ steplock=$1 root=$2 work=$3
 page=$root/docs/disturbances.json
 rm -rf "$work"
 "$steplock" sweep "$root"/drives/*.toml --matrix disturb --runs "$(jq .prefix.runs "$page")" --seed "$(jq .seed "$page")" \
-  --out "$work" --page "$work/docs/disturbances.md"
+  --jobs 1 --out "$work" --page "$work/docs/disturbances.md"
 jq -e '.passed and .silent_step_outs == 0 and .rtl_differing == 0' "$work/sweep.json"
 [ "$(jq -c .prefix "$work/docs/disturbances.json")" = "$(jq -c .prefix "$page")" ] || {
   echo "docs/disturbances.md is stale; print it again with the command in its first line" >&2

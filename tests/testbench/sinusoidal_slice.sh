@@ -7,7 +7,7 @@ page=$root/docs/sinusoidal_starts.json
 rm -rf "$work"
 # Exit code 1: a run was lost, as the page says of it; the digest below tells whether it is the same one.
 "$steplock" sweep "$root"/drives/*.toml --kind sinusoidal --runs "$(jq .prefix.runs "$page")" --seed "$(jq .seed "$page")" \
-  --rtl "$(jq .rtl "$page")" --out "$work" --page "$work/docs/sinusoidal_starts.md" || [ $? -eq 1 ]
+  --rtl "$(jq .rtl "$page")" --jobs 1 --out "$work" --page "$work/docs/sinusoidal_starts.md" || [ $? -eq 1 ]
 [ "$(jq -c .prefix "$work/docs/sinusoidal_starts.json")" = "$(jq -c .prefix "$page")" ] || {
   echo "docs/sinusoidal_starts.md is stale; print it again with the command in its first line" >&2
   exit 1

@@ -5,7 +5,7 @@ set -euo pipefail
 steplock=$1 root=$2 work=$3
 page=$root/docs/starts.json
 rm -rf "$work"
-"$steplock" sweep "$root"/drives/*.toml --runs "$(jq .prefix.runs "$page")" --seed "$(jq .seed "$page")" \
+"$steplock" sweep "$root"/drives/*.toml --jobs 1 --runs "$(jq .prefix.runs "$page")" --seed "$(jq .seed "$page")" \
   --out "$work" --page "$work/docs/starts.md"
 jq -e '.runs == 300 and .started == 300 and .rtl_repeats > 0 and .rtl_differing == 0' "$work/sweep.json"
 [ "$(jq -c .prefix "$work/docs/starts.json")" = "$(jq -c .prefix "$page")" ] || {
