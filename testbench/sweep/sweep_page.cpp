@@ -174,7 +174,7 @@ void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, con
   const bool disturb = setup.kind.matrix == Matrix::kDisturb;
   const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
   // As many as the tests may repeat.
-  const std::uint64_t most = disturb ? 50 : sinusoidal ? 60 : 300;
+  const std::uint64_t most = disturb ? 22 : sinusoidal ? 60 : 300;
   std::vector<Figure> figures = sweep_figures(setup, rows);
   if (!disturb) {  // those that do not grow with every run
     std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });

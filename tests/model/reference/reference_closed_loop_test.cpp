@@ -32,30 +32,42 @@ double most_over_limit(const design::Settings& s) {
   return w * s.motor.flux_vs / impedance > 1.2 * s.sensors.limit_a ? 1.5 : 1.2;
 }
 
+// Only as far as the load step.
+design::Settings until_load(design::Settings s) {
+  s.scenario.duration_s = s.scenario.load_step_s.value();
+  s.scenario.load_step_s = s.scenario.load_off_s = s.scenario.reverse_s = s.scenario.stop_s = {};
+  return s;
+}
+
 class Drive : public testing::TestWithParam<const char*> {};
 
-TEST_P(Drive, StartsFromSixAnglesHoldsItsSpeedTakesALoadStepAndReverses) {
-  const auto s = settings_of(GetParam());
-  for (int angle = 0; angle < 360; angle += 60) {  // 60 is exactly opposite to the reset position
-    const auto v = run(s, angle);
+// What comes after the set speed hardly remembers the angle: from one of the six it is run to its end.  (The drive
+// itself is, from all six: <drive>_runs_from_<angle>_degrees.)
+TEST_P(Drive, StartsFromSixAnglesHoldsItsSpeedAndFromOneTakesALoadStepAndReverses) {
+  const auto whole = settings_of(GetParam()), s = until_load(whole);
+  for (int angle = 0; angle < 360; angle += 60) {
+    const bool to_the_end = angle == 60;  // exactly opposite to the reset position
+    const auto v = run(to_the_end ? whole : s, angle);
     ASSERT_TRUE(v.locked) << angle;
-    EXPECT_EQ(v.tries, 2) << angle;  // one start each way, none repeated
+    EXPECT_EQ(v.tries, to_the_end ? 2 : 1) << angle;  // one start each way, none repeated
     EXPECT_EQ(v.locks_lost, 0) << angle;
     EXPECT_EQ(v.step_outs, 0) << angle;
     EXPECT_EQ(v.reason, Reason::kNone) << angle;
     EXPECT_NEAR(v.mean_rpm, s.scenario.speed_rpm, 0.005 * s.scenario.speed_rpm) << angle;
-    EXPECT_NEAR(v.loaded_rpm, s.scenario.speed_rpm, 0.01 * s.scenario.speed_rpm) << angle;
-    EXPECT_NEAR(v.reversed_rpm, -s.scenario.speed_rpm, 0.01 * s.scenario.speed_rpm) << angle;
+    if (to_the_end) {
+      EXPECT_NEAR(v.loaded_rpm, s.scenario.speed_rpm, 0.01 * s.scenario.speed_rpm) << angle;
+      EXPECT_NEAR(v.reversed_rpm, -s.scenario.speed_rpm, 0.01 * s.scenario.speed_rpm) << angle;
+    }
     EXPECT_LT(v.peak_current, most_over_limit(s) * s.sensors.limit_a) << angle;
     EXPECT_LT(v.worst_error_deg, 20) << angle;  // a third of a step costs 6 % of torque
   }
 }
 
 // What a data sheet leaves open: every parameter up to 20 % off, friction between 0.6 and 1.6
-// times, the bus 10 % off, comparator offsets and noise doubled.
+// times, the bus 10 % off, comparator offsets and noise doubled.  The first of them is reversed as well.
 TEST_P(Drive, StartsAMotorThatDiffersFromItsDataSheet) {
-  const auto s = settings_of(GetParam());
-  const auto p = design::design_drive(s).parameters;
+  const auto whole = settings_of(GetParam()), s = until_load(whole);
+  const auto p = design::design_drive(whole).parameters;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> sign(-1, 1);
   const auto off = [&](double value) { return value * (1 + 0.2 * sign(random)); };
@@ -71,9 +83,9 @@ TEST_P(Drive, StartsAMotorThatDiffersFromItsDataSheet) {
     plant.bus.voltage *= 1 + 0.1 * sign(random);
     for (auto& c : plant.sensing.comparator) c.offset *= 2, c.noise *= 2;
     plant.sensing.seed = 100 + k;
-    const auto v = ClosedLoop(s, p, plant, 180 * sign(random)).run();
+    const auto v = ClosedLoop(k == 0 ? whole : s, p, plant, 180 * sign(random)).run();
     EXPECT_TRUE(v.locked) << k;
-    EXPECT_EQ(v.tries, 2) << k;
+    EXPECT_EQ(v.tries, k == 0 ? 2 : 1) << k;
     EXPECT_EQ(v.locks_lost, 0) << k;
     EXPECT_EQ(v.step_outs, 0) << k;
   }
