@@ -15,6 +15,7 @@ frontend_test(reach)
 frontend_test(layout)
 frontend_test(program)
 frontend_test(memory)
+compile_quickly(design refusal names reach layout program memory)
 
 # Headers as the lockstep tests get them, for the test blocks.
 set(ports_list "")
