@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <stdexcept>
@@ -17,6 +18,34 @@ std::string quoted(const std::string& text) {
     if (c == '\'') out += c;
   }
   return out + "'";
+}
+
+struct Span {
+  double low, high;
+};
+
+// Of a logarithmic axis: a little more than the points take, so that none stands on the border.
+Span widened(Span points) {
+  const double margin = std::pow(points.high / points.low, 0.02);
+  return {points.low / margin, points.high * margin};
+}
+
+// Labels of a logarithmic axis: gnuplot's own are the powers of ten, and often one only is in sight.  The
+// coarsest of three rows that shows five or more; of many decades the powers of ten.
+std::vector<double> labels(Span axis) {
+  static const std::vector<double> kRows[] = {{1}, {1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  std::vector<double> found;
+  for (const auto& row : kRows) {
+    found.clear();
+    for (int decade = static_cast<int>(std::floor(std::log10(axis.low))); std::pow(10, decade) <= axis.high; ++decade) {
+      for (const double digit : row) {
+        const double at = digit * std::pow(10, decade);
+        if (at >= axis.low && at <= axis.high) found.push_back(at);
+      }
+    }
+    if (found.size() >= 5) break;
+  }
+  return found;
 }
 
 }  // namespace
@@ -75,8 +104,16 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
   add("set multiplot\nset border 3 lc rgb '#8795a1'\nset tics nomirror font ',11' textcolor rgb '#52606d'\n"
       "set grid lc rgb '#e4e7eb' lt 1 lw 0.6\n"
       "set lmargin at screen 0.09\nset rmargin at screen 0.83\n");
-  if (f.logarithmic) add("set logscale x\n");
-  if (any && high > low) add("set xrange [{:.7g}:{:.7g}]\n", low, high);
+  if (any && high > low) {
+    Span axis{low, high};
+    if (f.logarithmic && low > 0) {
+      axis = widened(axis);
+      std::string list;
+      for (const double at : labels(axis)) list += fmt::format("{}{:.6g}", list.empty() ? "" : ", ", at);
+      add("set logscale x\nset xtics ({})\n", list);
+    }
+    add("set xrange [{:.7g}:{:.7g}]\n", axis.low, axis.high);
+  }
   for (const Mark& m : f.marks) {
     add("set arrow from first {0:.7g}, graph 0 to first {0:.7g}, graph 1 nohead lc rgb '#b8c4ce' "
         "dt 2 back\n", m.x);

@@ -34,6 +34,32 @@ TEST(Figure, ShowsTitleAxisLabelsAndMarks) {
   }
 }
 
+std::string labels_of_axis(double low, double high) {
+  Figure f = example();
+  f.marks = {};
+  f.logarithmic = true;
+  f.panels = {{.label = "gain", .curves = {{"", palette::kW, {{low, 1}, {high, 2}}}}}};
+  const std::string script = gnuplot_script(f, "out.svg");
+  const auto from = script.find("set xtics (") + 11;
+  return script.substr(from, script.find(')', from) - from);
+}
+
+// A value can be read off between two labels, whether the axis is short or long.
+TEST(Figure, ALogarithmicAxisHasLabelsEnough) {
+  EXPECT_EQ(labels_of_axis(1, 2000), "1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000");
+  EXPECT_EQ(labels_of_axis(1e-4, 10), "0.0001, 0.001, 0.01, 0.1, 1, 10");
+  EXPECT_EQ(labels_of_axis(0.5, 20), "0.5, 1, 2, 5, 10, 20");
+  EXPECT_EQ(labels_of_axis(3, 8), "3, 4, 5, 6, 7, 8");
+}
+
+// No point stands on the border: the axis goes on by two hundredths of its length either way.
+TEST(Figure, ALogarithmicAxisIsLongerThanItsPoints) {
+  Figure f = example();
+  f.logarithmic = true;
+  f.panels = {{.label = "gain", .curves = {{"", palette::kW, {{1, 1}, {100, 2}}}}}};
+  EXPECT_NE(gnuplot_script(f, "out.svg").find("set xrange [0.9120108:109.6478]"), std::string::npos);
+}
+
 TEST(Figure, TheSameNumbersGiveTheSameBytes) {
   const std::filesystem::path here = testing::TempDir();
   ASSERT_TRUE(draw(example(), here));
