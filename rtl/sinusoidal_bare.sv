@@ -170,6 +170,7 @@ module sinusoidal_bare (
   wire drive_locked;
   wire drive_estimating;
   wire unused_drive_done;
+  wire unused_drive_busy;
   wire unused_drive_reverse;
   wire [3:0] unused_drive_tries;
   wire [23:0] drive_angle;
@@ -261,6 +262,7 @@ module sinusoidal_bare (
       .locked_o(drive_locked),
       .estimating_o(drive_estimating),
       .done_o(unused_drive_done),
+      .busy_o(unused_drive_busy),
       .reverse_o(unused_drive_reverse),
       .tries_o(unused_drive_tries),
       .angle_o(drive_angle),

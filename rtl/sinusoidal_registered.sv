@@ -34,10 +34,8 @@ module sinusoidal_registered (
   logic command_brake_to_stop;  // else coast
   logic command_clear_fault;  // a rising edge re-arms, once `run` is low and the cause is gone
   logic stopped;
-  logic busy;  // a sample is under way
+  logic busy;  // a sample is under way, as the drive says
   logic [3:0] periods;  // begun, of a tick
-
-  wire both_48 = codes_valid_i && !busy;  // line 48
 
   wire [13:0] words_words_bridge_period;
   wire [13:0] words_words_bridge_minimum;
@@ -106,7 +104,7 @@ module sinusoidal_registered (
       .request_data_i(request_data_i),
       .request_strobes_i(request_strobes_i),
       .stopped_i(stopped),
-      .boundary_i(both_48),
+      .boundary_i(codes_valid_i && !busy),
       .words_bridge_period_o(words_words_bridge_period),
       .words_bridge_minimum_o(words_words_bridge_minimum),
       .words_bridge_dead_time_o(words_words_bridge_dead_time),
@@ -178,7 +176,8 @@ module sinusoidal_registered (
   wire drive_sample;
   wire drive_locked;
   wire unused_drive_estimating;
-  wire drive_done;
+  wire unused_drive_done;
+  wire drive_busy;
   wire drive_reverse;
   wire [3:0] drive_tries;
   wire [23:0] drive_angle;
@@ -196,7 +195,7 @@ module sinusoidal_registered (
       .clk(clk),
       .rst(rst),
       .fault_i(fault_i),
-      .codes_valid_i(both_48),
+      .codes_valid_i(codes_valid_i),
       .codes_u_i(codes_u_i),
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
@@ -269,7 +268,8 @@ module sinusoidal_registered (
       .sample_o(drive_sample),
       .locked_o(drive_locked),
       .estimating_o(unused_drive_estimating),
-      .done_o(drive_done),
+      .done_o(unused_drive_done),
+      .busy_o(drive_busy),
       .reverse_o(drive_reverse),
       .tries_o(drive_tries),
       .angle_o(drive_angle),
@@ -341,8 +341,8 @@ module sinusoidal_registered (
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 78
-    busy <= (busy || codes_valid_i) && !drive_done;  // line 81
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 76
+    busy <= drive_busy;
     if (drive_sample) begin
       periods <= periods + 4'd1;
     end

@@ -1,4 +1,4 @@
-// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:36.
+// sinusoidal_top: steplock::SinusoidalTop, printed by hlsgen from hls/sinusoidal/sinusoidal_top.hpp:37.
 // Do not edit: change the C++ and print again.
 
 module sinusoidal_top (
@@ -79,6 +79,7 @@ module sinusoidal_top (
     output logic        locked_o,  // running, the estimate is claimed to be right
     output logic        estimating_o,  // the loop is closed
     output logic        done_o,  // strobe: a sample is worked through
+    output logic        busy_o,  // one is under way: codes of the next clock are not taken
     output logic        reverse_o,  // the wanted direction
     output logic [3:0]  tries_o,  // that failed and were followed by another one, since `run` was obeyed
     output logic [23:0] angle_o,  // u0.24, electrical turns, at the last sample
@@ -114,8 +115,11 @@ module sinusoidal_top (
   logic seen_over;
   logic [15:0] seen_i_gamma;  // s0.15
   logic seen_backward;
+  logic busy;  // a sample is under way
   logic restart;
   logic waiting;  // for the current to decay
+
+  wire both_74 = codes_valid_i && !busy;  // line 74
 
   wire pilot_pulse;
   wire pilot_high_u;
@@ -167,7 +171,7 @@ module sinusoidal_top (
   current_sense sense (
       .clk(clk),
       .rst(rst),
-      .codes_valid_i(codes_valid_i),
+      .codes_valid_i(both_74),
       .codes_u_i(codes_u_i),
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
@@ -403,8 +407,8 @@ module sinusoidal_top (
       .tries_o(sequence__tries)
   );
 
-  wire either_140 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 140
-  wire choice_141 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 141
+  wire either_144 = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 144
+  wire choice_145 = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;  // line 145
 
   wire pwm_v_on;
   wire unused_pwm_v_start;
@@ -422,7 +426,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_v_tick)
   );
 
-  wire choice_142 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 142
+  wire choice_146 = sequence__pilot ? pilot_high_v && pwm_u_on : pwm_v_on;  // line 146
 
   wire pwm_w_on;
   wire unused_pwm_w_start;
@@ -440,7 +444,7 @@ module sinusoidal_top (
       .tick_o(unused_pwm_w_tick)
   );
 
-  wire choice_143 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 143
+  wire choice_147 = sequence__pilot ? pilot_high_w && pwm_u_on : pwm_w_on;  // line 147
 
   wire guard_uh;
   wire guard_ul;
@@ -451,12 +455,12 @@ module sinusoidal_top (
   gate_guard guard (
       .clk(clk),
       .rst(rst),
-      .request_uh_i(either_140 && choice_141),
-      .request_ul_i(sequence__brake || (either_140 && !choice_141)),
-      .request_vh_i(either_140 && choice_142),
-      .request_vl_i(sequence__brake || (either_140 && !choice_142)),
-      .request_wh_i(either_140 && choice_143),
-      .request_wl_i(sequence__brake || (either_140 && !choice_143)),
+      .request_uh_i(either_144 && choice_145),
+      .request_ul_i(sequence__brake || (either_144 && !choice_145)),
+      .request_vh_i(either_144 && choice_146),
+      .request_vl_i(sequence__brake || (either_144 && !choice_146)),
+      .request_wh_i(either_144 && choice_147),
+      .request_wl_i(sequence__brake || (either_144 && !choice_147)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_bridge_dead_time_i),
@@ -469,8 +473,10 @@ module sinusoidal_top (
       .wl_o(guard_wl)
   );
 
+  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 167
+
   always_ff @(posedge clk) begin
-    if (codes_valid_i) begin
+    if (both_74) begin
       orders_reverse <= sequence__reverse;
       orders_calibrate <= sequence__calibrate;
       orders_pilot <= sequence__pilot;
@@ -494,7 +500,8 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 161
+    seen_backward <= control_i_delta[15];  // line 165
+    busy <= busy_next;  // line 167
     restart <= sequence__entered;
     waiting <= pilot_waiting;
     if (rst) begin
@@ -519,6 +526,7 @@ module sinusoidal_top (
       seen_over <= 1'b0;
       seen_i_gamma <= 16'sd0;
       seen_backward <= 1'b0;
+      busy <= 1'b0;
       restart <= 1'b0;
       waiting <= 1'b0;
     end
@@ -536,6 +544,7 @@ module sinusoidal_top (
   assign locked_o = sequence__locked;
   assign estimating_o = sequence__regulate;
   assign done_o = control_done;
+  assign busy_o = busy_next;
   assign reverse_o = sequence__reverse;
   assign tries_o = sequence__tries;
   assign angle_o = control_angle;

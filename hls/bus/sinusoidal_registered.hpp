@@ -5,7 +5,7 @@
 //
 // The map is docs/sinusoidal_registers.md.  A sample is computed over many clocks, from `valid` to the
 // drive's `done`: the set-point is taken over with the codes, as are the orders of the drive's own
-// sequence, and codes that come while a sample is under way are not taken.  So no sample of a running
+// sequence, and the drive takes no codes while a sample is under way.  So no sample of a running
 // drive sees two values of a word.
 //
 //     request to its answer             1 clock, kept until the next request of its kind
@@ -44,12 +44,10 @@ class SinusoidalRegistered {
   };
 
   Out tick(const In& in) {
-    auto codes = in.codes;
-    codes.valid = in.codes.valid && !busy_;
-    const auto words =
-        words_.tick({.request = in.request, .stopped = stopped_, .boundary = codes.valid});
+    const auto words = words_.tick(
+        {.request = in.request, .stopped = stopped_, .boundary = in.codes.valid && !busy_});
     const auto drive = drive_.tick({.fault = in.fault,
-                                    .codes = codes,
+                                    .codes = in.codes,
                                     .command = command_,
                                     .words = words.words});
     const auto registers = registers_.tick({.request = in.request,
@@ -78,7 +76,7 @@ class SinusoidalRegistered {
     stopped_ = registers.stopped && !command_.run && !registers.command.run;
     command_ = registers.command;
     if (drive.sample) periods_ = wrap<UInt<4>>(periods_ + 1);
-    busy_ = (busy_ || codes.valid) && !drive.done;
+    busy_ = drive.busy;
     return {.gates = drive.gates,
             .sample = drive.sample,
             .interrupt = registers.interrupt,
@@ -96,7 +94,7 @@ class SinusoidalRegistered {
 
   Command command_;
   bool stopped_ = true;
-  bool busy_ = false;     // a sample is under way
+  bool busy_ = false;     // a sample is under way, as the drive says
   UInt<4> periods_ = 0;   // begun, of a tick
 };
 

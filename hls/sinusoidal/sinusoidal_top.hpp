@@ -11,7 +11,8 @@
 // taken, so that all of it works under the same orders.
 //
 // `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
-// and give their codes with `valid` so early that the sample is done before the next period.
+// and give their codes with `valid` so early that the sample is done before the next period.  Codes
+// that come while one is under way are not taken, and DriveProtection counts the lost sample.
 //
 //     `sample` to new on-clocks          233 clocks, if the codes come at once
 //     `sample` to `done`                 478 clocks: less than a period
@@ -50,6 +51,7 @@ class SinusoidalTop {
     bool locked = false;      // running, the estimate is claimed to be right
     bool estimating = false;  // the loop is closed
     bool done = false;        // strobe: a sample is worked through
+    bool busy = false;        // one is under way: codes of the next clock are not taken
     bool reverse = false;     // the wanted direction
     UInt<4> tries = 0;        // that failed and were followed by another one, since `run` was obeyed
     Angle angle = 0;          // u0.24, electrical turns, at the last sample
@@ -68,6 +70,8 @@ class SinusoidalTop {
 
   Out tick(const In& in) {
     const SinusoidalWords& words = in.words;
+    auto codes = in.codes;
+    codes.valid = in.codes.valid && !busy_;
     const auto pins = synchroniser_.tick({.fault = in.fault});
     const auto pilot = pilot_.tick({.rest = orders_.calibrate,
                                     .enable = orders_.pilot,
@@ -79,7 +83,7 @@ class SinusoidalTop {
                                     .backward = seen_.backward,
                                     .words = words.pilot});
     const auto sense = sense_.tick(
-        {.codes = in.codes,
+        {.codes = codes,
          .calibrate = orders_.calibrate,
          .over_current = waiting_ ? words.pilot.decayed : words.fault.over_current});
     const auto control = control_.tick({{.estimate = orders_.estimate,
@@ -159,7 +163,8 @@ class SinusoidalTop {
              .over = sense.over,
              .i_gamma = control.i_gamma,
              .backward = control.i_delta.negative()};
-    if (in.codes.valid) orders_ = now;
+    if (codes.valid) orders_ = now;
+    busy_ = (busy_ || codes.valid) && !control.done;
     if (u.start) {
       ended_ = running_;
       running_ = legs;
@@ -171,6 +176,7 @@ class SinusoidalTop {
             .locked = now.locked,
             .estimating = now.regulate,
             .done = control.done,
+            .busy = busy_,
             .reverse = now.reverse,
             .tries = now.tries,
             .angle = control.angle,
@@ -216,6 +222,7 @@ class SinusoidalTop {
   SpaceVector::Out running_;        // of the present period
   SpaceVector::Out ended_;          // of the one before
   Seen seen_;
+  bool busy_ = false;               // a sample is under way
   bool restart_ = false;
   bool waiting_ = false;            // for the current to decay
 };

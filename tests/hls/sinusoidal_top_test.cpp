@@ -143,6 +143,36 @@ TEST(SinusoidalTop, OnTimesAreNew233ClocksAfterTheSampleAndAllIsDoneAfter478) {
   EXPECT_GT(changed, 0);
 }
 
+// A converter that gives codes more often than it is asked to: between the first of a period and the sample's
+// end nothing sees them, afterwards they are a sample of their own.
+TEST(SinusoidalTop, CodesThatComeWhileASampleIsUnderWayAreNotTaken) {
+  std::mt19937 any(2);
+  Bench asked, eager;
+  asked.u = eager.u = 100;
+  int refused = 0, taken = 0;
+  for (int clock = 0; clock < 60 * 1200; ++clock) {
+    const bool sample = asked.out.sample, busy = eager.out.busy;
+    ASSERT_FALSE(sample && busy) << clock;
+    const bool more = busy && any() % 8 == 0;
+    eager.out.sample = sample || more;
+    if (more) eager.u = int(any() % 3000) - 1500;
+    asked.tick(), eager.tick();
+    eager.u = 100;
+    refused += more;
+    taken += sample;
+    ASSERT_TRUE(eager.out == asked.out) << clock;
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_GT(taken, 50);
+
+  asked.clocks_until([](const auto& o) { return o.done; });
+  EXPECT_FALSE(asked.out.busy);
+  asked.out.sample = true;
+  asked.tick();
+  EXPECT_TRUE(asked.out.busy);
+  EXPECT_EQ(asked.clocks_until([](const auto& o) { return o.done; }), 478 - 1);
+}
+
 TEST(SinusoidalTop, SamplesAreTakenOncePerPeriodWithAllLowSidesOn) {
   Bench b;
   b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
