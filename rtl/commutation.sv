@@ -27,7 +27,7 @@ module commutation (
   wire either_3 = pattern_i == Pattern_kReset || (either && $signed(step) > 3'sd1);
   wire both_56 = pattern_i != Pattern_kSettle && step_i == 3'd0;  // line 56
   wire both = either && (both_56 || (pattern_i != Pattern_kSettle && step_i == 3'd5));
-  wire both_2 = either && $signed(step) < -3'sd2;
+  wire both_2 = either && step[2] && !step[1];
   wire [2:0] sum_57 = step - 3'd1;  // line 57
   wire either_4 = pattern_i == Pattern_kReset || (either && sum_57[2:1] == 2'd0);
 

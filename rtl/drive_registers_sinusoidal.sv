@@ -156,7 +156,7 @@ module drive_registers_sinusoidal (
       (both_87 ? 2'd2 : 2'd0) | {1'b0, drive_state_i == SinusoidalState_kFault && !was_faulted}};
   wire [3:0] choice_163 =  // line 163
       (drive_locked_i || !was_locked) ? 4'd0 :
-      ($signed(drive_state_i) < -4'sd6) ? 4'd8 :
+      (drive_state_i[3] && drive_state_i[2:1] == 2'd0) ? 4'd8 :
       4'd0;
   wire [4:0] wide_166 = {1'b0, {1'b0, wide_165 | (both_162 ? 3'd4 : 3'd0)} | choice_163};
   wire [4:0] choice_177 = (both_162 && starting) ? 5'd16 : 5'd0;  // line 177

@@ -90,11 +90,18 @@ NodeId upper_bits(Rebuild& b, Op op, NodeId x, const APInt& power) {
 // A comparison with a constant of up to four bits is one look-up table, and reads best whole.
 bool needs_carry(const APInt& c) { return c.getBitWidth() > 4; }
 
+// A signed comparison with a negative constant that fits a look-up table is one that Yosys maps wrongly, in all
+// versions before August 2026 (its issue 6085, cmp2lut): only unsigned ones may be left.
+constexpr unsigned kLargestTable = 6;  // bits; Artix-7's
+bool mistaken(const APInt& c) { return c.isNegative() && c.getBitWidth() <= kLargestTable; }
+NodeId sign_of(Rebuild& b, NodeId x) { return b.slice(x, b.width(x) - 1, 1); }
+NodeId rest_of(Rebuild& b, NodeId x) { return b.slice(x, 0, b.width(x) - 1); }
+
 // x < 2^k and x < -2^k, signed: the sign, and whether the bits above k are copies of it.
 NodeId signed_range(Rebuild& b, NodeId x, const APInt& power, bool below) {
   const bool negative = power.isNegative();
   const unsigned low = (negative ? -power : power).logBase2(), width = b.width(x);
-  const NodeId sign = b.slice(x, width - 1, 1), upper = b.slice(x, low, width - 1 - low);
+  const NodeId sign = sign_of(b, x), upper = b.slice(x, low, width - 1 - low);
   const NodeId copies = b.value(negative ? APInt::getAllOnes(b.width(upper))
                                          : APInt::getZero(b.width(upper)));
   // Not below 2^k: positive, and some bit set.  Below -2^k: negative, and some bit clear.
@@ -119,8 +126,12 @@ NodeId below_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   if (c == least) return truth(b, false);
   if (c == least + 1) return b.binary(Op::kEq, x, b.value(least));
   if (c == most) return b.binary(Op::kNe, x, b.value(most));
-  if (is_signed && c.isZero()) return b.slice(x, c.getBitWidth() - 1, 1);
+  if (is_signed && c.isZero()) return sign_of(b, x);
   if (!is_signed && c.isPowerOf2()) return upper_bits(b, Op::kEq, x, c);
+  if (is_signed && mistaken(c)) {
+    const NodeId rest = b.value(c.trunc(c.getBitWidth() - 1));
+    return b.binary(Op::kAnd, sign_of(b, x), b.binary(Op::kUlt, rest_of(b, x), rest));
+  }
   if (!needs_carry(c)) return kNone;
   if (is_signed && (c.isPowerOf2() || c.isNegatedPowerOf2())) return signed_range(b, x, c, true);
   if (const unsigned low = c.countTrailingZeros(); low > 0)
@@ -144,8 +155,12 @@ NodeId above_constant(Rebuild& b, const Node& n, NodeId x, const APInt& c) {
   if (c == most) return truth(b, false);
   if (c == most - 1) return b.binary(Op::kEq, x, b.value(most));
   if (c == least) return b.binary(Op::kNe, x, b.value(least));
-  if (is_signed && c.isAllOnes()) return b.inverse(b.slice(x, c.getBitWidth() - 1, 1));
+  if (is_signed && c.isAllOnes()) return b.inverse(sign_of(b, x));
   if (!is_signed && (c + 1).isPowerOf2()) return upper_bits(b, Op::kNe, x, c + 1);
+  if (is_signed && mistaken(c)) {
+    const NodeId rest = b.value(c.trunc(c.getBitWidth() - 1));
+    return b.binary(Op::kOr, b.inverse(sign_of(b, x)), b.binary(Op::kUlt, rest, rest_of(b, x)));
+  }
   if (!needs_carry(c)) return kNone;
   if (is_signed && ((c + 1).isPowerOf2() || (c + 1).isNegatedPowerOf2()))
     return signed_range(b, x, c + 1, false);

@@ -185,6 +185,19 @@ TEST(Compare, SignIsABit) {
   EXPECT_EQ(optimised(std::move(b)), " x_i[7]");
 }
 
+// Yosys before August 2026 takes a signed value that fits a look-up table for an unsigned one there.
+TEST(Compare, SignedOnesWithNegativeConstantsOfUpToSixBitsAreUnsignedOnes) {
+  Build b("m");
+  b.output("y", b.op(Op::kSlt, b.input("x", 3), b.constant(3, 0b110)));
+  EXPECT_EQ(optimised(std::move(b)), " x_i[2] && !x_i[1]");
+  Build c("m");
+  c.output("y", c.op(Op::kSlt, c.constant(6, 0b110110), c.input("x", 6)));
+  EXPECT_EQ(optimised(std::move(c)), " !x_i[5] || x_i[4:0] > 5'd22");
+  Build d("m");
+  d.output("y", d.op(Op::kSlt, d.input("x", 7), d.constant(7, 0b1110110)));
+  EXPECT_EQ(optimised(std::move(d)), " $signed(x_i) < -7'sd9");
+}
+
 TEST(Compare, ReachingAPowerOfTwoNeedsNoCarry) {
   Build b("m");
   b.output("y", b.op(Op::kUlt, b.input("x", 8), b.constant(8, 4)));

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# netlist.sh BOARD OUT: the netlist in OUT, from which tools/bitstream made an iCE40 board's bitstream, is the RTL of
+# that board.  Yosys proves that each flip-flop of both takes the same value in the next clock and that each output
+# is the same, whatever the inputs and the others hold.
+#   netlist.sh --flaw BOARD OUT    the same of a netlist with one wrong bit in one look-up table
+set -euo pipefail
+flaw=false
+[ "$1" != --flaw ] || { flaw=true; shift; }
+board=$1 out=$2 top=${1}_six_step
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+share=$(dirname "$(command -v yosys)")/../share/yosys
+
+netlist=$out/$top.json
+if $flaw; then
+  netlist=$work/netlist.json
+  jq --arg top "$top" '.modules[$top].cells |=
+    (([to_entries[] | select(.value.type == "SB_LUT4" and (.key | test("guard")))] | last | .key) as $table |
+     .[$table].parameters.LUT_INIT |= (.[0:15] + (if .[15:16] == "1" then "0" else "1" end)))' "$out/$top.json" >"$netlist"
+fi
+
+# Models of the cells that synthesis maps to; all others are boxes, whose pins become ports on both sides.
+{ sed '/^module /,$d' "$share/ice40/cells_sim.v"
+  awk '/^module (SB_LUT4|SB_CARRY|SB_DFF[A-Z]*) /{ on = 1 } on { print } /^endmodule/ { on = 0 }' "$share/ice40/cells_sim.v"
+} >"$work/cells.v"
+
+# Only the names of flip-flops of the RTL, and of ports, are compared: between them synthesis does as it likes.
+cat >"$work/make.ys" <<YS
+read_verilog -lib +/ice40/cells_sim.v
+read_verilog -sv $(tr '\n' ' ' <rtl/six_step_bare.f) $out/six_step_fixed.sv constraints/power_on_reset.sv constraints/$board/$top.sv
+hierarchy -top $top
+proc; flatten; async2sync; dffunmap; opt_clean
+rename -hide w:* t:\$dff %co1:+[Q] %d
+expose -evert t:SB_*; opt_clean
+rename $top gold
+design -stash gold
+
+read_json $netlist
+delete SB_LUT4 SB_CARRY SB_DFF*
+read_verilog $work/cells.v
+hierarchy -top $top
+proc; flatten; async2sync; dffunmap; check -assert
+expose -evert t:SB_*
+rename $top gate
+design -stash gate
+
+design -copy-from gold -as gold gold
+design -copy-from gate -as gate gate
+equiv_make gold gate equiv
+hierarchy -top equiv
+opt_clean
+write_rtlil $work/equiv.il
+tee -o $work/compared equiv_status
+YS
+yosys -q "$work/make.ys" >"$work/log" 2>&1 || { tail -n 5 "$work/log"; exit 1; }
+
+# A flip-flop that nothing reads is not in the netlist: its wire has no driver there, and, as `check` has told, no reader.
+unread=$(sed -n "s/^ *Unproven \$equiv \(.*\): .* 1'x\$/c:\1/p" "$work/compared" | tr '\n' ' ')
+cat >"$work/prove.ys" <<YS
+read_rtlil $work/equiv.il
+${unread:+equiv_remove -gold $unread}
+equiv_induct -seq 1
+tee -o $work/proved equiv_status -assert
+YS
+if ! yosys -q "$work/prove.ys" >"$work/log" 2>&1; then
+  grep '^ *Unproven' "$work/proved" | sed 's/.*: \\/not the same: /' | head -n 5
+  tail -n 1 "$work/log"
+  exit 1
+fi
+echo "$board: $(sed -n 's/^ *Of those cells \([0-9]*\) are proven and 0 are unproven.*/\1/p' "$work/proved") bits of registers and outputs are proved the same"
