@@ -194,7 +194,7 @@ TEST(Compare, SignedOnesWithNegativeConstantsOfUpToSixBitsAreUnsignedOnes) {
   c.output("y", c.op(Op::kSlt, c.constant(6, 0b110110), c.input("x", 6)));
   EXPECT_EQ(optimised(std::move(c)), " !x_i[5] || x_i[4:0] > 5'd22");
   Build d("m");
-  d.output("y", d.op(Op::kSlt, d.input("x", 7), d.constant(7, 0b1110110)));
+  d.output("y", d.op(Op::kSlt, d.input("x", 7), d.constant(7, 0b1110111)));
   EXPECT_EQ(optimised(std::move(d)), " $signed(x_i) < -7'sd9");
 }
 
