@@ -10,13 +10,12 @@ module power_on_reset (
 );
   logic [1:0] held = 2'b00;
   logic [9:0] clocks = 10'd0;
-  logic ready = 1'b0;  // iCE40's flip-flops wake up as 0; as the opposite of one, `rst` would lose its name in the netlist
+  initial rst = 1'b1;
 
   always_ff @(posedge clk) begin
     held <= {held[0], hold};
     if (held[1]) clocks <= 10'd0;
     else if (clocks != 10'h3ff) clocks <= clocks + 10'd1;
-    ready <= clocks == 10'h3ff;
+    rst <= clocks != 10'h3ff;
   end
-  assign rst = !ready;
 endmodule
