@@ -14,9 +14,11 @@ PaperPage amano2003_page(const design::Settings& drive, const PaperOptions& opti
           "page is stale. Motor and fan: [amano2003.toml](../../drives/amano2003.toml), which says how the "
           "paper's inconsistent units are read. Speeds and lost steps are judged from the plant's true "
           "angle.", name_of(options.engine))};
+  const auto sections = {start_sequence, loop_response, locked_state, steady_state, current_control,
+                         varied_load,    high_speed,    against_hall, light_rotor};
+  options.check_sections(1, static_cast<int>(sections.size()));
   int number = 0;
-  for (const auto& section : {start_sequence, loop_response, locked_state, steady_state, current_control,
-                              varied_load, high_speed, against_hall, light_rotor}) {
+  for (const auto& section : sections) {
     if (options.wants(++number)) page.sections.push_back(section(drive, options));
   }
   return page;

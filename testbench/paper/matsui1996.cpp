@@ -71,11 +71,11 @@ PaperPage matsui1996_page(const design::Settings& drive, const design::Settings&
       [&] { return starts(drive, options); },
       [&] { return initial_position(salient, options, found); },
       [&] { return salient_running(salient, options); }};
+  options.check_sections(2, static_cast<int>(figures.size()) + 1);  // the first one is of all the others
   int number = 1;
   for (const auto& figure : figures) {
     if (options.wants(++number)) page.sections.push_back(figure());
   }
-  // The first one is of all the others.
   if (options.sections.empty()) page.sections.insert(page.sections.begin(), comparison(drive, found));
   return page;
 }

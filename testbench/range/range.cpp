@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
+#include "testbench/drive_file/drive_file.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/run_drive.hpp"
@@ -101,7 +101,7 @@ Range measure_range(const design::Settings& drive, double least_erpm,
   std::vector<double> speeds = {600,   1e3,   2e3,   5e3,   10e3,  20e3, 50e3, 100e3,
                                 200e3, 300e3, 500e3, 700e3, 850e3, 1e6,  1.2e6};
   std::erase_if(speeds, [&](double erpm) { return erpm < least_erpm; });
-  if (speeds.empty()) throw std::runtime_error("no speed of the range is left");
+  if (speeds.empty()) throw BadInput(fmt::format("--from {:g} leaves no speed: name one up to 1.2e6", least_erpm));
   Range range;
   double done = 0;
   for (const RangeSettings& r : all) {

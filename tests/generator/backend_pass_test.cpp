@@ -185,26 +185,28 @@ TEST(Compare, SignIsABit) {
   EXPECT_EQ(optimised(std::move(b)), " x_i[7]");
 }
 
+// x < c, or c < x
+std::string below(Op op, unsigned width, std::uint64_t c) {
+  Build b("m");
+  b.output("y", b.op(op, b.input("x", width), b.constant(width, c)));
+  return optimised(std::move(b));
+}
+std::string above(Op op, unsigned width, std::uint64_t c) {
+  Build b("m");
+  b.output("y", b.op(op, b.constant(width, c), b.input("x", width)));
+  return optimised(std::move(b));
+}
+
 // Yosys before August 2026 takes a signed value that fits a look-up table for an unsigned one there.
 TEST(Compare, SignedOnesWithNegativeConstantsOfUpToSixBitsAreUnsignedOnes) {
-  Build b("m");
-  b.output("y", b.op(Op::kSlt, b.input("x", 3), b.constant(3, 0b110)));
-  EXPECT_EQ(optimised(std::move(b)), " x_i[2] && !x_i[1]");
-  Build c("m");
-  c.output("y", c.op(Op::kSlt, c.constant(6, 0b110110), c.input("x", 6)));
-  EXPECT_EQ(optimised(std::move(c)), " !x_i[5] || x_i[4:0] > 5'd22");
-  Build d("m");
-  d.output("y", d.op(Op::kSlt, d.input("x", 7), d.constant(7, 0b1110111)));
-  EXPECT_EQ(optimised(std::move(d)), " $signed(x_i) < -7'sd9");
+  EXPECT_EQ(below(Op::kSlt, 3, 0b110), " x_i[2] && !x_i[1]");
+  EXPECT_EQ(above(Op::kSlt, 6, 0b110110), " !x_i[5] || x_i[4:0] > 5'd22");
+  EXPECT_EQ(below(Op::kSlt, 7, 0b1110111), " $signed(x_i) < -7'sd9");
 }
 
 TEST(Compare, ReachingAPowerOfTwoNeedsNoCarry) {
-  Build b("m");
-  b.output("y", b.op(Op::kUlt, b.input("x", 8), b.constant(8, 4)));
-  EXPECT_EQ(optimised(std::move(b)), " x_i[7:2] == 6'd0");
-  Build c("m");
-  c.output("y", c.op(Op::kUlt, c.constant(8, 3), c.input("x", 8)));
-  EXPECT_EQ(optimised(std::move(c)), " x_i[7:2] != 6'd0");
+  EXPECT_EQ(below(Op::kUlt, 8, 4), " x_i[7:2] == 6'd0");
+  EXPECT_EQ(above(Op::kUlt, 8, 3), " x_i[7:2] != 6'd0");
 }
 
 TEST(Compare, SaturationLooksAtTheUpperBitsAlone) {

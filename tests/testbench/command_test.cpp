@@ -71,6 +71,21 @@ TEST(Command, ABadDriveFileIsExitCodeTwoAndLeavesNothingBehind) {
   EXPECT_FALSE(fs::exists(here / "out"));
 }
 
+TEST(Command, APartOfAPageThatIsNotThereIsRefused) {
+  const fs::path here = fresh("part");
+  const std::string out = " --out " + (here / "out").string(), drives = STEPLOCK_DRIVES;
+  const Result paper = steplock("paper amano2003 --section 10 --drives " + drives + out);
+  EXPECT_EQ(paper.exit_code, 2);
+  EXPECT_EQ(paper.output, "--section 10 is not measured: name one of 1 to 9\n");
+  // Its first section is of all others.
+  EXPECT_EQ(steplock("paper matsui1996 --section 1 --drives " + drives + out).output,
+            "--section 1 is not measured: name one of 2 to 9\n");
+  const Result range = steplock("range " + drives + "/br2804_drone.toml --from 2e6" + out);
+  EXPECT_EQ(range.exit_code, 2);
+  EXPECT_EQ(range.output, "--from 2e+06 leaves no speed: name one up to 1.2e6\n");
+  EXPECT_FALSE(fs::exists(here / "out"));
+}
+
 TEST(Command, RunWithJsonPrintsTheSummaryItWrites) {
   const fs::path out = fresh("run");
   const Result r = steplock("run " + kDrive + " --engine fixed --angle 60 --json --trace --out " +

@@ -41,8 +41,8 @@ design::Settings until_load(design::Settings s) {
 
 class Drive : public testing::TestWithParam<const char*> {};
 
-// What comes after the set speed hardly remembers the angle: from one of the six it is run to its end.  (The drive
-// itself is, from all six: <drive>_runs_from_<angle>_degrees.)
+// From one of the six to the scenario's end, for want of time.  (The drive itself is, from all six:
+// <drive>_runs_from_<angle>_degrees.)
 TEST_P(Drive, StartsFromSixAnglesHoldsItsSpeedAndFromOneTakesALoadStepAndReverses) {
   const auto whole = settings_of(GetParam()), s = until_load(whole);
   for (int angle = 0; angle < 360; angle += 60) {
