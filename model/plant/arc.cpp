@@ -60,11 +60,14 @@ Variables Arc::settled(double elapsed) const {
   const Guard guard = guards_[hit_];
   if (guard.kind == Kind::kReversal) y[kSpeed] = 0;
   if (guard.kind == Kind::kCurrent || guard.kind == Kind::kContact) {
+    const double residue = std::abs(y[guard.leg]);
     y[guard.leg] = 0;
-    // The other legs keep the sum at zero: both of them, or the one that conducts.
+    // The other legs keep the sum at zero: both of them, or the one that conducts.  A diode's current that is no larger
+    // than what was cut off ends with it: half of that would turn it round, and two diodes would chatter for ever.
     const int a = (guard.leg + 1) % 3, b = (guard.leg + 2) % 3;
     const Phases& on = regime_.circuit.on;
-    if (on[a] + on[b] == 2) {
+    const auto ends = [&](int leg) { return regime_.circuit.is_diode(leg) && std::abs(y[leg]) <= residue; };
+    if (on[a] + on[b] == 2 && !ends(a) && !ends(b)) {
       const double half = (y[a] + y[b]) / 2;
       y[a] -= half;
       y[b] -= half;
@@ -80,7 +83,7 @@ void Arc::watch() {
   const auto add = [&](Kind kind, int leg = 0) { guards_[guard_count_++] = {kind, leg}; };
   for (int k = 0; k < 3; ++k) {
     const LegMode mode = regime_.circuit.mode[k];
-    if (mode == LegMode::kLowDiode || mode == LegMode::kHighDiode) {
+    if (regime_.circuit.is_diode(k)) {
       add(Kind::kCurrent, k);
     } else if (regime_.opening[k]) {
       add(Kind::kContact, k);

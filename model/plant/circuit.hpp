@@ -74,6 +74,8 @@ class Circuit {
     return share[0] * i[0] + share[1] * i[1] + share[2] * i[2];
   }
 
+  bool is_diode(int leg) const { return mode[leg] == LegMode::kLowDiode || mode[leg] == LegMode::kHighDiode; }
+
   std::array<LegMode, 3> mode = {};
   Phases share = {}, lift = {}, resistance = {};
   Phases on = {};            // 1 if the leg conducts

@@ -127,6 +127,22 @@ TEST(Plant, BothGatesOfALegAreCountedOncePerOccasion) {
   EXPECT_EQ(plant.shoot_throughs(), 3u);
 }
 
+// Two windings let go by the diodes in the same instant, their back-EMF a third of the bus apart: what the end of one
+// current leaves over must not turn the other one round, or each of them starts the other again for ever.
+TEST(Plant, TwoDiodesThatStopTogetherStayStopped) {
+  Parameters p;
+  p.motor.flux = 0.3275e-3;
+  p.motor.pole_pairs = 2;
+  p.motor.inductance = 20e-6;
+  p.motor.shape.kind = BackEmfShape::Kind::kSinusoidal;
+  p.bus = {.voltage = 89.9735, .resistance = 0};
+  Plant plant(p, {.angle = 5.24152547 / 2, .speed = 53312.4, .current = {-2.465e-7, 0, 2.465e-7}});
+  plant.set_gates({.ul = true});
+  plant.advance_to(1e-9);
+  EXPECT_LT(plant.steps(), 20u);
+  EXPECT_NEAR(plant.state().current[0], 0, 1e-9);
+}
+
 TEST(Plant, CoastingComparatorsSpellTheSectorAtStandardPositions) {
   // From 10 degrees on in steps of 60: u, v, w above the mean of the terminals.
   const std::array<bool, 3> code[6] = {{1, 0, 1}, {1, 0, 0}, {1, 1, 0},
