@@ -51,16 +51,9 @@ equiv_make gold gate equiv
 hierarchy -top equiv
 opt_clean
 write_rtlil $work/equiv.il
-write_json $work/equiv.json
 tee -o $work/compared equiv_status
 YS
 yosys -q "$work/make.ys" >"$work/log" 2>&1 || { tail -n 5 "$work/log"; exit 1; }
-
-# A proof about no output would hold of anything.
-compares='.modules.equiv | [.cells[] | select(.type == "$equiv") | .connections.Y[]] as $compared
-  | .ports | to_entries[] | select(.value.direction == "output") | select((.value.bits - $compared) != []) | .key'
-missed=$(jq -r "$compares" "$work/equiv.json")
-[ -z "$missed" ] || { echo "netlist.sh: not compared: "$missed; exit 1; }
 
 # A flip-flop that nothing reads is not in the netlist: its wire has no driver there, and, as `check` has told, no reader.
 unread=$(sed -n "s/^ *Unproven \$equiv \(.*\): .* 1'x\$/c:\1/p" "$work/compared" | tr '\n' ' ')

@@ -82,7 +82,7 @@ TEST(Command, APartOfAPageThatIsNotThereIsRefused) {
             "--section 1 is not measured: name one of 2 to 9\n");
   const Result range = steplock("range " + drives + "/br2804_drone.toml --from 2e6" + out);
   EXPECT_EQ(range.exit_code, 2);
-  EXPECT_EQ(range.output, "--from 2e+06 leaves no speed: name one up to 1.2e6\n");
+  EXPECT_EQ(range.output, "--from 2e+06 leaves no speed: name one up to 1.2e+06\n");
   EXPECT_FALSE(fs::exists(here / "out"));
 }
 
