@@ -100,7 +100,7 @@ Range measure_range(const design::Settings& drive, double least_erpm,
   constexpr double kNotRound = 1.0037;
   std::vector<double> speeds = {600,   1e3,   2e3,   5e3,   10e3,  20e3, 50e3, 100e3,
                                 200e3, 300e3, 500e3, 700e3, 850e3, 1e6,  1.2e6};
-  if (least_erpm > speeds.back()) {
+  if (!(least_erpm <= speeds.back())) {  // so that what is no number is refused, too
     throw BadInput(fmt::format("--from {:g} leaves no speed: name one up to {:g}", least_erpm, speeds.back()));
   }
   std::erase_if(speeds, [&](double erpm) { return erpm < least_erpm; });

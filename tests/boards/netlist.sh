@@ -3,22 +3,25 @@
 # that board.  Yosys proves by induction over two clocks that each flip-flop of both takes the same value, and each output
 # is the same, whatever the inputs are and the flip-flops held, if they held the same.  That they wake up the same is not
 # part of it: power_on_reset wakes up by its initial values and resets all others.
-#   netlist.sh --flaw BOARD OUT    the same of a netlist with one wrong bit in one look-up table
+#   netlist.sh --flaw BOARD OUT      the same of a netlist with one wrong bit in one look-up table
+#   netlist.sh --undriven BOARD OUT  the same of a netlist in which nothing drives the gate of U's high side
 set -euo pipefail
-flaw=false
-[ "$1" != --flaw ] || { flaw=true; shift; }
+change=.
+case $1 in
+  --flaw) shift
+    change='.modules[$top].cells |=
+      (([to_entries[] | select(.value.type == "SB_LUT4" and (.key | test("guard")))] | last | .key) as $table |
+       .[$table].parameters.LUT_INIT |= (.[0:15] + (if .[15:16] == "1" then "0" else "1" end)))' ;;
+  --undriven) shift
+    change='.modules[$top] |= (.ports.gate_uh.bits = ["x"] | .netnames.gate_uh.bits = ["x"])' ;;
+esac
 board=$1 out=$2 top=${1}_six_step
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 share=$(dirname "$(command -v yosys)")/../share/yosys
 
-netlist=$out/$top.json
-if $flaw; then
-  netlist=$work/netlist.json
-  jq --arg top "$top" '.modules[$top].cells |=
-    (([to_entries[] | select(.value.type == "SB_LUT4" and (.key | test("guard")))] | last | .key) as $table |
-     .[$table].parameters.LUT_INIT |= (.[0:15] + (if .[15:16] == "1" then "0" else "1" end)))' "$out/$top.json" >"$netlist"
-fi
+netlist=$work/netlist.json
+jq --arg top "$top" "$change" "$out/$top.json" >"$netlist"
 
 # Models of the cells that synthesis maps to; all others are boxes, whose pins become ports on both sides.
 { sed '/^module /,$d' "$share/ice40/cells_sim.v"
@@ -51,11 +54,17 @@ equiv_make gold gate equiv
 hierarchy -top equiv
 opt_clean
 write_rtlil $work/equiv.il
+write_json $work/equiv.json
 tee -o $work/compared equiv_status
 YS
 yosys -q "$work/make.ys" >"$work/log" 2>&1 || { tail -n 5 "$work/log"; exit 1; }
 
 # A flip-flop that nothing reads is not in the netlist: its wire has no driver there, and, as `check` has told, no reader.
+# An output has one: whoever reads it is outside.  (Pins of boxes are outputs here, too.)
+undriven=$(jq -r '.modules.equiv
+  | [.cells[] | select(.type == "$equiv" and .connections.B == ["x"]) | .connections.Y[0]] as $dropped
+  | .ports | to_entries[] | select(.value.direction == "output" and any(.value.bits[]; IN($dropped[]))) | .key' "$work/equiv.json")
+[ -z "$undriven" ] || { echo "nothing drives:" $undriven; exit 1; }
 unread=$(sed -n "s/^ *Unproven \$equiv \(.*\): .* 1'x\$/c:\1/p" "$work/compared" | tr '\n' ' ')
 # Two clocks: a register that wakes up as 1, as the reset does, is stored as its opposite and has lost its name.  What it
 # holds follows from the registers of the clock before.

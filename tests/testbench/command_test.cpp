@@ -83,6 +83,8 @@ TEST(Command, APartOfAPageThatIsNotThereIsRefused) {
   const Result range = steplock("range " + drives + "/br2804_drone.toml --from 2e6" + out);
   EXPECT_EQ(range.exit_code, 2);
   EXPECT_EQ(range.output, "--from 2e+06 leaves no speed: name one up to 1.2e+06\n");
+  EXPECT_EQ(steplock("range " + drives + "/br2804_drone.toml --from nan" + out).output,
+            "--from nan leaves no speed: name one up to 1.2e+06\n");
   EXPECT_FALSE(fs::exists(here / "out"));
 }
 
