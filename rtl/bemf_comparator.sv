@@ -24,6 +24,11 @@ module bemf_comparator (
   localparam logic [1:0] Sampling_kOnTime = 2'd0;
   localparam logic [1:0] Sampling_kBoth = 2'd2;
 
+  logic due;  // left_ is 0 or 1
+  logic floating_u;
+  logic floating_v;
+  logic floating_w;
+  logic floating_rises;
   logic [9:0] left;  // clocks to the next sample
   logic chop;  // chop in the last clock
   logic [3:0] count;  // the filter: 0 is before the crossing
@@ -34,10 +39,23 @@ module bemf_comparator (
   logic [15:0] place;  // u0.16, middle of that one and the one after
   logic [15:0] freewheel;  // u0.16, first sample that brought the filter to 0
 
-  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 102
-  wire [16:0] sum_120 = {1'b0, before_} + {1'b0, phase_i};  // line 120
+  wire differ_58 = chop_i ^ chop;  // line 58
+  wire floating_w_next = step_i == 3'd0 || step_i == 3'd3;  // line 67
+  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 107
+  wire [16:0] sum_137 = {1'b0, before_} + {1'b0, phase_i};  // line 137
 
   always_ff @(posedge clk) begin
+    if (differ_58 || commutate_i) begin
+      due <= words_blanking_i[9:1] == 9'd0;
+    end else if (due) begin
+      due <= words_sample_every_i[7:1] == 7'd0;
+    end else begin
+      due <= left == 10'd2;
+    end
+    floating_u <= !(floating_w_next || step_i == 3'd1 || step_i == 3'd4);  // line 67
+    floating_v <= step_i == 3'd1 || step_i == 3'd4;  // line 125
+    floating_w <= floating_w_next;  // line 67
+    floating_rises <= reverse_i ^ step_i[0];  // line 127
     if (commutate_i) begin
       left <= words_blanking_i;
       count <= full;
@@ -48,11 +66,9 @@ module bemf_comparator (
         freewheel <= 16'd65535;
       end
     end else begin
-      logic differ_58;
-      differ_58 = chop_i ^ chop;  // line 58
       if (differ_58) begin
         left <= words_blanking_i;
-      end else if (left[9:1] == 9'd0) begin
+      end else if (due) begin
         left <= {2'd0, words_sample_every_i};
       end else begin
         left <= left - 10'd1;
@@ -65,14 +81,9 @@ module bemf_comparator (
         if (differ_58) begin
           found <= 1'b0;
           crossing <= 1'b0;
-        end else if (left[9:1] == 9'd0) begin
-          logic choice_110;  // line 110
-          case (step_i)
-            3'd0, 3'd3: choice_110 = w_i;
-            3'd1, 3'd4: choice_110 = v_i;
-            default: choice_110 = u_i;
-          endcase
-          if (choice_110 ^ reverse_i ^ step_i[0]) begin
+        end else if (due) begin
+          if (((floating_u && u_i) || (floating_v && v_i) || (floating_w && w_i)) ^
+              floating_rises) begin
             case (count)
               4'd0, 4'd1: begin
                 logic [15:0] choice;
@@ -96,22 +107,34 @@ module bemf_comparator (
             found <= 1'b0;
             crossing <= 1'b0;
           end else begin
-            logic [4:0] sum_119;
-            logic at_most_119;
-            logic both_122;
-            sum_119 = {1'b0, count} + 5'd1;  // line 119
-            at_most_119 = {1'b0, full} <= sum_119;  // line 119
-            both_122 = before_seen && at_most_119;  // line 122
-            if (at_most_119) begin
+            logic either_136;
+            either_136 = count == full - 4'd1 || count == full;  // line 136
+            if (either_136 || count == 4'd15) begin
               count <= full;
             end else begin
-              count <= sum_119[3:0];
+              count <= count + 4'd1;
             end
-            found <= both_122;
-            crossing <= both_122;
-            if (count == 4'd0) begin
-              place <= sum_120[16:1];
-            end
+            case (count)
+              4'd15: begin
+                found <= before_seen;
+                crossing <= before_seen;
+              end
+              default: begin
+                logic both_139;
+                both_139 = before_seen && either_136;  // line 139
+                case (count)
+                  4'd0: begin
+                    found <= both_139;
+                    crossing <= both_139;
+                    place <= sum_137[16:1];
+                  end
+                  default: begin
+                    found <= both_139;
+                    crossing <= both_139;
+                  end
+                endcase
+              end
+            endcase
           end
         end else begin
           found <= 1'b0;
@@ -122,8 +145,13 @@ module bemf_comparator (
         crossing <= 1'b0;
       end
     end
-    chop <= chop_i;
+    chop <= chop_i;  // line 60
     if (rst) begin
+      due <= 1'b1;
+      floating_u <= 1'b0;
+      floating_v <= 1'b0;
+      floating_w <= 1'b0;
+      floating_rises <= 1'b0;
       left <= 10'd0;
       chop <= 1'b0;
       count <= 4'd0;
@@ -142,5 +170,5 @@ module bemf_comparator (
   assign freewheel_o = (commutate_i && !before_seen) ? 16'd65535 : freewheel;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_120[0]};
+  wire unused = &{1'b0, sum_137[0]};
 endmodule

@@ -13,36 +13,40 @@ module current_limit (
     output logic [3:0]  stuck_o  // cuts in a row without release, stops at 15
 );
   logic [11:0] left;  // clocks of off-time (cut) or of blanking
+  logic due;  // of them 1 or none
+  logic none;  // none
   logic cut;  // off-time
   logic released;  // the comparator fell in this off-time
   logic hit;  // the first clock of an off-time
   logic [3:0] stuck;  // cuts in a row without release
 
   wire on = on_i && !cut;  // line 37
-  wire both_41 = on && left == 12'd0;  // line 41
-  wire hit_next = both_41 && comparator_i && words_off_time_i != 12'd0;
-  wire either_50 = released || !comparator_i;  // line 50
+  wire both_40 = on && none;  // line 40
+  wire both_42 = cut && due;  // line 42
+  wire hit_next = both_40 && comparator_i && words_off_time_i != 12'd0;
+  wire either_49 = released || !comparator_i;  // line 49
 
   always_ff @(posedge clk) begin
     if (hit_next) begin
       left <= words_off_time_i;
-      cut <= 1'b1;
+      due <= words_off_time_i[11:1] == 11'd0;
+      none <= 1'b0;
     end else begin
-      logic both_43;
-      both_43 = cut && left[11:1] == 11'd0;  // line 43
-      if (cut || on_i) begin
-        if (both_43) begin
+      logic either;
+      either = cut || on_i;
+      if (either) begin
+        if (both_42) begin
           left <= {4'd0, words_blanking_i};
-          if (either_50) begin
+          if (either_49) begin
             stuck <= 4'd0;
           end else begin
-            logic [4:0] sum_46;
-            sum_46 = {1'b0, stuck} + 5'd1;  // line 46
-            if (!(sum_46[4] && sum_46[3:0] != 4'd15)) begin
-              stuck <= sum_46[3:0];
+            logic [4:0] sum_45;
+            sum_45 = {1'b0, stuck} + 5'd1;  // line 45
+            if (!(sum_45[4] && sum_45[3:0] != 4'd15)) begin
+              stuck <= sum_45[3:0];
             end
           end
-        end else if (both_41) begin
+        end else if (both_40) begin
           if (!comparator_i) begin
             stuck <= 4'd0;
           end
@@ -52,12 +56,23 @@ module current_limit (
       end else begin
         left <= {4'd0, words_blanking_i};
       end
-      cut <= both_43 ^ cut;
+      if (!both_42 && either) begin
+        if (!both_40) begin
+          due <= due || left == 12'd2;
+        end
+        none <= both_40 || left == 12'd1;
+      end else begin
+        due <= words_blanking_i[7:1] == 7'd0;
+        none <= words_blanking_i == 8'd0;
+      end
     end
-    released <= cut && either_50;
+    cut <= hit_next || (both_42 ^ cut);  // line 65
+    released <= cut && either_49;
     hit <= hit_next;
     if (rst) begin
       left <= 12'd0;
+      due <= 1'b1;
+      none <= 1'b1;
       cut <= 1'b0;
       released <= 1'b0;
       hit <= 1'b0;

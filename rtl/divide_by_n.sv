@@ -16,30 +16,31 @@ module divide_by_n (
     output logic [15:0] phase_o,  // u0.16, turns of one step
     output logic        commutate_o,  // one clock, the first of a new step
     output logic        elapsed_o,  // one clock: a step's worth of VCO turns is over, even if held
-    output logic        turn_o  // the divided VCO signal: high in the first half electrical turn
+    output logic [2:0]  turned_o  // the step, but for a load in this clock: ready before it
 );
   logic [2:0] sub;  // VCO turns into the step
   logic [2:0] step;
 
-  wire [2:0] choice =
+  wire [2:0] choice_55 =  // line 55
       reverse_i ? ((step == 3'd0) ? 3'd5 : step - 3'd1) :
       (step > 3'd4) ? 3'd0 :
       step + 3'd1;
-  wire [1:0] choice_2 = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};
-  wire [2:0] wide = {1'b0, choice_2};
-  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide;
-  wire at_most = last <= sub;
-  wire elapsed = !load_i && pulse_i && at_most;
+  wire [1:0] choice_55_2 = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};  // line 55
+  wire [2:0] wide_55 = {1'b0, choice_55_2};  // line 55
+  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide_55;  // line 55
+  wire below_55 = sub < last;  // line 55
   wire [2:0] step_next =
       load_i ? step_i :
-      (pulse_i && !(!elapsed || hold_i)) ? choice :
+      (pulse_i && !(below_55 || hold_i)) ? choice_55 :
       step;
-  wire [3:0] sum_57 = {1'b0, last} + 4'd1;  // line 57
+  wire [3:0] sum_58 = {1'b0, last} + 4'd1;  // line 58
+  wire at_most = last <= sub;
+  wire elapsed = !load_i && pulse_i && at_most;
   wire [2:0] sub_next =
-      load_i ? (half_i ? sum_57[3:1] : 3'd0) :
+      load_i ? (half_i ? sum_58[3:1] : 3'd0) :
       pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) :
       sub;
-  wire [18:0] shifted_71 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 71
+  wire [18:0] shifted_75 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 75
 
   always_ff @(posedge clk) begin
     sub <= sub_next;
@@ -51,11 +52,11 @@ module divide_by_n (
   end
 
   assign step_o = step_next;
-  assign phase_o = shifted_71[15:0];
+  assign phase_o = shifted_75[15:0];
   assign commutate_o = load_i || (elapsed && !hold_i);
   assign elapsed_o = elapsed;
-  assign turn_o = step_next < 3'd3;
+  assign turned_o = (!pulse_i || below_55 || hold_i) ? step : choice_55;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_57[0], shifted_71[18:16]};
+  wire unused = &{1'b0, sum_58[0], shifted_75[18:16]};
 endmodule

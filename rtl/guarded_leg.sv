@@ -16,35 +16,37 @@ module guarded_leg (
   logic [1:0] was;  // the request of the last clock
   logic [7:0] timer;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 
-  wire either_39 = off_i || !(high_i ^ low_i);  // line 39
-  wire [1:0] choice_40 = high_i ? 2'd1 : 2'd2;  // line 40
-  wire [1:0] was_next = either_39 ? 2'd0 : choice_40;  // line 40
-  wire unequal_51 = timer[7:1] != 7'd0;  // line 51
-  wire [7:0] sum_51 = timer + {8{unequal_51}};  // line 51
+  wire [1:0] same = (gate == 2'd0) ? was : gate;  // line 44
+  wire both_48 = !off_i && (gate != 2'd0 || timer[7:1] == 7'd0);  // line 48
+  wire both_40 = low_i && !high_i;  // line 40
+  wire either = off_i || timer[7:1] == 7'd0;
+  wire choice =
+      either ? both_48 && both_40 && same[1] :
+      (gate[1] || !both_48 || !both_40) ? gate[1] :
+      same[1];
+  wire both_39 = high_i && !low_i;  // line 39
+  wire choice_2 =
+      either ? both_48 && both_39 && same[0] :
+      (gate[0] || !both_48 || !both_39) ? gate[0] :
+      same[0];
+  wire [1:0] choice_58 = (both_40 && !off_i) ? 2'd2 : 2'd0;  // line 58
+  wire both_45 = both_39 && same[0];  // line 45
+  wire choice_45 = (both_45 || !both_40) ? both_45 : same[1];  // line 45
+  wire both = !off_i && choice_45;
+  wire both_46 = gate == 2'd0 && timer[7:1] == 7'd0;  // line 46
 
   always_ff @(posedge clk) begin
-    if (gate != 2'd0 && (!(off_i || timer[7:1] == 7'd0) || was_next == gate)) begin
-      timer <= sum_51;
-    end else begin
-      logic both_41;
-      logic [7:0] choice_50;
-      both_41 = was_next == was && !either_39;  // line 41
-      choice_50 = (gate == 2'd0 && both_41 && timer[7:1] == 7'd0) ? minimum_i : dead_time_i;
-      if (gate == 2'd0) begin
-        if (!both_41 || timer[7:1] == 7'd0) begin
-          if (both_41 && timer[7:1] == 7'd0) begin
-            gate <= choice_40;
-          end
-          timer <= choice_50;
-        end else begin
-          timer <= sum_51;
-        end
+    gate <= (choice ? 2'd2 : 2'd0) | {1'b0, choice_2};  // line 57
+    was <= choice_58 | {1'b0, both_39 && !off_i};  // line 58
+    if ((gate == 2'd0 || both) ? both_46 || !(both_46 || both) : either) begin
+      if (gate != 2'd0 || !both) begin
+        timer <= dead_time_i;
       end else begin
-        gate <= 2'd0;
-        timer <= choice_50;
+        timer <= minimum_i;
       end
+    end else if (timer[7:1] != 7'd0) begin
+      timer <= timer - 8'd1;
     end
-    was <= was_next;  // line 40
     if (rst) begin
       gate <= 2'd0;
       was <= 2'd0;

@@ -16,6 +16,7 @@ module hall_decoder (
 );
   logic [2:0] code;  // u v w, one clock ago
   logic [9:0] left;  // clocks until the code counts
+  logic stood;  // none: it counts
   logic [2:0] sector;  // 0 to 5: of the last legal code
   logic legal;  // of the last code that counted
   logic moved;  // one clock: to a neighbour, in earnest
@@ -29,13 +30,15 @@ module hall_decoder (
   always_ff @(posedge clk) begin
     code <= code_next;  // line 68
     if (code_next == code) begin
-      if (left != 10'd0) begin
+      if (!stood) begin
         left <= left - 10'd1;
       end
+      stood <= stood || left == 10'd1;
     end else begin
       left <= hold_i;
+      stood <= hold_i == 10'd0;
     end
-    if (left == 10'd0) begin
+    if (stood) begin
       logic [2:0] decoded_sector;  // line 50
       logic unequal;
       logic either;
@@ -74,11 +77,11 @@ module hall_decoder (
         end
         if (legal) begin
           if (unequal) begin
-            logic either_56;
-            either_56 = equal_52 || equal_53;  // line 56
-            sure <= either_56;
-            back <= either_56 && both_57 && !back;
-            jumped <= !either_56;
+            logic either_3;
+            either_3 = equal_52 || equal_53;
+            sure <= either_3;
+            back <= either_3 && both_57 && !back;
+            jumped <= !either_3;
           end else begin
             jumped <= 1'b0;
           end
@@ -119,6 +122,7 @@ module hall_decoder (
     if (rst) begin
       code <= 3'd0;
       left <= 10'd0;
+      stood <= 1'b1;
       sector <= 3'd0;
       legal <= 1'b0;
       moved <= 1'b0;

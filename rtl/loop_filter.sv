@@ -1,4 +1,4 @@
-// loop_filter: steplock::LoopFilter, printed by hlsgen from hls/six_step/loop_filter.hpp:37.
+// loop_filter: steplock::LoopFilter, printed by hlsgen from hls/six_step/loop_filter.hpp:38.
 // Do not edit: change the C++ and print again.
 
 module loop_filter (
@@ -29,42 +29,37 @@ module loop_filter (
   localparam logic [2:0] Loop_kRamp = 3'd1;
   localparam logic [2:0] Loop_kTrack = 3'd2;
   localparam logic [2:0] Loop_kHall = 3'd4;
-  localparam logic [3:0] Stage_kIdle = 4'd0;
-  localparam logic [3:0] Stage_kDelay = 4'd1;
-  localparam logic [3:0] Stage_kScale = 4'd2;
-  localparam logic [3:0] Stage_kIntegral = 4'd3;
-  localparam logic [3:0] Stage_kProportional = 4'd4;
-  localparam logic [3:0] Stage_kPole = 4'd5;
-  localparam logic [3:0] Stage_kKeep = 4'd6;
-  localparam logic [3:0] Stage_kLow = 4'd7;
-  localparam logic [3:0] Stage_kHigh = 4'd8;
-  localparam logic [3:0] Stage_kSlow = 4'd9;
-  localparam logic [3:0] Stage_kOut = 4'd10;
 
-  logic [3:0] stage;
-  logic started;  // the stage's product is under way
-  logic [33:0] work;  // e', p, v, and the next y
+  logic [10:0] at_bits;  // public, for a set to be a port
+  logic starts;  // this is the first clock of a product
+  logic [33:0] base;  // what the product is added to
+  logic [2:0] loop;  // a clock ago
+  logic [33:0] work;  // the error, e', p, v, and the next y
   logic [33:0] x;  // s-2.36, the integrator
   logic [29:0] y;  // u0.36, behind the pole
+  logic [28:0] not_limit;  // complement of what this stage compares with
   logic fast;
   logic slow;
+  logic below;  // the last clock's comparison: less
+  logic shown;  // y is new, and whether it is fast still in below_
   logic at_top;  // the output stands at a limit
   logic at_bottom;
 
-  wire [9:0] choice_114 = (loop_i == Loop_kTrack) ? delay_i : 10'd0;  // line 114
-  wire [21:0] choice_73 =  // line 73
-      (loop_i == Loop_kRamp) ? {2'd0, ramp_i} :
-      (loop_i != Loop_kTrack || bandwidth_i) ? y[29:8] :
+  wire equal_116 = (at_bits[6:1] & 6'h21) == 6'd0;  // line 116
+  wire [14:0] choice_132 = at_bits[5] ? pole_i[15:1] : 15'd16384 - pole_i[15:1];  // line 132
+  wire [15:0] sum_129 = error_i + 16'd16384;  // line 129
+  wire [14:0] choice_137 = (loop == Loop_kHall && !sum_129[15]) ? 15'd4096 : 15'd16384;  // line 137
+  wire [15:0] wide_137 = {1'b0, choice_137};  // line 137
+  wire [15:0] choice_75 =  // line 75
+      at_bits[3] ? ((loop == Loop_kTrack) ? ki_i : wide_137) :
+      at_bits[4] ? kp_i :
+      {1'b0, choice_132};
+  wire [21:0] choice_75_2 =  // line 75
+      (loop == Loop_kRamp) ? {2'd0, ramp_i} :
+      (loop != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
-  wire both_129 =  // line 129
-      loop_i == Loop_kHall && (error_i[15] || !error_i[14]) && (!error_i[15] || error_i[14]);
-  wire [14:0] choice_73_2 = (stage == Stage_kPole) ? pole_i[15:1] : 15'd16384 - pole_i[15:1];
-  wire [15:0] wide_73 = {1'b0, choice_73_2};  // line 73
-  wire [15:0] choice_73_3 =  // line 73
-      (stage == Stage_kIntegral) ?
-      ((loop_i == Loop_kTrack) ? ki_i : {1'b0, both_129 ? 15'd4096 : 15'd16384}) :
-      (stage == Stage_kProportional) ? kp_i :
-      wide_73;
+  wire [9:0] choice_122 = (loop == Loop_kTrack) ? delay_i : 10'd0;  // line 122
+  wire choice_186 = shown ? !below : fast;  // line 186
 
   wire [55:0] multiplier_product;
   wire multiplier_done;
@@ -72,144 +67,131 @@ module loop_filter (
   serial_multiplier_34_22 multiplier (
       .clk(clk),
       .rst(rst),
-      .start_i(stage - 4'd1 < 4'd6 && !started),
-      .a_i((stage == Stage_kDelay || stage == Stage_kKeep) ? {4'd0, y} : work),
-      .b_i((stage == Stage_kDelay) ? {12'd0, choice_114} :
-        (stage == Stage_kScale) ? choice_73 :
-        {6'd0, choice_73_3}),
+      .start_i(starts),
+      .a_i(equal_116 ? work : {4'd0, y}),
+      .b_i(at_bits[1] ? {12'd0, choice_122} :
+        at_bits[2] ? choice_75_2 :
+        {6'd0, choice_75}),
       .shift_i(4'd0),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
 
+  wire both_149 = at_bits[3] && loop == Loop_kTrack;  // line 149
+  wire [33:0] sum = base + multiplier_product[47:14];  // line 144
+  wire [25:0] limit =  // line 189
+      ((at_bits[6:3] & 4'h9) == 4'd0) ?
+      (at_bits[7] ? maximum_i :
+      at_bits[8] ? stall_i :
+      hand_over_i) :
+      (loop == Loop_kRamp) ? 26'd0 :
+      minimum_i;
+  wire [26:0] inverse_193 = ~{1'b0, limit};  // line 193
+  wire [30:0] sum_78 = {1'b0, work[33:4] ^ 30'h20000000} + {2'd0, not_limit} + 31'd1;  // line 78
+
   always_ff @(posedge clk) begin
-    if (loop_i == Loop_kStop) begin
-      stage <= Stage_kIdle;
-      started <= 1'b0;
+    if (loop == Loop_kStop) begin
+      at_bits <= 11'd1;
+      starts <= 1'b0;
       x <= 34'd0;
       y <= 30'd0;
-      fast <= 1'b0;
       slow <= 1'b0;
       at_top <= 1'b0;
       at_bottom <= 1'b0;
     end else begin
-      case (stage)
-        Stage_kIdle: begin
-          if ((loop_i == Loop_kRamp || (loop_i == Loop_kTrack && !bandwidth_i)) ?
-              tick_i : update_i) begin
-            stage <= Stage_kDelay;
-          end
+      logic choice_81;
+      choice_81 = (loop == Loop_kRamp || (loop == Loop_kTrack && !bandwidth_i)) ? tick_i : update_i;
+      if (at_bits[0] ? choice_81 : at_bits[10:7] != 4'd0 || multiplier_done) begin
+        if (!at_bits[3] || loop == Loop_kTrack) begin
+          at_bits <= {at_bits[9:0], at_bits[10]};
+        end else begin
+          at_bits <= 11'd128;
         end
-        Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep,
-        Stage_kIntegral: begin
-          logic [8:0] choice_135;
-          logic [10:0] choice_135_2;
-          logic [12:0] wide_135;
-          logic [12:0] choice_135_3;
-          logic [15:0] error;
-          logic [33:0] base;
-          logic [33:0] base_2;  // line 83
-          logic [33:0] sum;
-          choice_135 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 135
-          choice_135_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_135};  // line 135
-          wide_135 = {2'd0, choice_135_2};  // line 135
-          choice_135_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_135;  // line 135
-          error = (loop_i == Loop_kRamp) ? {3'd0, choice_135_3} : error_i;  // line 135
-          base = {{12{error[15]}}, error, 6'd0};  // line 136
-          case (stage)
-            Stage_kDelay: base_2 = base;
-            Stage_kIntegral, Stage_kProportional: base_2 = x;
-            Stage_kKeep: base_2 = work;
-            default: base_2 = 34'd0;
-          endcase
-          sum = base_2 + multiplier_product[47:14];  // line 140
-          case (stage)
-            Stage_kDelay, Stage_kScale, Stage_kProportional, Stage_kPole, Stage_kKeep: begin
-              if (multiplier_done) begin
-                stage <= stage + 4'd1;
-                work <= sum;
-              end
-              started <= !multiplier_done;
-            end
-            default: begin  // Stage_kIntegral
-              if (multiplier_done) begin
-                if (loop_i != Loop_kTrack) begin
-                  stage <= Stage_kLow;
-                  work <= sum;
-                end else begin
-                  stage <= stage + 4'd1;
-                  if (!(work[33] ? at_bottom : at_top)) begin
-                    x <= sum;
-                  end
-                end
-              end
-              started <= !multiplier_done;
-            end
-          endcase
+        starts <= (at_bits[4:0] & 5'h17) != 5'd0 || at_bits[5] || both_149;
+      end else begin
+        starts <= 1'b0;
+      end
+      if (!multiplier_done || (work[33] ? at_bottom : at_top) || !both_149) begin
+        if (!(!at_bits[10] || loop == Loop_kTrack)) begin
+          x <= work;
         end
-        default: begin
-          logic [25:0] choice_165;
-          logic [25:0] limit;  // line 74
-          logic below_75;
-          choice_165 = (loop_i == Loop_kRamp) ? 26'd0 : minimum_i;  // line 165
-          case (stage)
-            Stage_kLow: limit = choice_165;
-            Stage_kHigh: limit = maximum_i;
-            Stage_kSlow: limit = stall_i;
-            default: limit = hand_over_i;
-          endcase
-          below_75 = $signed(work[33:4]) < $signed({4'd0, limit});  // line 75
-          case (stage)
-            Stage_kLow: begin
-              stage <= Stage_kHigh;
-              if (below_75) begin
-                work <= {4'd0, choice_165, 4'd0};
-              end
-              at_bottom <= below_75;
-            end
-            Stage_kHigh: begin
-              stage <= Stage_kSlow;
-              if (!below_75) begin
-                work <= {4'd0, maximum_i, 4'd0};
-              end
-              at_top <= !below_75;
-            end
-            Stage_kSlow: begin
-              stage <= Stage_kOut;
-              slow <= below_75;
-            end
-            default: begin
-              stage <= Stage_kIdle;
-              if (loop_i != Loop_kTrack) begin
-                x <= work;
-              end
-              y <= work[29:0];
-              fast <= ($signed({4'd0, limit}) <= $signed(work[33:4]));
-            end
-          endcase
-        end
-      endcase
+      end else begin
+        x <= sum;
+      end
+      if (at_bits[10]) begin
+        y <= work[29:0];
+        slow <= below;
+      end
+      if (at_bits[9]) begin
+        at_top <= !below;
+      end
+      if (at_bits[8]) begin
+        at_bottom <= below;
+      end
     end
+    if (equal_116) begin
+      if (at_bits[4:3] == 2'd0) begin
+        base <= 34'd0;
+      end else begin
+        base <= x;
+      end
+    end else begin
+      base <= work;
+    end
+    loop <= loop_i;
+    if (!multiplier_done || both_149) begin
+      if (at_bits[0]) begin
+        logic [8:0] choice_160;
+        logic [10:0] choice_160_2;
+        logic [12:0] wide_160;
+        logic [12:0] choice_160_3;
+        logic [15:0] choice_160_4;
+        choice_160 = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 160
+        choice_160_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, choice_160};  // line 160
+        wide_160 = {2'd0, choice_160_2};  // line 160
+        choice_160_3 = (gentle_i == 2'd0) ? 13'd4096 : wide_160;  // line 160
+        choice_160_4 = (loop == Loop_kRamp) ? {3'd0, choice_160_3} : error_i;  // line 160
+        work <= {{12{choice_160_4[15]}}, choice_160_4, 6'd0};
+      end else if (at_bits[8] && below) begin
+        logic [29:0] choice_162;
+        choice_162 = (loop == Loop_kRamp) ? 30'd0 : {minimum_i, 4'd0};  // line 162
+        work <= {4'd0, choice_162};
+      end else if (!(!at_bits[9] || below)) begin
+        work <= {4'd0, maximum_i, 4'd0};
+      end
+    end else begin
+      work <= sum;
+    end
+    not_limit <= {{2{inverse_193[26]}}, inverse_193};  // line 193
+    fast <= loop != Loop_kStop && choice_186;
+    below <= !sum_78[30];  // line 78
+    shown <= loop != Loop_kStop && at_bits[10];
     if (rst) begin
-      stage <= Stage_kIdle;
-      started <= 1'b0;
+      at_bits <= 11'd1;
+      starts <= 1'b0;
+      base <= 34'sd0;
+      loop <= Loop_kStop;
       work <= 34'sd0;
       x <= 34'sd0;
       y <= 30'd0;
+      not_limit <= 29'd0;
       fast <= 1'b0;
       slow <= 1'b0;
+      below <= 1'b0;
+      shown <= 1'b0;
       at_top <= 1'b0;
       at_bottom <= 1'b0;
     end
   end
 
   assign frequency_o = y[29:4];
-  assign fast_o = fast;
+  assign fast_o = choice_186;
   assign slow_o = slow;
-  assign busy_o = stage != Stage_kIdle;
+  assign busy_o = !at_bits[0];
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, pole_i[0], scale_i[3:0], multiplier_product[13:0], multiplier_product[55:48]};
+      &{1'b0, pole_i[0], scale_i[3:0], sum_129[14:0], multiplier_product[13:0],
+      multiplier_product[55:48], sum_78[29:0]};
 endmodule

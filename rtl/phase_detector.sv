@@ -27,113 +27,115 @@ module phase_detector (
   localparam logic [1:0] Evidence_kCrossings = 2'd1;
   localparam logic [1:0] Evidence_kSectors = 2'd2;
 
-  logic [15:0] error;  // s0.16
+  logic [17:0] error;  // s2.16: what is shown stops at its limits
   logic update;
   logic missed;
   logic answered;  // this step has had its crossing, or needs none
   logic before_;  // before_seen, from the step that a commutation ends
   logic hid;  // the last update was of a step on the level after
   logic hurries;  // and the rotor led before it; until the next update
+  logic [16:0] not_window;  // complement of u0.16: errors below that are good
   logic turned;  // following: a whole turn since the last change or miss
 
-  wire [15:0] magnitude = error ^ {16{error[15]}};  // line 61
-  wire [15:0] window = (watch_i == Evidence_kSectors) ? 16'd8192 : window_i;  // line 62
-  wire either_71 = watch_i != Evidence_kCrossings || !commutate_i || answered;  // line 71
-  wire missed_next = !either_71 || (watch_i == Evidence_kSectors && elapsed_i && turned);
-  wire both_109 = elapsed_i && turned;  // line 109
-  wire either_73 =  // line 73
-      !(watch_i != Evidence_kCrossings || !crossing_i || answered) ||
-      (watch_i == Evidence_kSectors && changed_i);
+  wire [17:0] sum_64 = {1'b0, error[16:0] ^ {17{error[17]}}} + {1'b0, not_window} + 18'd1;
+  wire [16:0] inverse_94 = ~{1'b0, window_i};  // line 94
 
   always_ff @(posedge clk) begin
-    if (missed_next || either_73) begin
-      logic [15:0] choice_106;
-      logic [16:0] choice_77;
-      logic [17:0] wide_77;
-      logic [15:0] choice_109;
-      logic [17:0] difference_77;
-      choice_106 =  // line 106
-          (!missed_next || before_) ? expected_i :
-          (hid || (!error[15] && error[14:13] != 2'd0)) ? lead_error_i :
-          16'd0;
-      choice_77 =  // line 77
-          (watch_i == Evidence_kSectors) ? ((turned || elapsed_i) ? 17'd0 : 17'd65536) :
-          {1'b0, choice_106};
-      wide_77 = {1'b0, choice_77};  // line 77
-      choice_109 =  // line 109
-          (watch_i == Evidence_kSectors) ? ((both_109 || !either_71) ? 16'd32768 : phase_i) :
-          either_71 ? crossing_phase_i :
-          {16{before_}};
-      difference_77 = wide_77 - {2'd0, choice_109};  // line 77
-      if (difference_77[17]) begin
-        if (difference_77[17:15] == 3'd7) begin
-          error <= difference_77[15:0];
-        end else begin
-          error <= 16'd32768;
-        end
-      end else if (difference_77[17:15] == 3'd0) begin
-        error <= difference_77[15:0];
-      end else begin
-        error <= 16'd32767;
-      end
-    end
     case (watch_i)
-      Evidence_kCrossings: begin
-        if (answered) begin
-          update <= 1'b0;
-          missed <= 1'b0;
-        end else begin
-          logic either_2;
-          either_2 = commutate_i || crossing_i;
-          update <= either_2;
-          missed <= commutate_i;
-          if (either_2) begin
-            logic inverse;
-            inverse = !(!commutate_i || before_);
-            hid <= inverse;
-            hurries <= inverse && (hid || (!error[15] && error[14:12] != 3'd0));
+      Evidence_kCrossings, Evidence_kSectors: begin
+        logic either_107;
+        logic [15:0] choice_107;
+        logic [16:0] choice_76;
+        logic [17:0] wide_76;
+        logic both_110;
+        logic [15:0] choice_110;
+        logic [17:0] difference_76;
+        either_107 = !commutate_i || before_;  // line 107
+        choice_107 =  // line 107
+            either_107 ? expected_i :
+            (hid || (!error[17] && error[16:13] != 4'd0)) ? lead_error_i :
+            16'd0;
+        choice_76 =  // line 76
+            (watch_i == Evidence_kSectors) ? ((turned || elapsed_i) ? 17'd0 : 17'd65536) :
+            {1'b0, choice_107};
+        wide_76 = {1'b0, choice_76};  // line 76
+        both_110 = elapsed_i && turned;  // line 110
+        choice_110 =  // line 110
+            (watch_i == Evidence_kSectors) ? (both_110 ? 16'd32768 : phase_i) :
+            commutate_i ? {16{before_}} :
+            crossing_phase_i;
+        difference_76 = wide_76 - {2'd0, choice_110};  // line 76
+        case (watch_i)
+          Evidence_kCrossings: begin
+            if (answered) begin
+              update <= 1'b0;
+              missed <= 1'b0;
+            end else begin
+              logic either_2;
+              either_2 = commutate_i || crossing_i;
+              if (either_2) begin
+                error <= difference_76;
+                hid <= !either_107;
+                hurries <= !either_107 && (hid || (!error[17] && error[16:12] != 5'd0));
+              end
+              update <= either_2;
+              missed <= commutate_i;
+            end
+            if (commutate_i) begin
+              answered <= !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);
+            end else begin
+              answered <= crossing_i || answered;
+            end
+            not_window <= inverse_94;
+            turned <= 1'b0;
           end
-        end
-        if (commutate_i) begin
-          answered <= !detector_i && step_i != (reverse_i ? 3'd2 : 3'd5);
-        end else begin
-          answered <= crossing_i || answered;
-        end
-        turned <= 1'b0;
-      end
-      Evidence_kSectors: begin
-        logic either;
-        either = both_109 || changed_i;
-        update <= either;
-        missed <= both_109;
-        answered <= 1'b1;
-        hid <= !either && hid;
-        hurries <= !either && hurries;
-        turned <= !commutate_i && (turned ^ elapsed_i);
+          default: begin  // Evidence_kSectors
+            logic either;
+            either = both_110 || changed_i;
+            if (either) begin
+              error <= difference_76;
+            end
+            update <= either;
+            missed <= both_110;
+            answered <= 1'b1;
+            hid <= !either && hid;
+            hurries <= !either && hurries;
+            not_window <= 17'd122879;
+            turned <= !commutate_i && (turned ^ elapsed_i);
+          end
+        endcase
       end
       default: begin  // Evidence_kNothing, 2'd3
         update <= 1'b0;
         missed <= 1'b0;
         answered <= 1'b1;
+        not_window <= inverse_94;
         turned <= 1'b0;
       end
     endcase
     before_ <= before_seen_i;
     if (rst) begin
-      error <= 16'sd0;
+      error <= 18'sd0;
       update <= 1'b0;
       missed <= 1'b0;
       answered <= 1'b1;
       before_ <= 1'b0;
       hid <= 1'b0;
       hurries <= 1'b0;
+      not_window <= 17'd0;
       turned <= 1'b0;
     end
   end
 
-  assign error_o = error;
+  assign error_o =
+      error[17] ? ((error[17:15] == 3'd7) ? error[15:0] : -16'sd32768) :
+      (error[17:15] == 3'd0) ? error[15:0] :
+      16'sd32767;
   assign update_o = update;
-  assign good_o = update && !missed && magnitude < window;
+  assign good_o = !(!update || missed) && !sum_64[17];
   assign missed_o = missed;
   assign hurries_o = hurries;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_64[16:0]};
 endmodule

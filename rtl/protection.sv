@@ -37,64 +37,120 @@ module protection (
   localparam logic [3:0] Reason_kWrongLock = 4'd5;
   localparam logic [3:0] Reason_kHallCode = 4'd8;
 
-  logic [6:0] score;  // of missed and far crossings
+  logic [6:0] score;  // of missed and far crossings, but for the last
+  logic [2:0] strikes;  // the last one's
+  logic credit;  // the last one was good
+  logic ended;  // the score is enough
+  logic one_ends;  // one more would be
+  logic four_end;  // four more would be
+  logic long;  // freewheeling stood for too long a clock ago
   logic [2:0] slow;  // slow steps in a row
   logic [11:0] wrong;  // ticks left of those that may look like a wrong lock
+  logic none_left;  // wrong_ a clock ago, which ticks are long enough apart for: 0
+  logic few_left;  // 2 or less
+  logic all_left;  // all of them
   logic [1:0] hall;  // ticks in a row with an illegal code
 
-  wire [2:0] choice_101 = (missed_i && lags_i) ? 3'd4 : 3'd1;  // line 101
-  wire [6:0] choice =
-      (missed_i || (update_i && !(good_i || hall_i))) ? {4'd0, choice_101} + score :
-      (good_i && score != 7'd0) ? score - 7'd1 :
-      score;
-  wire [6:0] score_next = running_i ? choice : 7'd0;
-  wire both_79 = words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score_next;  // line 79
-  wire [2:0] choice_105 = slow_i ? ((slow == 3'd6) ? 3'd6 : slow + 3'd1) : 3'd0;  // line 105
-  wire [2:0] choice_105_2 = commutate_i ? choice_105 : slow;  // line 105
-  wire both_80 = running_i && choice_105_2 == 3'd6;  // line 80
-  wire below_64 = words_freewheel_i < freewheel_i;  // line 64
-  wire [11:0] choice_115 =  // line 115
-      (slips_i || below_64) ? ((wrong[11:1] == 11'd0) ? 12'd0 : wrong - 12'd2) :
-      (wrong < words_wrong_lock_i) ? wrong + 12'd1 :
-      wrong;
-  wire [11:0] wrong_next = running_i ? (tick_i ? choice_115 : wrong) : words_wrong_lock_i;
-  wire both_81 = words_wrong_lock_i != 12'd0 && wrong_next == 12'd0;  // line 81
-  wire [1:0] choice_122 = (hall == 2'd2) ? 2'd2 : hall + 2'd1;  // line 122
-  wire [1:0] choice_2 = tick_i ? ((hall_i && hall_illegal_i) ? choice_122 : 2'd0) : hall;
-  wire both_82 = running_i && choice_2 == 2'd2;  // line 82
-  wire below_78 = words_over_current_i - 4'd1 < stuck_i;  // line 78
-  wire fatal = fault_pin_i || below_78;  // line 83
+  wire both_70 = missed_i && lags_i;  // line 70
+  wire choice = (missed_i || !update_i) ? missed_i : !(good_i || hall_i);
+  wire choice_2 = (!running_i || ended) ? running_i : (both_70 && four_end) || (choice && one_ends);
+  wire either_77 = slow == 3'd6 || !commutate_i;  // line 77
+  wire choice_3 = either_77 ? slow == 3'd6 : slow_i && slow == 3'd5;
+  wire both = running_i && choice_3;
+  wire either = slips_i || long;
+  wire both_2 =
+      running_i && words_wrong_lock_i != 12'd0 && (none_left || (tick_i && either && few_left));
+  wire both_79 = tick_i && hall_i && hall_illegal_i && hall != 2'd0;  // line 79
+  wire both_3 = running_i && (!(hall != 2'd2 || tick_i) || both_79);
+  wire below_104 = words_over_current_i - 4'd1 < stuck_i;  // line 104
+  wire fatal = fault_pin_i || below_104;  // line 105
+  wire long_next = words_freewheel_i < freewheel_i;  // line 64
 
   always_ff @(posedge clk) begin
-    score <= score_next;
     if (running_i) begin
-      slow <= choice_105_2;
-      hall <= choice_2;
+      if (strikes == 3'd0) begin
+        if (credit && score != 7'd0) begin
+          score <= score - 7'd1;
+        end
+      end else begin
+        score <= score + {4'd0, strikes};
+      end
+      if (both_70) begin
+        strikes <= 3'd4;
+      end else begin
+        strikes <= {2'd0, choice};
+      end
+      if (commutate_i) begin
+        if (slow_i) begin
+          if (slow != 3'd6) begin
+            slow <= slow + 3'd1;
+          end
+        end else begin
+          slow <= 3'd0;
+        end
+      end
+      if (tick_i) begin
+        if (either) begin
+          if (few_left) begin
+            wrong <= 12'd0;
+          end else begin
+            wrong <= wrong - 12'd2;
+          end
+        end else if (!all_left) begin
+          wrong <= wrong + 12'd1;
+        end
+        if (hall_i && hall_illegal_i) begin
+          if (hall != 2'd2) begin
+            hall <= hall + 2'd1;
+          end
+        end else begin
+          hall <= 2'd0;
+        end
+      end
     end else begin
+      score <= 7'd0;
+      strikes <= 3'd0;
       slow <= 3'd0;
+      wrong <= words_wrong_lock_i;
       hall <= 2'd0;
     end
-    wrong <= wrong_next;
+    credit <= running_i && good_i;
+    ended <= words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score;  // line 72
+    one_ends <= words_misses_i != 6'd0 && {2'd0, words_misses_i} <= {1'b0, score} + 8'd1;
+    four_end <= words_misses_i != 6'd0 && {2'd0, words_misses_i} <= {1'b0, score} + 8'd4;
+    long <= long_next;  // line 64
+    none_left <= wrong == 12'd0;  // line 80
+    few_left <= wrong < 12'd3;  // line 81
+    all_left <= (words_wrong_lock_i <= wrong);  // line 82
     if (rst) begin
       score <= 7'd0;
+      strikes <= 3'd0;
+      credit <= 1'b0;
+      ended <= 1'b0;
+      one_ends <= 1'b0;
+      four_end <= 1'b0;
+      long <= 1'b0;
       slow <= 3'd0;
       wrong <= 12'd4095;
+      none_left <= 1'b0;
+      few_left <= 1'b0;
+      all_left <= 1'b1;
       hall <= 2'd0;
     end
   end
 
-  assign lost_o = both_79 || both_80 || both_81 || both_82;
+  assign lost_o = choice_2 || both || both_2 || both_3;
   assign fatal_o = fatal;
   assign reason_o =
-      (fatal || both_79) ?
+      (fatal || choice_2) ?
       (fault_pin_i ? Reason_kFaultPin :
-      below_78 ? Reason_kOverCurrent :
+      below_104 ? Reason_kOverCurrent :
       Reason_kStepOut) :
-      both_80 ? Reason_kStall :
-      both_81 ? Reason_kWrongLock :
-      both_82 ? Reason_kHallCode :
+      both ? Reason_kStall :
+      both_2 ? Reason_kWrongLock :
+      both_3 ? Reason_kHallCode :
       Reason_kNone;
-  assign freewheel_long_o = commutate_i && below_64;
+  assign freewheel_long_o = commutate_i && long_next;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_stall_i, words_slip_i};

@@ -24,26 +24,27 @@ module pwm_generator (
   logic start;  // as first_, in step with on_
   logic tick;  // as first_, in every `tick_periods`-th period
 
+  wire [1:0] inverse_65 = ~{1'b0, left[13:1] == 13'd0};  // line 65
+  wire [13:0] choice = (left[13:1] == 13'd0) ? period_i : 14'd16383;
   wire both_51 = waiting && lead == 13'd0;  // line 51
   wire either = both_51 || (on && !first);
 
   always_ff @(posedge clk) begin
+    left <= (left & {{12{inverse_65[1]}}, inverse_65}) + choice;  // line 65
     if (left[13:1] == 13'd0) begin
       logic [14:0] rest;
-      logic at_most_68;
-      rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 64
-      at_most_68 = minimum_i <= on_clocks_i;  // line 68
-      left <= period_i;
+      logic at_most_70;
+      rest = {1'b0, period_i} - {1'b0, on_clocks_i};  // line 67
+      at_most_70 = minimum_i <= on_clocks_i;  // line 70
       if (centred_i) begin
         lead <= rest[13:1];
       end else begin
         lead <= 13'd0;
       end
       pulse <= on_clocks_i;
-      waiting <= at_most_68;
-      always_ <= at_most_68 && $signed(rest) < $signed({1'b0, minimum_i});
+      waiting <= at_most_70;
+      always_ <= at_most_70 && $signed(rest) < $signed({1'b0, minimum_i});
     end else begin
-      left <= left - 14'd1;
       if (waiting) begin
         lead <= lead - 13'd1;
       end

@@ -101,9 +101,10 @@ module six_step_bare (
   logic taken_run;
   logic taken_reverse;
   logic [1:0] taken_speed;  // 0 to 3: a quarter to the whole of the set speed
+  logic run;  // and whether to run
+  logic takes;  // the pins are taken in this clock
   logic [16:0] bounce;
 
-  wire both_47 = taken_run && second_run;  // line 47
   wire [25:0] choice_85 =  // line 85
       ({2'd0, words_speed_target_i[25:2]} < words_start_hand_over_i) ? words_start_hand_over_i :
       {2'd0, words_speed_target_i[25:2]};
@@ -112,7 +113,7 @@ module six_step_bare (
       {1'b0, words_speed_target_i[25:1]};
   wire [25:0] part = {1'b0, words_speed_target_i[25:1]} + {2'd0, words_speed_target_i[25:2]};
 
-  logic [25:0] words_speed_target;  // line 49
+  logic [25:0] words_speed_target;  // line 47
   always_comb begin
     case (taken_speed)
       2'd0: words_speed_target = choice_85;
@@ -164,10 +165,10 @@ module six_step_bare (
       .pins_hall_v_i(pins_hall_v_i),
       .pins_hall_w_i(pins_hall_w_i),
       .command_configured_i(1'b1),
-      .command_run_i(both_47),
+      .command_run_i(run),
       .command_reverse_i(taken_reverse),
       .command_brake_to_stop_i(brake_to_stop_i),
-      .command_clear_fault_i(bounce == 17'd0 && !both_47),
+      .command_clear_fault_i(takes && !run),
       .words_pwm_period_i(words_pwm_period_i),
       .words_pwm_minimum_i(words_pwm_minimum_i),
       .words_pwm_centred_i(words_pwm_centred_i),
@@ -254,8 +255,6 @@ module six_step_bare (
       .counts_retries_o(unused_drive_counts_retries)
   );
 
-  wire choice_57 = (bounce == 17'd0) ? second_run : taken_run;  // line 57
-
   always_ff @(posedge clk) begin
     first_run <= controls_run_i;
     first_reverse <= controls_reverse_i;
@@ -263,11 +262,13 @@ module six_step_bare (
     second_run <= first_run;
     second_reverse <= first_reverse;
     second_speed <= first_speed;
-    taken_run <= choice_57 && second_run;  // line 58
-    if (bounce == 17'd0) begin
+    taken_run <= (takes ? second_run : taken_run) && second_run;  // line 57
+    if (takes) begin
       taken_reverse <= second_reverse;
       taken_speed <= second_speed;
     end
+    run <= taken_run && second_run;  // line 55
+    takes <= bounce == 17'd0;  // line 58
     bounce <= bounce + 17'd1;  // line 59
     if (rst) begin
       first_run <= 1'b0;
@@ -279,6 +280,8 @@ module six_step_bare (
       taken_run <= 1'b0;
       taken_reverse <= 1'b0;
       taken_speed <= 2'd0;
+      run <= 1'b0;
+      takes <= 1'b0;
       bounce <= 17'd0;
     end
   end

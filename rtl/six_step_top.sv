@@ -111,7 +111,12 @@ module six_step_top (
   logic [15:0] divided_phase;  // u0.16, turns of one step
   logic divided_commutate;  // one clock, the first of a new step
   logic divided_elapsed;  // one clock: a step's worth of VCO turns is over, even if held
-  logic divided_turn;  // the divided VCO signal: high in the first half electrical turn
+  logic legs_uh;  // phase U, high side
+  logic legs_ul;  // phase U, low side
+  logic legs_vh;  // phase V, high side
+  logic legs_vl;  // phase V, low side
+  logic legs_wh;  // phase W, high side
+  logic legs_wl;  // phase W, low side
   logic fast;
   logic update;
   logic good;
@@ -174,7 +179,7 @@ module six_step_top (
   wire [3:0] start_state;
   wire [3:0] start_reason;
   wire start_enable;
-  wire [2:0] start_pattern;
+  wire [4:0] start_pattern_bits;
   wire start_reverse;
   wire start_running;
   wire [1:0] start_mode;
@@ -226,7 +231,7 @@ module six_step_top (
       .state_o(start_state),
       .reason_o(start_reason),
       .enable_o(start_enable),
-      .pattern_o(start_pattern),
+      .pattern_bits_o(start_pattern_bits),
       .reverse_o(start_reverse),
       .running_o(start_running),
       .mode_o(start_mode),
@@ -337,7 +342,7 @@ module six_step_top (
       .rst(rst),
       .enable_i(start_turn_vco),
       .load_i(either_142),
-      .phase_i((start_load_step && words_loop_divide_i == 2'd0) ? 16'd32768 : 16'd0),
+      .half_i(start_load_step && words_loop_divide_i == 2'd0),
       .frequency_i(filter_frequency),
       .phase_o(vco_phase),
       .pulse_o(vco_pulse)
@@ -389,6 +394,9 @@ module six_step_top (
       .tick_o(pwm_tick)
   );
 
+  wire [2:0] sum_177 = hall_step - 3'd3;  // line 177
+  wire [2:0] sum_177_2 = hall_step - 3'd1;  // line 177
+
   wire limit_on;
   wire limit_hit;
   wire [3:0] limit_stuck;
@@ -411,8 +419,13 @@ module six_step_top (
   wire commutation_wh;
   wire commutation_wl;
   commutation commutation (
-      .pattern_i(start_pattern),
-      .step_i(step),
+      .pattern_bits_i(start_pattern_bits),
+      .legs_uh_i(words_source_i ? hall_step[2:1] == 2'd0 : legs_uh),
+      .legs_ul_i(words_source_i ? sum_177[2:1] == 2'd0 : legs_ul),
+      .legs_vh_i(words_source_i ? $signed(hall_step) > 3'sd1 : legs_vh),
+      .legs_vl_i(words_source_i ? hall_step == 3'd0 || hall_step == 3'd5 : legs_vl),
+      .legs_wh_i(words_source_i ? hall_step[2] && !hall_step[1] : legs_wh),
+      .legs_wl_i(words_source_i ? sum_177_2[2:1] == 2'd0 : legs_wl),
       .chop_i(limit_on),
       .complementary_i(words_pwm_complementary_i),
       .uh_o(commutation_uh),
@@ -508,7 +521,7 @@ module six_step_top (
   wire [15:0] divide_phase;
   wire divide_commutate;
   wire divide_elapsed;
-  wire divide_turn;
+  wire [2:0] divide_turned;
   divide_by_n divide (
       .clk(clk),
       .rst(rst),
@@ -524,8 +537,12 @@ module six_step_top (
       .phase_o(divide_phase),
       .commutate_o(divide_commutate),
       .elapsed_o(divide_elapsed),
-      .turn_o(divide_turn)
+      .turned_o(divide_turned)
   );
+
+  wire [2:0] choice_157 = start_load_step ? start_step : divide_turned;  // line 157
+  wire [2:0] sum_157 = choice_157 - 3'd3;  // line 157
+  wire [2:0] sum_157_2 = choice_157 - 3'd1;  // line 157
 
   always_ff @(posedge clk) begin
     tick <= pwm_tick;
@@ -535,11 +552,16 @@ module six_step_top (
     divided_phase <= divide_phase;
     divided_commutate <= divide_commutate;
     divided_elapsed <= divide_elapsed;
-    divided_turn <= divide_turn;
+    legs_uh <= choice_157[2:1] == 2'd0;  // line 157
+    legs_ul <= sum_157[2:1] == 2'd0;  // line 157
+    legs_vh <= $signed(choice_157) > 3'sd1;  // line 157
+    legs_vl <= choice_157 == 3'd0 || choice_157 == 3'd5;  // line 157
+    legs_wh <= choice_157[2] && !choice_157[1];  // line 157
+    legs_wl <= sum_157_2[2:1] == 2'd0;  // line 157
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 190
+    lags <= detector_error[15];  // line 192
     hurries <= detector_hurries;
     lost <= protection_lost;
     fatal <= protection_fatal;
@@ -552,7 +574,12 @@ module six_step_top (
       divided_phase <= 16'd0;
       divided_commutate <= 1'b0;
       divided_elapsed <= 1'b0;
-      divided_turn <= 1'b0;
+      legs_uh <= 1'b0;
+      legs_ul <= 1'b0;
+      legs_vh <= 1'b0;
+      legs_vl <= 1'b0;
+      legs_wh <= 1'b0;
+      legs_wl <= 1'b0;
       fast <= 1'b0;
       update <= 1'b0;
       good <= 1'b0;
@@ -577,7 +604,7 @@ module six_step_top (
   assign step_o = step;
   assign chop_o = limit_on;
   assign commutate_o = divided_commutate;
-  assign turn_o = divided_turn;
+  assign turn_o = divided_step < 3'd3;
   assign frequency_o = filter_frequency;
   assign step_phase_o = divided_phase;
   assign phase_error_o = detector_error;
@@ -592,4 +619,7 @@ module six_step_top (
   assign counts_freewheel_long_o = telemetry_freewheel_long;
   assign counts_limit_hits_o = telemetry_limit_hits;
   assign counts_retries_o = telemetry_retries;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_177[0], sum_177_2[0], sum_157[0], sum_157_2[0]};
 endmodule

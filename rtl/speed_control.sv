@@ -1,4 +1,4 @@
-// speed_control: steplock::SpeedControl, printed by hlsgen from hls/six_step/speed_control.hpp:36.
+// speed_control: steplock::SpeedControl, printed by hlsgen from hls/six_step/speed_control.hpp:37.
 // Do not edit: change the C++ and print again.
 
 module speed_control (
@@ -29,28 +29,23 @@ module speed_control (
 );
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
-  localparam logic [4:0] Stage_kIdle = 5'd0;
-  localparam logic [4:0] Stage_kSlew = 5'd1;
-  localparam logic [4:0] Stage_kReach = 5'd2;
-  localparam logic [4:0] Stage_kBemf = 5'd3;
-  localparam logic [4:0] Stage_kSlip = 5'd4;
-  localparam logic [4:0] Stage_kIntegral = 5'd5;
-  localparam logic [4:0] Stage_kWhole = 5'd6;
-  localparam logic [4:0] Stage_kWholeLow = 5'd7;
-  localparam logic [4:0] Stage_kWholeHigh = 5'd8;
-  localparam logic [4:0] Stage_kKeep = 5'd9;
-  localparam logic [4:0] Stage_kProportional = 5'd10;
-  localparam logic [4:0] Stage_kLow = 5'd11;
-  localparam logic [4:0] Stage_kHigh = 5'd12;
-  localparam logic [4:0] Stage_kUp = 5'd13;
-  localparam logic [4:0] Stage_kDown = 5'd14;
-  localparam logic [4:0] Stage_kDuty = 5'd15;
-  localparam logic [4:0] Stage_kOnClocks = 5'd16;
 
-  logic [4:0] stage;
-  logic started;  // the stage's product is under way
-  logic [20:0] work;  // duty on its way; 0 while idle; from kSlew to kReach the slew
+  logic [16:0] at_bits;  // public, for a set to be a port
+  logic of_error;  // the product is the error's: kIntegral or kProportional
+  logic starts;  // this is the first clock of a product
+  logic control;  // the mode is kControl
+  logic whole;  // the sum to come is the integral
+  logic alone;  // and without a product
+  logic [20:0] work;  // duty on its way
+  logic adds;  // the integral takes the product
+  logic clears;  // it is cleared, before
+  logic loads;  // it takes the work
+  logic [16:0] moved;  // the duty, one slew further
+  logic [16:0] not_limit;  // complement of what this stage compares with
   logic [27:0] reference;  // u0.32, the slewed target
+  logic [26:0] not_target;  // complement of the target, a clock ago
+  logic passes;  // the reference passed it
+  logic falls;  // it goes down: a flip-flop of its own, for want of time to ask !rises_
   logic rises;  // the reference went up
   logic [33:0] integral;  // u1.31: the duty and 16 bits more
   logic [15:0] duty;
@@ -60,21 +55,15 @@ module speed_control (
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
-  wire either = stage == Stage_kProportional || stage == Stage_kIntegral;
-  wire [15:0] choice_106 = (stage == Stage_kOnClocks) ? duty : 16'd0;  // line 106
-  wire [26:0] choice_63 = either ? reference[26:0] : {11'd0, choice_106};  // line 63
-  wire [25:0] choice_109 = (stage == Stage_kOnClocks) ? 26'd0 : frequency_i;  // line 109
-  wire [26:0] choice_63_2 = either ? ~{1'b0, frequency_i} : {1'b0, choice_109};  // line 63
-
-  logic [15:0] choice_64;  // line 64
-  always_comb begin
-    case (stage)
-      Stage_kBemf: choice_64 = (mode_i == SpeedMode_kControl) ? words_loaded_i : words_bemf_i;
-      Stage_kIntegral: choice_64 = words_ki_i;
-      Stage_kProportional: choice_64 = words_kp_i;
-      default: choice_64 = {2'd0, period_i};
-    endcase
-  end
+  wire [26:0] choice_111 = of_error ? reference[26:0] : {11'd0, at_bits[16] ? duty : 16'd0};
+  wire [26:0] choice_114 =  // line 114
+      of_error ? ~{1'b0, frequency_i} : {1'b0, at_bits[16] ? 26'd0 : frequency_i};
+  wire [16:0] joined_83 = {at_bits[15:0], at_bits[16]};  // line 83
+  wire [16:0] choice =
+      control ? joined_83 :
+      at_bits[3] ? 17'd4096 :
+      at_bits[12] ? 17'd32768 :
+      joined_83;
 
   wire [42:0] multiplier_product;
   wire multiplier_done;
@@ -82,216 +71,127 @@ module speed_control (
   serial_multiplier_27_16 multiplier (
       .clk(clk),
       .rst(rst),
-      .start_i((either || stage == Stage_kOnClocks || stage == Stage_kBemf) && !started),
-      .a_i(choice_63 + choice_63_2),
-      .b_i(choice_64),
-      .shift_i((stage == Stage_kOnClocks) ? 4'd0 : words_shift_i),
+      .start_i(starts),
+      .a_i(choice_111 + choice_114),
+      .b_i(at_bits[3] ? (control ? words_loaded_i : words_bemf_i) :
+        at_bits[5] ? words_ki_i :
+        at_bits[10] ? words_kp_i :
+        {2'd0, period_i}),
+      .shift_i(at_bits[16] ? 4'd0 : words_shift_i),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy)
   );
 
-  wire [33:0] joined_180 = {work[17:0], 16'd0};  // line 180
+  wire [17:0] sum_157 = work[17:0] + {1'b0, not_limit} + 18'd1;  // line 157
+  wire choice_2 = (work[20:17] == 4'd0) ? !sum_157[17] : work[20];
+  wire unequal_158 = (at_bits[14:8] & 7'h49) != 7'd0;  // line 158
+  wire unequal_159 = (at_bits[13:9] & 5'h19) != 5'd0;  // line 159
+  wire both_67 = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 67
+  wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 182
+  wire either_190 = !at_bits[11] || hurries_i;  // line 190
+  wire [12:0] differ_207 = {1'b0, words_duty_slew_i} ^ {13{either_190}};  // line 207
+  wire [17:0] moved_2 = {2'd0, duty_next} + {{5{differ_207[12]}}, differ_207};  // line 207
+  wire both_189 = !at_bits[8] && !at_bits[11] && (!at_bits[3] || control);  // line 189
+  wire [16:0] choice_189 =  // line 189
+      both_189 ? ((!at_bits[12] && !at_bits[13]) ? {1'b0, duty_next} : moved) :
+      {1'b0, words_maximum_i};
+  wire [16:0] choice_189_2 =  // line 189
+      ((at_bits[10:7] & 4'h9) == 4'd0) ? choice_189 : {1'b0, words_minimum_i};
+  wire [28:0] sum_128 = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 128
 
   always_ff @(posedge clk) begin
-    case (stage)
-      Stage_kIdle: begin
-        if (tick_i) begin
-          stage <= Stage_kSlew;
-        end
+    if (at_bits[0]) begin
+      if (tick_i) begin
+        at_bits <= choice;
       end
-      Stage_kSlew, Stage_kReach: begin
-        logic [27:0] moved;
-        logic [25:0] goal;
-        logic below_164;
-        moved = reference + {{7{work[20]}}, work};  // line 163
-        goal = (mode_i == SpeedMode_kControl) ? target_i : frequency_i;  // line 161
-        below_164 = $signed(moved) < $signed({2'd0, goal});  // line 164
-        case (stage)
-          Stage_kSlew: begin
-            stage <= stage + 5'd1;
-            if (below_164) begin
-              work <= {1'b0, words_slew_i};
-            end else begin
-              work <= ~{1'b0, words_slew_i};
-            end
-            rises <= below_164;
-          end
-          default: begin  // Stage_kReach
-            stage <= stage + 5'd1;
-            if (mode_i == SpeedMode_kControl && !(below_164 ^ rises)) begin
-              reference <= moved;
-            end else begin
-              reference <= {2'd0, goal};
-            end
-          end
-        endcase
+      falls <= sum_128[28];
+      rises <= !sum_128[28];
+    end else if ((!(of_error || at_bits[16]) && !at_bits[3]) || multiplier_done) begin
+      at_bits <= choice;
+    end
+    of_error <= (at_bits[9:4] & 6'h21) != 6'd0 || (of_error && !multiplier_done);  // line 77
+    starts <= (at_bits[15:2] & 14'h2085) != 14'd0;  // line 78
+    control <= mode_i == SpeedMode_kControl;  // line 76
+    whole <= (at_bits[10:6] & 5'h11) != 5'd0;  // line 74
+    alone <= mode_i == SpeedMode_kFixed || at_bits[6];  // line 75
+    if (at_bits[7] || (multiplier_done && (at_bits[10:3] & 8'h81) != 8'd0)) begin
+      logic [17:0] base;
+      logic [20:0] base_2;
+      logic [19:0] choice_149;
+      base = whole ? integral[33:16] : {2'd0, control ? slip_i : fixed_duty_i};  // line 148
+      base_2 = {{3{base[17]}}, base};  // line 148
+      choice_149 = alone ? 20'd0 : multiplier_product[31:12];  // line 149
+      work <= base_2 + {choice_149[19], choice_149};
+    end else if (choice_2 ? unequal_158 : unequal_159) begin
+      work <= {4'd0, ~not_limit};
+    end
+    if (multiplier_done) begin
+      logic choice_171;
+      choice_171 = multiplier_product[31] ? at_low : at_high || limited;  // line 171
+      adds <= both_67 && !choice_171;
+      if (at_bits[16]) begin
+        on_clocks <= multiplier_product[28:15];
       end
-      Stage_kBemf, Stage_kProportional: begin
-        logic [15:0] choice_140;
-        logic either_140;
-        logic [17:0] base;
-        logic [20:0] base_2;
-        logic [19:0] choice_130;
-        logic [20:0] sum_130;
-        choice_140 = (mode_i == SpeedMode_kControl) ? slip_i : fixed_duty_i;  // line 140
-        either_140 = stage == Stage_kProportional || stage == Stage_kWhole;  // line 140
-        base = either_140 ? integral[33:16] : {2'd0, choice_140};  // line 140
-        base_2 = {{3{base[17]}}, base};  // line 140
-        choice_130 =  // line 130
-            (mode_i == SpeedMode_kFixed || stage == Stage_kWhole) ? 20'd0 :
-            multiplier_product[31:12];
-        sum_130 = base_2 + {choice_130[19], choice_130};  // line 130
-        case (stage)
-          Stage_kBemf: begin
-            if (multiplier_done) begin
-              if (mode_i == SpeedMode_kControl) begin
-                stage <= stage + 5'd1;
-              end else begin
-                stage <= Stage_kHigh;
-              end
-              work <= sum_130;
-            end
-            started <= !multiplier_done;
-          end
-          default: begin  // Stage_kProportional
-            if (multiplier_done) begin
-              stage <= stage + 5'd1;
-              work <= sum_130;
-            end
-            started <= !multiplier_done;
-          end
-        endcase
+    end else begin
+      adds <= 1'b0;
+    end
+    clears <= (at_bits[10] && starts && (at_low || at_high)) || (at_bits[15] && !control);
+    loads <= clears;
+    if (moved_2[17]) begin
+      moved <= 17'd0;
+    end else begin
+      moved <= moved_2[16:0];
+    end
+    not_limit <= ~choice_189_2;  // line 189
+    if (at_bits[1]) begin
+      logic [20:0] moved_3;
+      moved_3 = {1'b0, rises ? words_slew_i : 20'd0} | (falls ? ~{1'b0, words_slew_i} : 21'd0);
+      reference <= reference + {{7{moved_3[20]}}, moved_3};
+    end else if (!at_bits[2] || control) begin
+      if (passes) begin
+        reference <= {2'd0, ~not_target[25:0]};
       end
-      Stage_kSlip, Stage_kWholeLow, Stage_kLow, Stage_kWholeHigh, Stage_kHigh, Stage_kUp,
-      Stage_kDown: begin
-        logic [17:0] limit;
-        logic [17:0] limit_2;
-        logic [12:0] slew;
-        logic [12:0] choice_148;
-        logic [12:0] slew_2;
-        logic [17:0] slew_3;
-        logic [17:0] limit_3;
-        logic [17:0] limit_4;  // line 148
-        logic [20:0] wide_149;
-        logic below_149;
-        logic at_most_153;
-        logic either_192;
-        logic [20:0] wide_149_2;
-        logic either_193;
-        logic [20:0] wide_149_3;
-        limit = {2'd0, words_minimum_i};  // line 200
-        limit_2 = {2'd0, words_maximum_i};  // line 202
-        slew = ~{1'b0, words_duty_slew_i};  // line 208
-        choice_148 = (stage == Stage_kDown || stage == Stage_kUp) ? slew : 13'd0;  // line 148
-        slew_2 = (stage != Stage_kUp || hurries_i) ? choice_148 : {1'b0, words_duty_slew_i};
-        slew_3 = {{5{slew_2[12]}}, slew_2};  // line 148
-        limit_3 = slew_3 + {2'd0, duty};  // line 210
-        case (stage)
-          Stage_kWholeLow, Stage_kLow: limit_4 = limit;
-          Stage_kWholeHigh, Stage_kHigh: limit_4 = limit_2;
-          default: limit_4 = limit_3;
-        endcase
-        wide_149 = {{3{limit_4[17]}}, limit_4};  // line 149
-        below_149 = $signed(work) < $signed(wide_149);  // line 149
-        at_most_153 = $signed(wide_149) <= $signed(work);  // line 153
-        either_192 = at_low || below_149;  // line 192
-        wide_149_2 = {{3{limit_2[17]}}, limit_2};  // line 149
-        either_193 = at_high || at_most_153;  // line 193
-        wide_149_3 = {{3{limit_3[17]}}, limit_3};  // line 149
-        case (stage)
-          Stage_kSlip: begin
-            stage <= stage + 5'd1;
-            slips <= below_149;
-          end
-          Stage_kWholeLow, Stage_kLow: begin
-            stage <= stage + 5'd1;
-            if (below_149) begin
-              work <= {{3{limit[17]}}, limit};
-            end
-            at_low <= either_192;
-          end
-          Stage_kWholeHigh: begin
-            stage <= stage + 5'd1;
-            if (at_most_153) begin
-              work <= wide_149_2;
-            end
-            at_high <= either_193;
-          end
-          Stage_kHigh: begin
-            if (mode_i == SpeedMode_kControl) begin
-              stage <= stage + 5'd1;
-            end else begin
-              stage <= Stage_kDuty;
-            end
-            if (at_most_153) begin
-              work <= wide_149_2;
-            end
-            at_high <= either_193;
-          end
-          Stage_kUp: begin
-            stage <= stage + 5'd1;
-            if (at_most_153) begin
-              work <= wide_149_3;
-            end
-            at_high <= either_193;
-          end
-          default: begin  // Stage_kDown
-            stage <= stage + 5'd1;
-            if (below_149) begin
-              work <= wide_149_3;
-            end
-            at_low <= either_192;
-          end
-        endcase
-      end
-      Stage_kIntegral: begin
-        if (multiplier_done) begin
-          stage <= stage + 5'd1;
-          if (!(multiplier_product[31] ? at_low : at_high || limited)) begin
-            integral <= integral + {{2{multiplier_product[31]}}, multiplier_product[31:0]};
-          end
-        end
-        started <= !multiplier_done;
-      end
-      Stage_kWhole: begin
-        stage <= stage + 5'd1;
-        work <= {{3{integral[33]}}, integral[33:16]};
-        at_high <= 1'b0;
-        at_low <= 1'b0;
-      end
-      Stage_kKeep: begin
-        stage <= stage + 5'd1;
-        if (at_low || at_high) begin
-          integral <= joined_180;
-        end
-      end
-      Stage_kDuty: begin
-        stage <= stage + 5'd1;
-        work <= 21'd0;
-        if (mode_i != SpeedMode_kControl) begin
-          integral <= joined_180;
-        end
-        duty <= work[15:0];
-        slips <= mode_i == SpeedMode_kControl && slips;
-      end
-      Stage_kOnClocks: begin
-        if (multiplier_done) begin
-          stage <= Stage_kIdle;
-          on_clocks <= multiplier_product[28:15];
-        end
-        started <= !multiplier_done;
-      end
-      default: stage <= Stage_kIdle;
-    endcase
-    limited <=
-        limited_i ||
-        (limited && !(stage == Stage_kIntegral && multiplier_done) && mode_i == SpeedMode_kControl);
+    end else begin
+      reference <= {2'd0, frequency_i};
+    end
+    not_target <= ~{1'b0, target_i};  // line 144
+    passes <= at_bits[2] && control && (rises ^ !sum_128[28]);  // line 139
+    if (clears) begin
+      integral <= 34'd0;
+    end else begin
+      logic [31:0] choice_166;
+      logic [33:0] choice_166_2;
+      choice_166 = adds ? multiplier_product[31:0] : 32'd0;  // line 166
+      choice_166_2 = loads ? {work[17:0], 16'd0} : {{2{choice_166[31]}}, choice_166};  // line 166
+      integral <= integral + choice_166_2;
+    end
+    duty <= duty_next;  // line 182
+    slips <= (!at_bits[15] || control) && (at_bits[4] ? choice_2 : slips);  // line 182
+    if (limited_i || !limited) begin
+      limited <= limited_i;
+    end else begin
+      limited <= !(both_67 && multiplier_done) && control;
+    end
+    at_high <= !at_bits[7] && (at_high || (unequal_159 && !choice_2));  // line 188
+    at_low <= !at_bits[7] && (at_low || (unequal_158 && choice_2));  // line 187
     if (rst) begin
-      stage <= Stage_kIdle;
-      started <= 1'b0;
+      at_bits <= 17'd1;
+      of_error <= 1'b0;
+      starts <= 1'b0;
+      control <= 1'b0;
+      whole <= 1'b0;
+      alone <= 1'b0;
       work <= 21'sd0;
+      adds <= 1'b0;
+      clears <= 1'b0;
+      loads <= 1'b0;
+      moved <= 17'd0;
+      not_limit <= 17'd0;
       reference <= 28'sd0;
+      not_target <= 27'd134217727;
+      passes <= 1'b0;
+      falls <= 1'b0;
       rises <= 1'b0;
       integral <= 34'sd0;
       duty <= 16'd0;
@@ -308,5 +208,5 @@ module speed_control (
   assign slips_o = slips;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_target_i, multiplier_product[42:32]};
+  wire unused = &{1'b0, words_target_i, multiplier_product[42:32], sum_157[16:0], sum_128[27:0]};
 endmodule

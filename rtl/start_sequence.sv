@@ -1,4 +1,4 @@
-// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:37.
+// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:38.
 // Do not edit: change the C++ and print again.
 
 module start_sequence (
@@ -39,7 +39,7 @@ module start_sequence (
     output logic [3:0]  state_o,
     output logic [3:0]  reason_o,  // of the last failed try, or of the fault
     output logic        enable_o,  // the gate guard may turn gates on
-    output logic [2:0]  pattern_o,
+    output logic [4:0]  pattern_bits_o,  // public, for a set to be a port
     output logic        reverse_o,  // direction of this try
     output logic        running_o,  // locked and under speed control
     output logic [1:0]  mode_o,
@@ -57,22 +57,6 @@ module start_sequence (
   localparam logic [3:0] Reason_kNone = 4'd0;
   localparam logic [3:0] Reason_kNoLock = 4'd6;
   localparam logic [3:0] Reason_kCannotStop = 4'd7;
-  localparam logic [3:0] State_kIdle = 4'd0;
-  localparam logic [3:0] State_kObserve = 4'd1;
-  localparam logic [3:0] State_kBrake = 4'd2;
-  localparam logic [3:0] State_kSettle = 4'd3;
-  localparam logic [3:0] State_kReset = 4'd4;
-  localparam logic [3:0] State_kAccelerate = 4'd5;
-  localparam logic [3:0] State_kPullIn = 4'd6;
-  localparam logic [3:0] State_kRun = 4'd7;
-  localparam logic [3:0] State_kSlowDown = 4'd8;
-  localparam logic [3:0] State_kRest = 4'd9;
-  localparam logic [3:0] State_kFault = 4'd10;
-  localparam logic [2:0] Pattern_kOff = 3'd0;
-  localparam logic [2:0] Pattern_kDrive = 3'd1;
-  localparam logic [2:0] Pattern_kSettle = 3'd2;
-  localparam logic [2:0] Pattern_kReset = 3'd3;
-  localparam logic [2:0] Pattern_kBrake = 3'd4;
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kAboveBemf = 2'd1;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
@@ -85,14 +69,25 @@ module start_sequence (
   localparam logic [2:0] Loop_kCatch = 3'd3;
   localparam logic [2:0] Loop_kHall = 3'd4;
 
-  logic [3:0] state;
+  logic [10:0] at_bits;  // public, for a set to be a port
+  logic drives;  // one of the states in which the bridge commutates
+  logic boosts;  // one of those in which boost_ is the duty
+  logic [15:0] duty;  // u1.15, that of other states
+  logic entered;  // this is the first clock of the state
+  logic late;  // there was a tick in it
+  logic last;  // no ticks are left
+  logic tried;  // no more tries are left
+  logic braking;  // a braking interval begins
+  logic braked;  // no more braking intervals are left
   logic [3:0] reason;
   logic [14:0] ticks;  // left in this state
   logic [5:0] good;  // good crossings in a row
-  logic fresh;  // good_ was counted in the last clock
+  logic nearly;  // one more is enough
+  logic enough;  // that one came in the last clock
   logic [3:0] retries;  // failed tries
   logic [7:0] brakes;  // braking intervals of this stop
   logic [15:0] boost;  // u1.15, duty above the back-EMF's while pulling in
+  logic faded;  // it is below the start's
   logic load_step;
   logic began;
   logic failed;
@@ -100,285 +95,261 @@ module start_sequence (
   logic turns_reverse;  // direction at the last update while observing
   logic clear_was;
 
-  wire either = state == State_kBrake || state == State_kSettle || state == State_kReset;
-  wire either_2 =
-      either || state == State_kAccelerate || state == State_kPullIn || state == State_kRun;
-
-  logic [2:0] pattern;
-  always_comb begin
-    case (state)
-      State_kBrake: pattern = Pattern_kBrake;
-      State_kSettle: pattern = Pattern_kSettle;
-      State_kReset: pattern = Pattern_kReset;
-      State_kAccelerate, State_kPullIn, State_kRun, State_kSlowDown: pattern = Pattern_kDrive;
-      default: pattern = Pattern_kOff;
-    endcase
-  end
-
-  wire running = state == State_kRun || state == State_kSlowDown;
-  wire either_3 = state == State_kObserve || state == State_kAccelerate || state == State_kPullIn;
-
-  logic [1:0] mode;
-  always_comb begin
-    case (state)
-      State_kObserve, State_kAccelerate, State_kPullIn: mode = SpeedMode_kAboveBemf;
-      State_kRun, State_kSlowDown: mode = SpeedMode_kControl;
-      default: mode = SpeedMode_kFixed;
-    endcase
-  end
-
-  wire [15:0] choice_77 =  // line 77
-      (retries[3:1] == 3'd0) ? words_reset_duty_i :
-      words_reset_duty_i[15] ? 16'd65535 :
-      {words_reset_duty_i[14:0], 1'b0};
-
-  logic [15:0] out_duty;  // line 77
-  always_comb begin
-    case (state)
-      State_kBrake: out_duty = words_brake_duty_i;
-      State_kSettle, State_kReset: out_duty = choice_77;
-      State_kAccelerate, State_kPullIn: out_duty = boost;
-      default: out_duty = 16'd0;
-    endcase
-  end
-
-  logic [1:0] watch;
-  logic [2:0] loop;
-  always_comb begin
-    case (state)
-      State_kObserve: begin
-        watch = Evidence_kSectors;
-        loop = Loop_kCatch;
-      end
-      State_kPullIn: begin
-        watch = Evidence_kCrossings;
-        loop = Loop_kTrack;
-      end
-      State_kAccelerate: begin
-        watch = Evidence_kNothing;
-        loop = Loop_kRamp;
-      end
-      State_kRun, State_kSlowDown: begin
-        watch = source_i ? Evidence_kSectors : Evidence_kCrossings;
-        loop = source_i ? Loop_kHall : Loop_kTrack;
-      end
-      default: begin
-        watch = Evidence_kNothing;
-        loop = Loop_kStop;
-      end
-    endcase
-  end
-
-  wire inverse_286 = !reverse;  // line 286
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 243
-  wire both_78 = tick_i && ticks == 15'd0;  // line 78
-  wire both_124 = fresh && words_good_crossings_i <= good;  // line 124
-  wire either_125 = !command_run_i || (command_reverse_i ^ reverse);  // line 125
-  wire [3:0] choice_79 =  // line 79
-      (command_run_i || (!source_i && words_observe_i != 12'd0)) ? State_kObserve : State_kIdle;
-  wire [3:0] choice_79_2 =  // line 79
-      both_124 ? ((!command_run_i || (turns_reverse ^ reverse)) ? State_kBrake : State_kRun) :
-      both_78 ? {2'd0, {2{command_run_i}}} :
-      State_kObserve;
-
-  logic [3:0] choice_79_3;  // line 79
-  always_comb begin
-    case (state)
-      State_kIdle: choice_79_3 = State_kObserve;
-      State_kObserve: choice_79_3 = choice_79_2;
-      State_kBrake: choice_79_3 = both_78 ? choice_79 : State_kBrake;
-      State_kSettle: choice_79_3 = both_78 ? State_kReset : State_kSettle;
-      State_kReset: choice_79_3 = both_78 ? State_kAccelerate : State_kReset;
-      State_kAccelerate: choice_79_3 =
-          fast_i ? State_kPullIn :
-          both_78 ? State_kRest :
-          State_kAccelerate;
-      State_kPullIn: choice_79_3 =
-          both_124 ? State_kRun :
-          both_78 ? State_kRest :
-          State_kPullIn;
-      State_kRun: choice_79_3 =
-          lost_i ? State_kRest :
-          either_125 ? State_kSlowDown :
-          State_kRun;
-      State_kSlowDown: choice_79_3 =
-          lost_i ? State_kRest :
-          either_125 ? ((both_78 || !fast_i) ? State_kBrake : State_kSlowDown) :
-          State_kRun;
-      default: choice_79_3 = both_78 ? State_kObserve : state;
-    endcase
-  end
-
-  wire either_122 =  // line 122
-      command_run_i ||
-      (command_brake_to_stop_i && (running || state == State_kBrake || state == State_kObserve));
-  wire [3:0] wanted =  // line 79
-      (state == State_kFault) ?
-      ((command_clear_fault_i && !clear_was && !(command_run_i || fatal_i)) ? State_kIdle :
-      State_kFault) :
-      (!command_configured_i || fatal_i) ? (command_configured_i ? State_kFault : State_kIdle) :
-      either_122 ? choice_79_3 :
-      State_kIdle;
-
-  logic [3:0] choice_81;  // line 81
-  always_comb begin
-    case (wanted)
-      State_kObserve: choice_81 =
-          source_i ? State_kRun :
-          (words_observe_i == 12'd0) ? State_kSettle :
-          State_kObserve;
-      State_kBrake: choice_81 = (brakes == 8'd255) ? State_kFault : State_kBrake;
-      State_kRest: choice_81 = (retries < words_retries_i) ? State_kRest : State_kFault;
-      default: choice_81 = wanted;
-    endcase
-  end
-
-  wire unequal_80 = wanted != state;  // line 80
-  wire equal_81 = wanted == state;  // line 81
-  wire [3:0] state_next = equal_81 ? state : choice_81;  // line 81
-  wire both_83 = unequal_80 && state == State_kIdle;  // line 83
-  wire [15:0] choice_228 =  // line 228
+  wire [2:0] either_276 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
+  wire [1:0] choice_276 = at_bits[6] ? 2'd2 : 2'd0;  // line 276
+  wire [3:0] wide_276 =  // line 276
+      {1'b0,
+      either_276 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_276[1], choice_276} | {3{at_bits[7]}}};
+  wire [3:0] either_276_2 = wide_276 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 276
+  wire enable = drives || at_bits[2] || at_bits[4:3] != 2'd0;  // line 289
+  wire [4:0] either_292 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enable}} | {at_bits[2], 4'd0};
+  wire both_297 = at_bits[8:7] != 2'd0 && source_i;  // line 297
+  wire either = at_bits[6] || (at_bits[8:7] != 2'd0 && !source_i);
+  wire inverse_316 = !reverse;  // line 316
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 312
+  wire both = tick_i && last && !entered;
+  wire either_80 = source_i || words_observe_i == 12'd0;  // line 80
+  wire both_163 = !command_run_i && either_80;  // line 163
+  wire both_140 = at_bits[2] && both;  // line 140
+  wire choice_80 = both_140 ? at_bits[9] || !both_163 : at_bits[9] && both;  // line 80
+  wire either_80_2 = at_bits[0] || choice_80;  // line 80
+  wire choice_132 =  // line 132
+      (!command_brake_to_stop_i || at_bits[8:7] != 2'd0) ? command_brake_to_stop_i :
+      at_bits[2:1] != 2'd0;
+  wire either_134 = command_run_i || choice_132;  // line 134
+  wire both_137 = !fatal_i && either_134;  // line 137
+  wire either_137 = at_bits[10] || !command_configured_i;  // line 137
+  wire both_80 = !either_137 && both_137;  // line 80
+  wire both_80_2 = both_80 && either_80_2;  // line 80
+  wire [3:0] choice_191 = (both_80_2 && (source_i ^ either_80)) ? 4'd8 : 4'd0;  // line 191
+  wire differ_80 = command_reverse_i ^ reverse;  // line 80
+  wire either_161 = !command_run_i || differ_80;  // line 161
+  wire either_143 = !at_bits[8] || lost_i;  // line 143
+  wire both_80_3 = !either_143 && either_161 && (both || !fast_i);  // line 80
+  wire differ_80_2 = turns_reverse ^ reverse;  // line 80
+  wire both_142 = at_bits[1] && enough;  // line 142
+  wire choice_80_2 = both_142 ? !command_run_i || differ_80_2 || both_80_3 : both_80_3;  // line 80
+  wire braking_next = both_80 && choice_80_2;  // line 80
+  wire [2:0] choice_173 = (braking_next && !braked) ? 3'd4 : 3'd0;  // line 173
+  wire either_145 = (at_bits[6] && both && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
+  wire either_80_3 = !(!at_bits[5] || fast_i || !both) || either_145;  // line 80
+  wire failed_next = both_80 && either_80_3;  // line 80
+  wire [9:0] choice_173_2 = (failed_next && !tried) ? 10'd512 : 10'd0;  // line 173
+  wire [9:0] wide_192 = {6'd0, choice_191 | {1'b0, choice_173}};  // line 192
+  wire both_135 = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);  // line 135
+  wire both_136 = command_configured_i && fatal_i;  // line 136
+  wire choice_139 = at_bits[10] ? !both_135 : both_136;  // line 139
+  wire [10:0] choice_194 =  // line 194
+      (choice_139 || (braking_next && braked) || (failed_next && tried)) ? 11'd1024 : 11'd0;
+  wire [1:0] choice_173_3 = (both_80_2 && !source_i && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
+  wire choice_138 = either_137 ? !at_bits[10] || both_135 : !(either_134 || fatal_i);  // line 138
+  wire [7:0] choice_173_4 = (both_80_2 && source_i) ? 8'd128 : 8'd0;  // line 173
+  wire [7:0] wide_189 = {6'd0, choice_173_3 | {1'b0, choice_138}};  // line 189
+  wire inverse = !(enough || both);
+  wire [1:0] choice_173_5 = (at_bits[1] && inverse) ? 2'd2 : 2'd0;  // line 173
+  wire both_168 = at_bits[1] && !enough && both;  // line 168
+  wire [2:0] choice_173_6 = (at_bits[2] && !both) ? 3'd4 : 3'd0;  // line 173
+  wire [2:0] wide_176 =  // line 176
+      {1'b0, choice_173_5 | {1'b0, (both_168 && !command_run_i) || (both_140 && both_163)}};
+  wire [3:0] choice_173_7 = ((both_168 && command_run_i) || (at_bits[3] && !both)) ? 4'd8 : 4'd0;
+  wire [4:0] choice_173_8 = (both ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 173
+  wire [4:0] wide_178 = {1'b0, {1'b0, wide_176 | choice_173_6} | choice_173_7};  // line 178
+  wire [5:0] choice = ((at_bits[4] && both) || (at_bits[5] && !(fast_i || both))) ? 6'd32 : 6'd0;
+  wire both_182 = at_bits[5] && fast_i;  // line 182
+  wire [6:0] choice_173_9 = (both_182 || (at_bits[6] && inverse)) ? 7'd64 : 7'd0;  // line 173
+  wire [6:0] wide_181 = {1'b0, {1'b0, wide_178 | choice_173_8} | choice};  // line 181
+  wire either_184 = (both_142 && command_run_i && !differ_80_2) || (at_bits[6] && enough);
+  wire both_184 = command_run_i && !differ_80;  // line 184
+  wire both_171 = at_bits[8:7] != 2'd0 && !lost_i;  // line 171
+  wire [7:0] choice_173_10 = ((either_184 || !both_171) ? either_184 : both_184) ? 8'd128 : 8'd0;
+  wire [7:0] wide_183 = {1'b0, wide_181 | choice_173_9};  // line 183
+  wire [8:0] choice_185 =  // line 185
+      (both_171 && either_161 && (at_bits[7] || (!both && fast_i))) ? 9'd256 : 9'd0;
+  wire [8:0] wide_184 = {1'b0, wide_183 | choice_173_10};  // line 184
+  wire [9:0] choice_173_11 = (at_bits[9] && !both) ? 10'd512 : 10'd0;  // line 173
+  wire [9:0] wanted = {1'b0, wide_184 | choice_185} | choice_173_11;  // line 185
+  wire [9:0] choice_187 = (choice_138 || choice_139) ? 10'd0 : wanted;  // line 187
+  wire [9:0] either_189 = {2'd0, wide_189 | choice_173_4} | choice_187;  // line 189
+  wire [10:0] at_bits_next = {1'b0, wide_192 | choice_173_2} | choice_194 | {1'b0, either_189};
+  wire [3:0] retries_next =  // line 228
+      (at_bits[0] || (both && at_bits[7])) ? 4'd0 :
+      failed ? retries + 4'd1 :
+      retries;
+  wire [6:0] sum_243 = {1'b0, good} + 7'd1;  // line 243
+  wire [15:0] choice_2 =
       (retries[3:1] == 3'd0) ? words_start_duty_i :
       words_start_duty_i[15] ? 16'd65535 :
       {words_start_duty_i[14:0], 1'b0};
 
   always_ff @(posedge clk) begin
-    state <= state_next;  // line 81
-    if (both_83 && wanted == State_kObserve) begin
-      reason <= Reason_kNone;
-    end else if (!equal_81 && (state_next == State_kRest || state_next == State_kFault)) begin
-      if (wanted == State_kBrake) begin
-        reason <= Reason_kCannotStop;
-      end else if (fatal_i || lost_i) begin
-        reason <= cause_i;
+    at_bits <= at_bits_next;  // line 193
+    drives <= choice_187[6:5] != 2'd0 || either_189[7] || choice_187[8];
+    boosts <= choice_187[6:5] != 2'd0;  // line 104
+    if (at_bits[4:3] == 2'd0) begin
+      if (at_bits[2]) begin
+        duty <= words_brake_duty_i;
       end else begin
-        reason <= Reason_kNoLock;
+        duty <= 16'd0;
       end
-    end
-    if (equal_81) begin
-      if (!(!tick_i || ticks == 15'd0)) begin
-        ticks <= ticks - 15'd1;
-      end
+    end else if (retries_next[3:1] == 3'd0) begin
+      duty <= words_reset_duty_i;
+    end else if (words_reset_duty_i[15]) begin
+      duty <= 16'd65535;
     end else begin
-      case (state_next)
-        State_kObserve: ticks <= {3'd0, words_observe_i};
-        State_kBrake: ticks <= {3'd0, words_brake_i};
-        State_kSettle, State_kReset: begin
-          logic [11:0] ticks_2;
-          logic [14:0] once;
-          ticks_2 = (state_next == State_kSettle) ? words_settle_i : words_reset_i;  // line 181
-          once = {3'd0, ticks_2} << gentle[0];  // line 171
-          if (gentle[1]) begin
-            ticks <= {once[12:0], 2'd0};
+      duty <= {words_reset_duty_i[14:0], 1'b0};
+    end
+    if (both_80) begin
+      logic choice_146;
+      logic choice_146_2;
+      logic either_146;
+      logic inverse_154;
+      choice_146 = either_143 ? at_bits[8] : both_184 || !fast_i;  // line 146
+      choice_146_2 = at_bits[7] ? lost_i || !command_run_i || differ_80 || choice_146 : choice_146;
+      either_146 = both_182 || choice_146_2;  // line 146
+      inverse_154 = !(!at_bits[0] && (!both || (at_bits & 11'h481) != 11'd0));  // line 154
+      entered <= inverse_154 || (enough && (at_bits[6:1] & 6'h21) != 6'd0) || either_146;
+    end else begin
+      entered <=
+          (at_bits & 11'h401) == 11'd0 || (at_bits[0] && both_136) || (at_bits[10] && both_135);
+    end
+    late <= tick_i && entered;  // line 220
+    last <= !entered && ticks == 15'd0;  // line 221
+    tried <= (words_retries_i <= retries);  // line 227
+    if (at_bits[10]) begin
+      braking <= 1'b0;
+      began <= 1'b0;
+      failed <= 1'b0;
+    end else begin
+      logic both_80_4;
+      logic both_80_5;
+      logic both_80_6;
+      logic both_83;
+      logic both_80_7;
+      both_80_4 = command_configured_i && both_137;  // line 80
+      both_80_5 = both_80_4 && choice_80_2;  // line 80
+      both_80_6 = both_80_4 && either_80_2;  // line 80
+      both_83 = both_80_6 && at_bits[0];  // line 83
+      both_80_7 = both_80_4 && either_80_3;  // line 80
+      braking <= both_80_5;
+      if (both_83) begin
+        reason <= Reason_kNone;
+        reverse <= command_reverse_i;
+      end else begin
+        if (both_80_7 || at_bits_next[10]) begin
+          if (both_80_5) begin
+            reason <= Reason_kCannotStop;
+          end else if (fatal_i || lost_i) begin
+            reason <= cause_i;
           end else begin
-            ticks <= once;
+            reason <= Reason_kNoLock;
           end
         end
-        State_kPullIn: ticks <= {3'd0, words_pull_in_i};
-        State_kRun: ticks <= 15'd1024;
-        State_kSlowDown: ticks <= {3'd0, words_slow_down_i};
-        State_kRest: ticks <= {3'd0, words_rest_i};
-        default: begin
-          case (retries)
-            4'd0: ticks <= 15'd4095;
-            4'd1: ticks <= 15'd8190;
-            4'd2: ticks <= 15'd16380;
-            default: ticks <= 15'd32760;
-          endcase
-        end
-      endcase
-    end
-    if (unequal_80 || !update_i) begin
-      if (!equal_81) begin
-        good <= 6'd0;
-      end
-      if (unequal_80) begin
-        load_step <=
-            state_next == State_kAccelerate ||
-            (state == State_kObserve && state_next == State_kRun);
-        if (wanted == State_kObserve) begin
+        if (both_80_6) begin
           reverse <= command_reverse_i;
         end
+      end
+      began <= both_83;
+      failed <= both_80_7;
+    end
+    braked <= brakes == 8'd255;  // line 233
+    if (entered) begin
+      logic [14:0] wide_207;
+      logic [14:0] once;
+      logic [14:0] then;
+      logic [14:0] once_2;
+      logic [14:0] then_2;
+      logic [14:0] either_208;
+      logic [14:0] either_210;
+      logic [14:0] either_211;
+      logic [12:0] once_3;
+      logic [14:0] then_3;
+      wide_207 =  // line 207
+          {3'd0, (at_bits[1] ? words_observe_i : 12'd0) | (at_bits[2] ? words_brake_i : 12'd0)};
+      once = {3'd0, words_settle_i} << gentle[0];  // line 201
+      then = gentle[1] ? {once[12:0], 2'd0} : once;  // line 202
+      once_2 = {3'd0, words_reset_i} << gentle[0];  // line 201
+      then_2 = gentle[1] ? {once_2[12:0], 2'd0} : once_2;  // line 202
+      either_208 = wide_207 | (at_bits[3] ? then : 15'd0) | (at_bits[4] ? then_2 : 15'd0);
+      either_210 =  // line 210
+          either_208 | {3'd0, at_bits[6] ? words_pull_in_i : 12'd0} |
+          {3'd0, at_bits[8] ? words_slow_down_i : 12'd0};
+      either_211 =  // line 211
+          either_210 | {3'd0, at_bits[9] ? words_rest_i : 12'd0} | {4'd0, at_bits[7], 10'd0};
+      once_3 = gentle[0] ? 13'd8190 : 13'd4095;  // line 201
+      then_3 = gentle[1] ? {once_3, 2'd0} : {2'd0, once_3};  // line 202
+      ticks <= either_211 | (at_bits[5] ? then_3 : 15'd0);
+      good <= 6'd0;
+      enough <= 1'b0;
+    end else begin
+      if ((tick_i || late) && ticks != 15'd0) begin
+        ticks <= ticks - 15'd1;
+      end
+      if (update_i) begin
+        if (at_bits[1] && (turns_reverse_i ^ turns_reverse)) begin
+          good <= 6'd0;
+          enough <= 1'b0;
+        end else begin
+          if (good_i) begin
+            good <= sum_243[5:0];
+          end else begin
+            good <= 6'd0;
+          end
+          enough <= good_i && nearly;
+        end
+        turns_reverse <= turns_reverse_i;
       end else begin
-        load_step <= 1'b0;
+        enough <= 1'b0;
+      end
+    end
+    nearly <= ({1'b0, words_good_crossings_i} <= sum_243);  // line 243
+    retries <= retries_next;  // line 228
+    if ((at_bits[7:0] & 8'h81) == 8'd0) begin
+      if (braking) begin
+        brakes <= brakes + 8'd1;
       end
     end else begin
-      if (!good_i || (state == State_kObserve && (turns_reverse_i ^ turns_reverse))) begin
-        good <= 6'd0;
-      end else begin
-        good <= good + 6'd1;
-      end
-      load_step <= 1'b0;
-      turns_reverse <= turns_reverse_i;
-    end
-    fresh <= update_i;
-    if (both_78 && state == State_kRun) begin
-      retries <= 4'd0;
       brakes <= 8'd0;
-      began <= 1'b0;
-    end else begin
-      case (wanted)
-        State_kObserve: begin
-          if (both_83) begin
-            retries <= 4'd0;
-          end
-        end
-        State_kRest: begin
-          if (unequal_80) begin
-            retries <= retries + 4'd1;
-          end
-        end
-        default: ;
-      endcase
-      if (state == State_kRun) begin
-        brakes <= 8'd0;
-        began <= 1'b0;
-      end else begin
-        case (wanted)
-          State_kObserve: begin
-            if (state == State_kIdle) begin
-              if (unequal_80) begin
-                brakes <= 8'd0;
-              end
-              began <= unequal_80;
-            end else begin
-              began <= 1'b0;
-            end
-          end
-          State_kBrake: begin
-            if (unequal_80) begin
-              brakes <= brakes + 8'd1;
-            end
-            began <= 1'b0;
-          end
-          default: began <= 1'b0;
-        endcase
-      end
     end
-    if (state == State_kPullIn) begin
+    if (at_bits[6]) begin
       if (commutate_i) begin
         if (lags_i) begin
-          logic [10:0] choice_221;
-          choice_221 = (boost < choice_228) ? boost[15:5] : 11'd0;  // line 221
-          boost <= boost + {5'd0, choice_221};
+          boost <= boost + {5'd0, faded ? boost[15:5] : 11'd0};
         end else begin
           boost <= boost - {5'd0, boost[15:5]};
         end
       end
     end else begin
-      boost <= choice_228;
+      boost <= choice_2;
     end
-    failed <= unequal_80 && wanted == State_kRest;  // line 84
-    clear_was <= command_clear_fault_i;  // line 79
+    faded <= boost < choice_2;  // line 259
+    if (at_bits[5]) begin
+      load_step <= at_bits[1] && either_189[7];
+    end else if (choice_187[5] || !at_bits[1]) begin
+      load_step <= choice_187[5];
+    end else begin
+      load_step <= either_189[7];
+    end
+    clear_was <= command_clear_fault_i;
     if (rst) begin
-      state <= State_kIdle;
+      at_bits <= 11'd1;
+      drives <= 1'b0;
+      boosts <= 1'b0;
+      duty <= 16'd0;
+      entered <= 1'b0;
+      late <= 1'b0;
+      last <= 1'b0;
+      tried <= 1'b0;
+      braking <= 1'b0;
+      braked <= 1'b0;
       reason <= Reason_kNone;
       ticks <= 15'd0;
       good <= 6'd0;
-      fresh <= 1'b0;
+      nearly <= 1'b0;
+      enough <= 1'b0;
       retries <= 4'd0;
       brakes <= 8'd0;
       boost <= 16'd0;
+      faded <= 1'b0;
       load_step <= 1'b0;
       began <= 1'b0;
       failed <= 1'b0;
@@ -388,24 +359,34 @@ module start_sequence (
     end
   end
 
-  assign state_o = state;
+  assign state_o = either_276_2 | (at_bits[10] ? 4'd10 : 4'd0);
   assign reason_o = reason;
-  assign enable_o = either_2 || state == State_kSlowDown;
-  assign pattern_o = pattern;
+  assign enable_o = enable;
+  assign pattern_bits_o = either_292 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
   assign reverse_o = reverse;
-  assign running_o = running;
-  assign mode_o = mode;
-  assign duty_o = out_duty;
-  assign stop_o = state == State_kSlowDown;
-  assign watch_o = watch;
-  assign loop_o = loop;
+  assign running_o = at_bits[8:7] != 2'd0;
+  assign mode_o =
+      (at_bits[8:7] == 2'd0) ? ((at_bits[1] || boosts) ? SpeedMode_kAboveBemf : SpeedMode_kFixed) :
+      SpeedMode_kControl;
+  assign duty_o = boosts ? boost : duty;
+  assign stop_o = at_bits[8];
+  assign watch_o =
+      (at_bits[1] || both_297) ? Evidence_kSectors :
+      either ? Evidence_kCrossings :
+      Evidence_kNothing;
+  assign loop_o =
+      at_bits[1] ? Loop_kCatch :
+      both_297 ? Loop_kHall :
+      either ? Loop_kTrack :
+      at_bits[5] ? Loop_kRamp :
+      Loop_kStop;
   assign load_step_o = load_step;
   assign step_o =
-      (state == State_kAccelerate) ? {1'b0, {2{inverse_286}}} :
+      at_bits[5] ? {1'b0, {2{inverse_316}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;
-  assign turn_vco_o = either_3 || state == State_kRun || state == State_kSlowDown;
+  assign turn_vco_o = at_bits[1] || drives;
   assign gentle_o = gentle;
   assign began_o = began;
   assign failed_o = failed;

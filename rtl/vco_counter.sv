@@ -5,33 +5,49 @@ module vco_counter (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        enable_i,  // false holds the phase
-    input  logic        load_i,  // takes `phase` instead of adding; wins over enable
-    input  logic [15:0] phase_i,  // u0.16, VCO turns
+    input  logic        load_i,  // begins a turn instead of adding; wins over enable
+    input  logic        half_i,  // with `load`: in its middle
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     output logic [15:0] phase_o,  // u0.16, VCO turns
     output logic        pulse_o  // one clock, the first of a new turn
 );
-  logic [31:0] phase;  // u0.32, VCO turns
+  logic [26:0] low;  // its lower 26 bits, and room for the carry
+  logic [5:0] high;  // the others
+  logic full;  // they are all ones: the next carry into them ends the turn
   logic pulse;  // the last addition passed a whole turn
 
   always_ff @(posedge clk) begin
     if (load_i) begin
-      phase <= {phase_i, 16'd0};
+      low <= 27'd0;
+      if (half_i) begin
+        high <= 6'd32;
+      end else begin
+        high <= 6'd0;
+      end
+      full <= 1'b0;
       pulse <= 1'b0;
     end else if (enable_i) begin
-      logic [32:0] sum;
-      sum = {1'b0, phase} + {7'd0, frequency_i};  // line 37
-      phase <= sum[31:0];
-      pulse <= sum[32];
+      logic [26:0] sum;
+      logic [1:0] choice_46;
+      sum = low + {1'b0, frequency_i};  // line 37
+      choice_46 = sum[26] ? 2'd2 : 2'd3;  // line 46
+      low <= {1'b0, sum[25:0]};
+      if (sum[26]) begin
+        high <= high + 6'd1;
+      end
+      full <= high == {{4{choice_46[1]}}, choice_46};
+      pulse <= sum[26] && full;
     end else begin
       pulse <= 1'b0;
     end
     if (rst) begin
-      phase <= 32'd0;
+      low <= 27'd0;
+      high <= 6'd0;
+      full <= 1'b0;
       pulse <= 1'b0;
     end
   end
 
-  assign phase_o = phase[31:16];
+  assign phase_o = {high, 10'd0} | {5'd0, low[26:16]};
   assign pulse_o = pulse;
 endmodule

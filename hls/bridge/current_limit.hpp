@@ -8,7 +8,7 @@
 // never did are counted: a shorted winding, or a shunt that lies.
 //
 //     latency      none from PWM to pulse; 1 clock from comparator to pulse
-//     registers    19 bits: one counter is blanking or off-time     multipliers  none
+//     registers    21 bits: one counter is blanking or off-time     multipliers  none
 //
 // Doc: docs/blocks/current_limit.md   Test: tests/hls/current_limit_test.cpp
 
@@ -37,10 +37,9 @@ class CurrentLimit {
     const bool on = in.on && !cut_;
     const Out out{.on = on, .hit = hit_, .stuck = stuck_};
 
-    const auto less = left_ - 1;
-    const bool heard = on && less.negative();
+    const bool heard = on && none_;
     const bool hit = heard && in.comparator && in.words.off_time != 0;
-    const bool cut_ends = cut_ && (left_ >> 1) == 0;
+    const bool cut_ends = cut_ && due_;
 
     if (cut_ends) {
       stuck_ = released_ || !in.comparator ? UInt<4>(0) : saturate<UInt<4>>(stuck_ + 1);
@@ -49,12 +48,19 @@ class CurrentLimit {
     }
     released_ = cut_ && (released_ || !in.comparator);
 
+    // Whether none is left is told by the counter's own steps: asking all its bits would take too long.
     if (hit) {
       left_ = in.words.off_time;
+      due_ = in.words.off_time < 2;
+      none_ = false;
     } else if (cut_ends || !(on || cut_)) {
       left_ = in.words.blanking;
+      due_ = in.words.blanking < 2;
+      none_ = in.words.blanking == 0;
     } else if (!heard) {
-      left_ = wrap<UInt<12>>(less);
+      due_ = due_ || left_ == 2;
+      none_ = left_ == 1;
+      left_ = wrap<UInt<12>>(left_ - 1);
     }
     cut_ = hit || (cut_ && !cut_ends);
     hit_ = hit;
@@ -66,7 +72,10 @@ class CurrentLimit {
     return !counts(on) ? ~std::uint64_t{0} : left_ < 2 ? 0 : left_.raw() - 1;
   }
   void skip(bool on, std::uint64_t clocks) {
-    if (counts(on)) left_ = UInt<12>::of(left_.raw() - clocks);
+    if (!counts(on)) return;
+    left_ = UInt<12>::of(left_.raw() - clocks);
+    due_ = left_ < 2;
+    none_ = left_ == 0;
   }
   bool operator==(const CurrentLimit&) const = default;
 
@@ -74,6 +83,8 @@ class CurrentLimit {
   bool counts(bool on) const { return cut_ || (on && left_ != 0); }
 
   UInt<12> left_ = 0;      // clocks of off-time (cut) or of blanking
+  bool due_ = true;        // of them 1 or none
+  bool none_ = true;       // none
   bool cut_ = false;       // off-time
   bool released_ = false;  // the comparator fell in this off-time
   bool hit_ = false;       // the first clock of an off-time

@@ -36,23 +36,26 @@ class GuardedLeg {
 
   Out tick(const In& in) {
     const Out out{.high = gate_.bit(kHigh), .low = gate_.bit(kLow)};
-    const bool none = in.off || in.high == in.low;
-    const Pair want = none ? Pair(0) : in.high ? Pair(1 << kHigh) : Pair(1 << kLow);
-    const bool steady = want == was_ && !none;
+    const bool high = in.high && !in.low;
+    const bool low = in.low && !in.high;
     const bool on = gate_ != 0;
     const bool due = (timer_ >> 1) == 0;
-
+    // The request comes late in the clock: all that does not wait for it is asked first.
+    const Pair same = on ? gate_ : was_;
+    const bool wanted = !in.off && ((high && same.bit(kHigh)) || (low && same.bit(kLow)));
+    const bool reloads = (!on && due) || (!wanted && (!on || in.off || due));
     const bool held = !in.off && !due;
-    const bool stays = on && (held || want == gate_);
-    const bool turns_on = !on && steady && due;
+    const bool ready = !in.off && (on || due);
+    const bool high_on = (held && gate_.bit(kHigh)) || (ready && high && same.bit(kHigh));
+    const bool low_on = (held && gate_.bit(kLow)) || (ready && low && same.bit(kLow));
 
-    if (on ? !stays : !steady || due) {
-      timer_ = turns_on ? in.minimum : in.dead_time;
+    if (reloads) {
+      timer_ = !on && wanted ? in.minimum : in.dead_time;
     } else if (!due) {
       timer_ = wrap<UInt<8>>(timer_ - 1);
     }
-    if (!stays) gate_ = turns_on ? want : Pair(0);
-    was_ = want;
+    gate_ = Pair(high_on) << kHigh | Pair(low_on) << kLow;
+    was_ = Pair(high && !in.off) << kHigh | Pair(low && !in.off) << kLow;
     return out;
   }
 

@@ -60,15 +60,16 @@ class PwmGenerator {
     if (begins) periods_ = ticks ? in.tick_periods : wrap<UInt<8>>(periods_ - 1);
 
     first_ = ending;
+    // In the end only its last bit is left, if any.  Loading by the adder keeps its carry chain in one piece where
+    // the period is a constant: flip-flops of constants that differ would want other resets, and other tiles.
+    left_ = wrap<Clocks>((left_ & ~Clocks(ending)) + (ending ? in.period : Clocks::max()));
     if (ending) {
       const auto rest = in.period - in.on_clocks;
-      left_ = in.period;
       pulse_ = in.on_clocks;
       lead_ = in.centred ? wrap<UInt<13>>(rest >> 1) : UInt<13>(0);
       waiting_ = in.on_clocks >= in.minimum;
       always_ = in.on_clocks >= in.minimum && rest < in.minimum;
     } else {
-      left_ = wrap<Clocks>(left_ - 1);
       if (counting) pulse_ = wrap<Clocks>(shorter_pulse);
       if (waiting_) lead_ = wrap<UInt<13>>(shorter_lead);
       if (rise) waiting_ = false;

@@ -181,6 +181,14 @@ template <class A, class B>
   requires Unlike<A, B>
 constexpr bool operator>=(A a, B b) { return Common<A, B>(a) >= Common<A, B>(b); }
 
+// a >= b of unsigned numbers, where a register holds ~b: its carry chain needs no inverter in front.
+template <int W>
+constexpr bool at_least(Bits<W, false> a, Bits<W, false> not_b) { return (a + not_b + Bits<1, false>(1)).bit(W); }
+
+// The same of signed numbers that were offset to unsigned ones: the sign's opposite in front.
+template <int W>
+constexpr Bits<W, false> offset(Bits<W, true> x) { return wrap<Bits<W, false>>(x) ^ (Bits<W, false>(1) << (W - 1)); }
+
 // Narrowing, by name.
 template <class To, int W, bool S>
 constexpr To wrap(Bits<W, S> x) { return To::of(x.raw()); }

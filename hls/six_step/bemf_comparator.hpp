@@ -15,7 +15,7 @@
 // (blanking, off-time) is halved instead of added.
 //
 //     latency      1 clock after the sample that decides
-//     registers    67 bits     multipliers  none
+//     registers    71 bits     multipliers  none
 //
 // Doc: docs/blocks/bemf_comparator.md   Test: tests/hls/bemf_comparator_test.cpp
 
@@ -56,19 +56,22 @@ class BemfComparator {
                   .freewheel = endless ? Phase::max() : freewheel_};
 
     const bool edge = in.chop != chop_ || in.commutate;
-    const bool due = (left_ >> 1) == 0;
+    const bool due = due_;
+    due_ = edge ? in.words.blanking < 2 : due ? in.words.sample_every < 2 : left_ == 2;
     left_ = edge  ? in.words.blanking
             : due ? UInt<10>(in.words.sample_every)
                   : wrap<UInt<10>>(left_ - 1);
     chop_ = in.chop;
 
+    const bool is_after = after(in);
+    floating_ = floating(in);  // a commutation's own clock takes no sample: there is time to look its step up
     crossing_ = false;
     if (in.commutate) {
       count_ = full(in);
       before_seen_ = found_ = false;
       if (endless) freewheel_ = Phase::max();
     } else if (due && !edge && allowed(in) && !found_) {
-      take(in, full(in));
+      take(in, full(in), is_after);
     }
     return out;
   }
@@ -83,11 +86,13 @@ class BemfComparator {
     const std::uint64_t first = left_ < 2 ? 1 : left_.raw();
     if (clocks < first) {
       left_ = UInt<10>::of(left_.raw() - clocks);
+      due_ = left_ < 2;
       return 0;
     }
     const std::uint64_t every = in.words.sample_every < 2 ? 1 : in.words.sample_every.raw();
     const std::uint64_t since = (clocks - first) % every;
     left_ = UInt<10>::of(in.words.sample_every.raw() - since);
+    due_ = left_ < 2;
     return allowed(in) && !found_ && !after(in) ? clocks - since : 0;
   }
   void remember(Phase phase) { before_ = phase; }
@@ -106,17 +111,29 @@ class BemfComparator {
     return after(in) ? count_ == full(in) && !before_seen_ : count_ == 0 && before_seen_;
   }
 
-  static bool after(const In& in) {
-    const bool floating = in.step == 0 || in.step == 3   ? in.w
-                          : in.step == 1 || in.step == 4 ? in.v
-                                                         : in.u;
-    // The crossing rises in the odd steps, and in the even ones when the rotor turns backwards.
-    return floating == (in.step.bit(0) != in.reverse);
+  // The floating phase of a step, and whether its crossing rises: in the odd steps, and in the even ones when
+  // the rotor turns backwards.
+  struct Floating {
+    bool u = false;
+    bool v = false;
+    bool w = false;
+    bool rises = false;
+    bool operator==(const Floating&) const = default;
+  };
+  static Floating floating(const In& in) {
+    return {.u = in.step != 0 && in.step != 3 && in.step != 1 && in.step != 4,
+            .v = in.step == 1 || in.step == 4,
+            .w = in.step == 0 || in.step == 3,
+            .rises = in.step.bit(0) != in.reverse};
+  }
+  bool after(const In& in) const {
+    return ((floating_.u && in.u) || (floating_.v && in.v) || (floating_.w && in.w)) == floating_.rises;
   }
 
-  void take(const In& in, UInt<4> full) {
-    if (after(in)) {
-      const bool last = count_ + 1 >= full;
+  void take(const In& in, UInt<4> full, bool after) {
+    if (after) {
+      // At its end or beyond: 15 is the end of whatever words came while it counted.
+      const bool last = count_ == wrap<UInt<4>>(full - 1) || count_ == full || count_ == UInt<4>::max();
       if (count_ == 0) place_ = (before_ + in.phase).slice<16, 1>();
       count_ = last ? full : wrap<UInt<4>>(count_ + 1);
       crossing_ = found_ = before_seen_ && last;
@@ -130,6 +147,8 @@ class BemfComparator {
     }
   }
 
+  bool due_ = true;           // left_ is 0 or 1
+  Floating floating_;         // of the step, a clock ago
   UInt<10> left_ = 0;         // clocks to the next sample
   bool chop_ = false;         // chop in the last clock
   UInt<4> count_ = 0;         // the filter: 0 is before the crossing

@@ -1,4 +1,4 @@
-// Commutation: step and PWM to six gate requests.
+// Commutation: the gates of a step and PWM to six gate requests.
 //
 //     step      0     1     2     3     4     5
 //     chopped   U+    U+    V+    V+    W+    W+      high side follows the PWM
@@ -15,6 +15,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/one_hot.hpp"
 
 namespace steplock {
 
@@ -34,34 +35,39 @@ struct Gates {
 class Commutation {
  public:
   struct In {
-    Pattern pattern = Pattern::kOff;  // kSettle is step 1, whatever `step` says
-    UInt<3> step = 0;                 // 0 to 5; 6 and 7 are off
+    OneHot<Pattern, 5> pattern = Pattern::kOff;
+    Gates legs;                       // the gates of the step; kSettle is step 1, whatever they say
     bool chop = false;                // PWM and current limit: on
     bool complementary = false;       // low side of a chopped leg on while chop is off
   };
 
   using Out = Gates;
 
-  Out tick(const In& in) {
-    const bool reset = in.pattern == Pattern::kReset;
-    const bool drive = in.pattern == Pattern::kDrive;
-    const UInt<3> step = in.pattern == Pattern::kSettle ? UInt<3>(1) : in.step;
-    const bool steps = drive || in.pattern == Pattern::kSettle;
+  // The two gates that conduct in a step, 0 to 5; 6 and 7 are off.  Known a clock before it, they wait in a register.
+  static Gates legs(UInt<3> step) {
+    return {.uh = step == 0 || step == 1,
+            .ul = step == 3 || step == 4,
+            .vh = step == 2 || step == 3,
+            .vl = step == 0 || step == 5,
+            .wh = step == 4 || step == 5,
+            .wl = step == 1 || step == 2};
+  }
 
-    const bool brake = in.pattern == Pattern::kBrake && in.chop;
-    const bool u_high = reset || (steps && (step == 0 || step == 1));
-    const bool v_high = reset || (steps && (step == 2 || step == 3));
-    const bool w_high = steps && (step == 4 || step == 5);
-    const bool u_low = steps && (step == 3 || step == 4);
-    const bool v_low = steps && (step == 0 || step == 5);
-    const bool w_low = reset || (steps && (step == 1 || step == 2));
+  Out tick(const In& in) {
+    const bool drive = in.pattern.holds(Pattern::kDrive);
+    const bool reset = in.pattern.holds(Pattern::kReset);
+    const bool settle = in.pattern.holds(Pattern::kSettle);
+    const bool brake = in.pattern.holds(Pattern::kBrake) && in.chop;
+    const bool u_high = reset || settle || (drive && in.legs.uh);
+    const bool v_high = reset || (drive && in.legs.vh);
+    const bool w_high = drive && in.legs.wh;
     const bool freewheel = in.complementary && !in.chop;
     return {.uh = u_high && in.chop,
-            .ul = u_low || brake || (u_high && freewheel),
+            .ul = (drive && in.legs.ul) || brake || (u_high && freewheel),
             .vh = v_high && in.chop,
-            .vl = v_low || brake || (v_high && freewheel),
+            .vl = (drive && in.legs.vl) || brake || (v_high && freewheel),
             .wh = w_high && in.chop,
-            .wl = w_low || brake || (w_high && freewheel)};
+            .wl = reset || settle || (drive && in.legs.wl) || brake || (w_high && freewheel)};
   }
 
   bool operator==(const Commutation&) const = default;

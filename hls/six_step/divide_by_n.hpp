@@ -45,26 +45,30 @@ class DivideByN {
     Phase phase = 0;         // u0.16, turns of one step
     bool commutate = false;  // one clock, the first of a new step
     bool elapsed = false;    // one clock: a step's worth of VCO turns is over, even if held
-    bool turn = false;       // the divided VCO signal: high in the first half electrical turn
+    Step turned = 0;         // the step, but for a load in this clock: ready before it
     bool operator==(const Out&) const = default;
   };
 
   Out tick(const In& in) {
     const UInt<3> last = in.divide == 3 ? 7 : in.divide == 2 ? 3 : in.divide == 1 ? 1 : 0;
     const bool elapsed = !in.load && in.pulse && sub_ >= last;
+    const Step turned = in.pulse && sub_ >= last && !in.hold ? next_step(step_, in.reverse) : step_;
     if (in.load) {
       step_ = in.step;
       sub_ = in.half ? wrap<UInt<3>>((last + 1) >> 1) : UInt<3>(0);
     } else if (in.pulse) {
-      if (elapsed && !in.hold) step_ = next_step(step_, in.reverse);
+      step_ = turned;
       sub_ = elapsed ? UInt<3>(0) : wrap<UInt<3>>(sub_ + 1);
     }
     return {.step = step_,
             .phase = step_phase(in.phase, in.divide),
             .commutate = in.load || (elapsed && !in.hold),
             .elapsed = elapsed,
-            .turn = step_ < 3};
+            .turned = turned};
   }
+
+  // The divided VCO signal: high in the first half electrical turn.
+  static bool turn(Step step) { return step < 3; }
 
   // Turns of the step at a phase of the VCO.
   Phase step_phase(Phase phase, UInt<2> divide) const {

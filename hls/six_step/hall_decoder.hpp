@@ -13,7 +13,7 @@
 // step back to the last sector and the return from there are no moves; a second step back is one.
 //
 //     latency      hold + 2 clocks from the pins' synchronisers to the outputs
-//     registers    22 bits     multipliers  none
+//     registers    23 bits     multipliers  none
 //
 // Doc: docs/blocks/hall_decoder.md   Test: tests/hls/hall_decoder_test.cpp
 
@@ -48,7 +48,7 @@ class HallDecoder {
                   .reverse = reverse_,
                   .jumped = jumped_};
     const Decoded decoded = decode(code_);
-    const bool accept = left_ == 0;
+    const bool accept = stood_;
     const bool up = decoded.sector == (sector_ == 5 ? UInt<3>(0) : wrap<UInt<3>>(sector_ + 1));
     const bool down = sector_ == (decoded.sector == 5 ? UInt<3>(0)
                                                       : wrap<UInt<3>>(decoded.sector + 1));
@@ -68,7 +68,9 @@ class HallDecoder {
     const UInt<3> code = (UInt<3>(in.u) << 2) | (UInt<3>(in.v) << 1) | UInt<3>(in.w);
     if (code != code_) {
       left_ = in.hold;
-    } else if (left_ != 0) {
+      stood_ = in.hold == 0;
+    } else if (!stood_) {
+      stood_ = left_ == 1;
       left_ = wrap<UInt<10>>(left_ - 1);
     }
     code_ = code;
@@ -79,6 +81,7 @@ class HallDecoder {
   std::uint64_t quiet() const { return left_ == 0 ? ~std::uint64_t{0} : left_.raw(); }
   void skip(std::uint64_t clocks) {
     if (left_ != 0) left_ = UInt<10>::of(left_.raw() - clocks);
+    stood_ = left_ == 0;
   }
   bool operator==(const HallDecoder&) const = default;
 
@@ -102,6 +105,7 @@ class HallDecoder {
 
   UInt<3> code_ = 0;      // u v w, one clock ago
   UInt<10> left_ = 0;     // clocks until the code counts
+  bool stood_ = true;     // none: it counts
   UInt<3> sector_ = 0;    // 0 to 5: of the last legal code
   bool legal_ = false;    // of the last code that counted
   bool moved_ = false;    // one clock: to a neighbour, in earnest

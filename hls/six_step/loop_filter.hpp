@@ -18,13 +18,14 @@
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
 //     latency      24 clocks per product: about 150 from update to frequency; an update that comes
 //                  while busy is passed over
-//     registers    about 195 bits     multipliers  none (one serial)
+//     registers    about 280 bits     multipliers  none (one serial)
 //
 // Doc: docs/blocks/loop_filter.md   Test: tests/hls/loop_filter_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/one_hot.hpp"
 #include "hls/numeric/serial_multiplier.hpp"
 #include "hls/six_step/words.hpp"
 
@@ -64,35 +65,42 @@ class LoopFilter {
 
   Out tick(const In& in) {
     const Out out{.frequency = y_.slice<29, 4>(),
-                  .fast = fast_,
+                  .fast = shown_ ? !below_ : fast_,
                   .slow = slow_,
-                  .busy = stage_ != Stage::kIdle};
-    const bool multiplies = stage_ >= Stage::kDelay && stage_ <= Stage::kKeep;
-    const auto product = multiplier_.tick({.start = multiplies && !started_,
+                  .busy = !at_.holds(Stage::kIdle)};
+    const bool bounds = at_.holds_one_of(Stage::kLow, Stage::kHigh, Stage::kSlow, Stage::kOut);
+    const bool multiplies = !bounds && !at_.holds(Stage::kIdle);
+    const auto product = multiplier_.tick({.start = starts_,
                                            .a = multiplicand(),
                                            .b = factor(in)});
-    const Frequency limit = bound(in);
-    const bool below = wrap<Int<30>>(work_ >> 4) < limit;
-    if (in.loop == Loop::kStop) {
+    const bool track = loop_ == Loop::kTrack;
+    const bool ticks = loop_ == Loop::kRamp || (track && in.bandwidth == Bandwidth::kPerSecond);
+    const bool below = !at_least(offset(wrap<Int<30>>(work_ >> 4)), UInt<30>(not_limit_));
+    work(in, product.product, product.done);
+    bound(in, below);
+    const bool begins = ticks ? in.tick : in.update;
+    const bool goes = at_.holds(Stage::kIdle) ? begins : bounds || product.done;
+    starts_ = goes && (at_.holds_one_of(Stage::kIdle, Stage::kDelay, Stage::kScale, Stage::kProportional, Stage::kPole) ||
+                       (at_.holds(Stage::kIntegral) && track));
+    if (goes) {
+      at_ = at_.holds(Stage::kIntegral) && !track ? Stages(Stage::kLow) : at_.next();
+    }
+    if (loop_ == Loop::kStop) {
       x_ = 0;
       y_ = 0;
-      fast_ = slow_ = at_top_ = at_bottom_ = started_ = false;
-      stage_ = Stage::kIdle;
-    } else if (multiplies) {
-      started_ = !product.done;
-      if (product.done) add(in, product.product);
-    } else {
-      finish(in, limit, below);
+      fast_ = slow_ = shown_ = at_top_ = at_bottom_ = starts_ = false;
+      at_ = Stage::kIdle;
     }
+    loop_ = in.loop;
     return out;
   }
 
   // Quiet clocks (docs/theory.md): without a strobe, until a product is complete, and that many at once.
   std::uint64_t quiet() const {
-    return stage_ == Stage::kIdle ? ~std::uint64_t{0} : started_ ? multiplier_.quiet() : 0;
+    return at_.holds(Stage::kIdle) ? ~std::uint64_t{0} : !starts_ ? multiplier_.quiet() : 0;
   }
   void skip(std::uint64_t clocks) {
-    if (stage_ != Stage::kIdle) multiplier_.skip(multiplicand(), clocks);
+    if (!at_.holds(Stage::kIdle)) multiplier_.skip(multiplicand(), clocks);
   }
   bool operator==(const LoopFilter&) const = default;
 
@@ -102,51 +110,59 @@ class LoopFilter {
   enum class Stage : std::uint8_t {
     kIdle, kDelay, kScale, kIntegral, kProportional, kPole, kKeep, kLow, kHigh, kSlow, kOut
   };
+  using Stages = OneHot<Stage, 11>;
 
   Work multiplicand() const {
-    return stage_ == Stage::kDelay || stage_ == Stage::kKeep ? Work(y_) : work_;
+    return at_.holds_one_of(Stage::kDelay, Stage::kKeep) ? Work(y_) : work_;
   }
 
   UInt<22> factor(const In& in) const {
-    const bool track = in.loop == Loop::kTrack;
+    const bool track = loop_ == Loop::kTrack;
     const UInt<15> pole = in.pole.slice<15, 1>();
-    switch (stage_) {
-      case Stage::kDelay: return track ? in.delay : UInt<10>(0);
-      case Stage::kScale:
-        return in.loop == Loop::kRamp ? UInt<22>(in.ramp)
-               : track && in.bandwidth == Bandwidth::kPerSecond ? in.scale.slice<25, 4>()
-                                                                : y_.slice<29, 8>();
-      case Stage::kIntegral:
-        return track ? in.ki : smooth(in) ? UInt<16>(0x1000) : UInt<16>(0x4000);
-      case Stage::kProportional: return in.kp;
-      case Stage::kPole: return pole;
-      default: return wrap<UInt<15>>(UInt<15>(0x4000) - pole);
+    if (at_.holds(Stage::kDelay)) return track ? in.delay : UInt<10>(0);
+    if (at_.holds(Stage::kScale)) {
+      return loop_ == Loop::kRamp ? UInt<22>(in.ramp)
+             : track && in.bandwidth == Bandwidth::kPerSecond ? in.scale.slice<25, 4>()
+                                                              : y_.slice<29, 8>();
     }
+    if (at_.holds(Stage::kIntegral)) {
+      return track ? in.ki : smooth(in) ? UInt<16>(0x1000) : UInt<16>(0x4000);
+    }
+    if (at_.holds(Stage::kProportional)) return in.kp;
+    return at_.holds(Stage::kPole) ? pole : wrap<UInt<15>>(UInt<15>(0x4000) - pole);
   }
 
   // Hall sensors stand a few degrees off: small errors count for a quarter, large ones are real.
-  static bool smooth(const In& in) {
-    return in.loop == Loop::kHall && in.error < 0x4000 && in.error >= -0x4000;
+  bool smooth(const In& in) const {
+    return loop_ == Loop::kHall && in.error < 0x4000 && in.error >= -0x4000;
   }
 
   // A product's turn to be added, all with 14 bits to drop: e' has 22 fraction bits, the rest 36.
-  void add(const In& in, Int<56> product) {
-    const bool ramp = in.loop == Loop::kRamp;
-    const PhaseError error = ramp ? ramp_error(in.gentle) : in.error;
-    const Work base = stage_ == Stage::kDelay ? wrap<Work>(Work(error) << 6)
-                      : stage_ == Stage::kIntegral || stage_ == Stage::kProportional ? x_
-                      : stage_ == Stage::kKeep ? work_
-                                               : Work(0);
-    const Work sum = wrap<Work>(base + wrap<Work>(product >> 14));
-    const bool integral = stage_ == Stage::kIntegral;
-    const bool track = in.loop == Loop::kTrack;
+  // A bound that is passed is taken in the clock after it was compared with.
+  void work(const In& in, Int<56> product, bool done) {
+    const bool track = loop_ == Loop::kTrack;
+    const Work sum = wrap<Work>(base_ + wrap<Work>(product >> 14));
+    // A product takes longer than a clock: there is time to fetch what it will be added to.
+    base_ = at_.holds_one_of(Stage::kDelay, Stage::kKeep)              ? work_
+            : at_.holds_one_of(Stage::kIntegral, Stage::kProportional) ? x_
+                                                                       : Work(0);
+    const bool integrates = at_.holds(Stage::kIntegral) && track;
     const bool winds_up = work_.negative() ? at_bottom_ : at_top_;
-    if (integral && track) {
-      if (!winds_up) x_ = sum;
-    } else {
-      work_ = sum;
+    if (done && integrates && !winds_up) {
+      x_ = sum;
+    } else if (at_.holds(Stage::kOut) && !track) {
+      x_ = work_;
     }
-    stage_ = integral && !track ? Stage::kLow : next(stage_);
+    if (at_.holds(Stage::kOut)) y_ = wrap<UInt<30>>(work_);
+    if (done && !integrates) {
+      work_ = sum;
+    } else if (at_.holds(Stage::kIdle)) {
+      work_ = Work(loop_ == Loop::kRamp ? ramp_error(in.gentle) : in.error) << 6;
+    } else if (at_.holds(Stage::kHigh) && below_) {
+      work_ = wrap<Work>(UInt<30>(least(in)) << 4);
+    } else if (at_.holds(Stage::kSlow) && !below_) {
+      work_ = wrap<Work>(UInt<30>(in.maximum) << 4);
+    }
   }
 
   // 1/16 of a turn stands for the whole ramp.
@@ -157,56 +173,39 @@ class LoopFilter {
                          : PhaseError(0x40);
   }
 
-  static Stage next(Stage stage) { return static_cast<Stage>(static_cast<int>(stage) + 1); }
-
   // A ramp begins at standstill.
-  Frequency bound(const In& in) const {
-    switch (stage_) {
-      case Stage::kLow: return in.loop == Loop::kRamp ? Frequency(0) : in.minimum;
-      case Stage::kHigh: return in.maximum;
-      case Stage::kSlow: return in.stall;
-      default: return in.hand_over;
-    }
+  Frequency least(const In& in) const {
+    return loop_ == Loop::kRamp ? Frequency(0) : in.minimum;
   }
 
-  void finish(const In& in, Frequency limit, bool below) {
-    const bool ticks = in.loop == Loop::kRamp ||
-                       (in.loop == Loop::kTrack && in.bandwidth == Bandwidth::kPerSecond);
-    const bool outside = (stage_ == Stage::kLow && below) || (stage_ == Stage::kHigh && !below);
-    if (outside) work_ = wrap<Work>(UInt<30>(limit) << 4);
-    switch (stage_) {
-      case Stage::kIdle:
-        if (ticks ? in.tick : in.update) stage_ = Stage::kDelay;
-        break;
-      case Stage::kLow:
-        at_bottom_ = outside;
-        stage_ = Stage::kHigh;
-        break;
-      case Stage::kHigh:
-        at_top_ = outside;
-        stage_ = Stage::kSlow;
-        break;
-      case Stage::kSlow:
-        slow_ = below;
-        stage_ = Stage::kOut;
-        break;
-      default:
-        y_ = wrap<UInt<30>>(work_);
-        if (in.loop != Loop::kTrack) x_ = work_;
-        fast_ = !below;
-        stage_ = Stage::kIdle;
-        break;
-    }
+  // What a stage compares with is chosen in the one before.
+  void bound(const In& in, bool below) {
+    if (at_.holds(Stage::kHigh)) at_bottom_ = below_;
+    if (at_.holds(Stage::kSlow)) at_top_ = !below_;
+    if (at_.holds(Stage::kOut)) slow_ = below_;
+    if (shown_) fast_ = !below_;
+    shown_ = at_.holds(Stage::kOut);
+    below_ = below;
+    const Frequency limit = at_.holds_one_of(Stage::kIntegral, Stage::kKeep) ? least(in)
+             : at_.holds(Stage::kLow)                         ? in.maximum
+             : at_.holds(Stage::kHigh)                        ? in.stall
+                                                              : in.hand_over;
+    not_limit_ = ~UInt<29>(limit);
   }
 
   SerialMultiplier<34, 22> multiplier_;
-  Stage stage_ = Stage::kIdle;
-  bool started_ = false;    // the stage's product is under way
-  Work work_ = 0;           // e', p, v, and the next y
+  Stages at_ = Stage::kIdle;
+  bool starts_ = false;     // this is the first clock of a product
+  Work base_ = 0;           // what the product is added to
+  Loop loop_ = Loop::kStop; // a clock ago
+  Work work_ = 0;           // the error, e', p, v, and the next y
   Work x_ = 0;              // s-2.36, the integrator
   UInt<30> y_ = 0;          // u0.36, behind the pole
+  UInt<29> not_limit_ = 0;  // complement of what this stage compares with
   bool fast_ = false;
   bool slow_ = false;
+  bool below_ = false;      // the last clock's comparison: less
+  bool shown_ = false;      // y is new, and whether it is fast still in below_
   bool at_top_ = false;     // the output stands at a limit
   bool at_bottom_ = false;
 };

@@ -16,8 +16,8 @@
 // interval; two turns without a change count as a miss, with the VCO too fast.
 //
 //     error        s0.16 of a step, held until the next update
-//     latency      1 clock: all outputs are registers but `good`, one comparison behind them
-//     registers    23 bits     multipliers  none
+//     latency      1 clock: outputs are registers, but for `error`'s bounds and `good`'s comparison behind one
+//     registers    42 bits     multipliers  none
 //
 // Doc: docs/blocks/phase_detector.md   Test: tests/hls/phase_detector_test.cpp
 
@@ -58,11 +58,10 @@ class PhaseDetector {
   };
 
   Out tick(const In& in) {
-    const Phase magnitude = wrap<Phase>(error_.negative() ? ~error_ : error_);
-    const Phase window = in.watch == Evidence::kSectors ? Phase(0x2000) : in.window;
-    const Out out{.error = error_,
+    const UInt<17> magnitude = wrap<UInt<17>>(error_.negative() ? ~error_ : error_);
+    const Out out{.error = saturate<PhaseError>(error_),
                   .update = update_,
-                  .good = update_ && !missed_ && magnitude < window,
+                  .good = update_ && !missed_ && !at_least(magnitude, not_window_),
                   .missed = missed_,
                   .hurries = hurries_};
 
@@ -74,7 +73,7 @@ class PhaseDetector {
     if (update_) {
       const bool hid = crossings && missed_ && !before_;
       hurries_ = hid && (hid_ || error_ >= kLead);
-      error_ = saturate<PhaseError>(place(in) - found(in));
+      error_ = wrap<Int<18>>(place(in) - found(in));
       hid_ = hid;
     }
 
@@ -92,34 +91,38 @@ class PhaseDetector {
       answered_ = true;
     }
     before_ = in.before_seen;
+    not_window_ = ~UInt<17>(sectors ? Phase(0x2000) : in.window);
     return out;
   }
 
   bool operator==(const PhaseDetector&) const = default;
 
  private:
-  // Error = place - found; both are turns of one step.  A miss has missed_ set by now.
+  // Error = place - found; both are turns of one step.  An update in the clock of a commutation is a miss, and
+  // asking for no more than that leaves the adder its time.
   UInt<17> place(const In& in) const {
     // A change in the very clock in which the turn ends, as often happens in lock, comes after it.
     const bool turned = turned_ || in.elapsed;
     if (in.watch == Evidence::kSectors) return turned ? UInt<17>(0) : UInt<17>(0x10000);
-    return !missed_ || before_ ? in.expected : hid_ || error_ >= kFarLead ? in.lead_error : Phase(0);
+    return !in.commutate || before_ ? in.expected : hid_ || far_lead() ? in.lead_error : Phase(0);
   }
   Phase found(const In& in) const {
-    if (in.watch == Evidence::kSectors) return missed_ ? Phase(0x8000) : in.phase;
-    return !missed_ ? in.crossing_phase : before_ ? Phase::max() : Phase(0);
+    if (in.watch == Evidence::kSectors) return in.elapsed && turned_ ? Phase(0x8000) : in.phase;
+    return !in.commutate ? in.crossing_phase : before_ ? Phase::max() : Phase(0);
   }
+  bool far_lead() const { return error_ >= kFarLead; }
 
   static constexpr PhaseError kLead = 0x1000;     // s0.16: as under hard acceleration
   static constexpr PhaseError kFarLead = 0x2000;  // so far that the next crossing can be gone
 
-  PhaseError error_ = 0;  // s0.16
+  Int<18> error_ = 0;     // s2.16: what is shown stops at its limits
   bool update_ = false;
   bool missed_ = false;
   bool answered_ = true;  // this step has had its crossing, or needs none
   bool before_ = false;   // before_seen, from the step that a commutation ends
   bool hid_ = false;      // the last update was of a step on the level after
   bool hurries_ = false;  // and the rotor led before it; until the next update
+  UInt<17> not_window_ = 0;  // complement of u0.16: errors below that are good
   bool turned_ = false;   // following: a whole turn since the last change or miss
 };
 

@@ -22,7 +22,7 @@
 // The first four end a try (`lost`), the last two end the drive (`fatal`), whatever it is doing.
 //
 //     latency      none: the verdict stands in the clock of its cause
-//     registers    24 bits     multipliers  none
+//     registers    35 bits     multipliers  none
 //
 // Doc: docs/blocks/protection.md   Test: tests/hls/protection_test.cpp
 
@@ -65,21 +65,43 @@ class Protection {
 
     Out out;
     out.freewheel_long = in.commutate && freewheels_long;
+    // What this step adds is known late in the clock, and waits for the next one; the verdict does not.
+    const bool strikes = in.missed || (in.update && !in.good && !in.hall);
+    const bool heavy = in.missed && in.lags;
+    const bool step_out = in.running && (ended_ || (heavy && four_end_) || (strikes && one_ends_));
+    ended_ = in.words.misses != 0 && score_ >= in.words.misses;
+    four_end_ = in.words.misses != 0 && score_ + 4 >= in.words.misses;
+    one_ends_ = in.words.misses != 0 && score_ + 1 >= in.words.misses;
+    const bool wrong_tick = in.tick && (in.slips || long_);
+    const bool wrong = in.running && in.words.wrong_lock != 0 && (none_left_ || (wrong_tick && few_left_));
+    const bool stall = in.running && (slow_ == 6 || (in.commutate && in.slow && slow_ == 5));
+    const bool no_code = in.tick && in.hall && in.hall_illegal;
+    const bool hall = in.running && ((hall_ == 2 && !in.tick) || (no_code && hall_ != 0));
+    const bool none_left = wrong_ == 0;
+    const bool few_left = wrong_ <= 2;
+    const bool all_left = wrong_ >= in.words.wrong_lock;
     if (in.running) {
+      score_ = wrap<UInt<7>>(strikes_ != 0        ? score_ + strikes_
+                             : credit_ && score_ != 0 ? score_ - 1
+                                                      : Int<9>(score_));
+      strikes_ = heavy ? UInt<3>(4) : UInt<3>(strikes);
+      credit_ = in.good;
       watch_steps(in);
-      if (in.tick) watch_time(in, in.slips || freewheels_long);
+      if (in.tick) watch_time(in, in.slips || long_);
     } else {
       score_ = 0;
+      strikes_ = 0;
+      credit_ = false;
       slow_ = 0;
       wrong_ = in.words.wrong_lock;
       hall_ = 0;
     }
 
+    long_ = freewheels_long;
+    none_left_ = none_left;
+    few_left_ = few_left;
+    all_left_ = all_left;
     const bool over_current = in.words.over_current != 0 && in.stuck >= in.words.over_current;
-    const bool step_out = in.words.misses != 0 && score_ >= in.words.misses;
-    const bool stall = slow_ == 6;
-    const bool wrong = in.words.wrong_lock != 0 && wrong_ == 0;
-    const bool hall = hall_ == 2;
     out.fatal = in.fault_pin || over_current;
     out.lost = step_out || stall || wrong || hall;
     out.reason = in.fault_pin   ? Reason::kFaultPin
@@ -96,12 +118,6 @@ class Protection {
 
  private:
   void watch_steps(const In& in) {
-    const bool far = in.update && !in.good && !in.hall;
-    if (in.missed || far) {
-      score_ = wrap<UInt<7>>(score_ + (in.missed && in.lags ? UInt<3>(4) : UInt<3>(1)));
-    } else if (in.good && score_ != 0) {
-      score_ = wrap<UInt<7>>(score_ - 1);
-    }
     if (in.commutate) {
       if (!in.slow) {
         slow_ = 0;
@@ -113,8 +129,8 @@ class Protection {
 
   void watch_time(const In& in, bool wrong) {
     if (wrong) {
-      wrong_ = wrong_ > 2 ? wrap<Ticks>(wrong_ - 2) : Ticks(0);
-    } else if (wrong_ < in.words.wrong_lock) {
+      wrong_ = few_left_ ? Ticks(0) : wrap<Ticks>(wrong_ - 2);
+    } else if (!all_left_) {
       wrong_ = wrap<Ticks>(wrong_ + 1);
     }
     if (!in.hall || !in.hall_illegal) {
@@ -124,9 +140,18 @@ class Protection {
     }
   }
 
-  UInt<7> score_ = 0;  // of missed and far crossings
+  UInt<7> score_ = 0;     // of missed and far crossings, but for the last
+  UInt<3> strikes_ = 0;   // the last one's
+  bool credit_ = false;   // the last one was good
+  bool ended_ = false;    // the score is enough
+  bool one_ends_ = false;   // one more would be
+  bool four_end_ = false;   // four more would be
+  bool long_ = false;     // freewheeling stood for too long a clock ago
   UInt<3> slow_ = 0;   // slow steps in a row
   Ticks wrong_ = Ticks::max();  // ticks left of those that may look like a wrong lock
+  bool none_left_ = false;  // wrong_ a clock ago, which ticks are long enough apart for: 0
+  bool few_left_ = false;   // 2 or less
+  bool all_left_ = true;    // all of them
   UInt<2> hall_ = 0;   // ticks in a row with an illegal code
 };
 

@@ -9,8 +9,8 @@
 // until its cause is gone.
 //
 //     fault pin to all six gates off    3 clocks, as without this block around it
-//     `run` low to the drive            2 clocks, all gates off another 2 when it coasts
-//     registers    28 bits beyond the drive's     multipliers  none
+//     `run` low to the drive            3 clocks, all gates off another 2 when it coasts
+//     registers    30 bits beyond the drive's     multipliers  none
 //
 // Doc: docs/blocks/six_step_bare.md   Test: tests/hls/six_step_bare_test.cpp
 
@@ -43,19 +43,19 @@ class SixStepBare {
   };
 
   Out tick(const In& in) {
-    const bool takes = bounce_ == Bounce(0);
-    const bool run = taken_.run && second_.run;
     Words words = in.words;
     words.speed.target = target(in.words);
     const auto drive = drive_.tick({.pins = in.pins,
                                     .command = {.configured = true,
-                                                .run = run,
+                                                .run = run_,
                                                 .reverse = taken_.reverse,
                                                 .brake_to_stop = in.brake_to_stop,
-                                                .clear_fault = takes && !run},
+                                                .clear_fault = takes_ && !run_},
                                     .words = words});
-    if (takes) taken_ = second_;
+    run_ = taken_.run && second_.run;
+    if (takes_) taken_ = second_;
     taken_.run = taken_.run && second_.run;
+    takes_ = bounce_ == Bounce(0);
     bounce_ = wrap<Bounce>(bounce_ + 1);
     second_ = first_;
     first_ = in.controls;
@@ -88,6 +88,8 @@ class SixStepBare {
   Controls first_;   // two flip-flops for each pin; nothing but the second reads the first
   Controls second_;
   Controls taken_;   // what the drive is told
+  bool run_ = false;    // and whether to run
+  bool takes_ = false;  // the pins are taken in this clock
   Bounce bounce_ = 0;
 };
 

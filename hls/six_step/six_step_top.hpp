@@ -140,10 +140,9 @@ class SixStepTop {
                                       .hand_over = words.start.hand_over,
                                       .stall = words.protection.stall});
     const bool load = start.load_step || new_sector;
-    const bool half_turn = start.load_step && words.loop.divide == 0;
     const auto vco = vco_.tick({.enable = start.turn_vco,
                                 .load = load,
-                                .phase = half_turn ? Phase(0x8000) : Phase(0),
+                                .half = start.load_step && words.loop.divide == 0,
                                 .frequency = filter.frequency});
     divided_ = divide_.tick({.pulse = vco.pulse,
                              .phase = vco.phase,
@@ -153,6 +152,9 @@ class SixStepTop {
                              .load = load,
                              .step = start.load_step ? start.step : hall_step,
                              .half = start.load_step});
+
+    // A step that follows the sectors drives no gate: they wait for the next one.
+    const Gates legs = Commutation::legs(start.load_step ? start.step : divided_.turned);
 
     const auto speed = speed_.tick({.tick = tick_,
                                     .mode = start.mode,
@@ -172,7 +174,7 @@ class SixStepTop {
     const auto limit =
         limit_.tick({.on = pwm.on, .comparator = pins.limit, .words = words.limit});
     const auto request = commutation_.tick({.pattern = start.pattern,
-                                            .step = step,
+                                            .legs = hall ? Commutation::legs(hall_step) : legs_,
                                             .chop = limit.on,
                                             .complementary = words.pwm.complementary});
     const auto gates = guard_.tick({.request = request,
@@ -203,6 +205,7 @@ class SixStepTop {
                                          .limit_hit = limit.hit,
                                          .retry = start.failed});
 
+    legs_ = legs;
     tick_ = pwm.tick;
     chop_ = limit.on;
     limited_ = limit.hit;
@@ -223,7 +226,7 @@ class SixStepTop {
             .step = step,
             .chop = limit.on,
             .commutate = divider.commutate,
-            .turn = divider.turn,
+            .turn = DivideByN::turn(divider.step),
             .frequency = filter.frequency,
             .step_phase = divider.phase,
             .phase_error = detector.error,
@@ -259,6 +262,7 @@ class SixStepTop {
   bool chop_ = false;
   bool limited_ = false;
   DivideByN::Out divided_;
+  Gates legs_;  // of its step
   bool fast_ = false;
   bool update_ = false;
   bool good_ = false;

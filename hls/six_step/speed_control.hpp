@@ -19,13 +19,14 @@
 //
 //     latency      at most 140 clocks after the tick, with shift 15; a tick that comes earlier is
 //                  passed over
-//     registers    about 240 bits     multipliers  none (one serial)
+//     registers    about 285 bits     multipliers  none (one serial)
 //
 // Doc: docs/blocks/speed_control.md   Test: tests/hls/speed_control_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/one_hot.hpp"
 #include "hls/numeric/serial_multiplier.hpp"
 #include "hls/six_step/words.hpp"
 
@@ -56,167 +57,174 @@ class SpeedControl {
 
   Out tick(const In& in) {
     const Out out{.duty = duty_, .on_clocks = on_clocks_, .slips = slips_};
-    const bool of_error = stage_ == Stage::kIntegral || stage_ == Stage::kProportional;
-    const bool of_duty = stage_ == Stage::kOnClocks;
-    const bool multiplies = of_error || of_duty || stage_ == Stage::kBemf;
-    const auto product = multiplier_.tick({.start = multiplies && !started_,
+    const bool control = control_;
+    const bool of_duty = at_.holds(Stage::kOnClocks);
+    const bool multiplies = of_error_ || of_duty || at_.holds(Stage::kBemf);
+    const auto product = multiplier_.tick({.start = starts_,
                                            .a = multiplicand(in.frequency),
                                            .b = factor(in),
                                            .shift = of_duty ? UInt<4>(0) : in.words.shift});
-    const bool integrated = stage_ == Stage::kIntegral && product.done;
-    if (multiplies) {
-      started_ = !product.done;
-      if (product.done) add(in, wrap<Int<32>>(product.product));
-    } else {
-      advance(in);
-    }
+    const bool integrated = at_.holds(Stage::kIntegral) && product.done;
     // A cut counts until an integral has seen it.
-    limited_ = in.limited || (limited_ && !integrated && in.mode == SpeedMode::kControl);
+    const bool limited = limited_;
+    limited_ = in.limited || (limited_ && !integrated && control);
+
+    slew(in, control);
+    work(in, wrap<Int<32>>(product.product), product.done, limited);
+    whole_ = at_.holds_one_of(Stage::kAdd, Stage::kProportional);
+    alone_ = in.mode == SpeedMode::kFixed || at_.holds(Stage::kAdd);
+    control_ = in.mode == SpeedMode::kControl;
+    of_error_ = at_.holds_one_of(Stage::kSlip, Stage::kWholeHigh) || (of_error_ && !product.done);
+    starts_ = at_.holds_one_of(Stage::kReach, Stage::kSlip, Stage::kWholeHigh, Stage::kDuty);
+    const bool idle = at_.holds(Stage::kIdle);
+    if (idle ? in.tick : !multiplies || product.done) {
+      at_ = !control && at_.holds(Stage::kBemf)   ? Stages(Stage::kHigh)
+            : !control && at_.holds(Stage::kHigh) ? Stages(Stage::kDuty)
+                                                  : at_.next();
+    }
     return out;
   }
 
   // Quiet clocks (docs/theory.md): without a strobe, until a product is complete, and that many at once.
   std::uint64_t quiet() const {
-    return stage_ == Stage::kIdle ? ~std::uint64_t{0} : started_ ? multiplier_.quiet() : 0;
+    return at_.holds(Stage::kIdle) ? ~std::uint64_t{0} : !starts_ ? multiplier_.quiet() : 0;
   }
   void skip(Frequency frequency, std::uint64_t clocks) {
-    if (stage_ != Stage::kIdle) multiplier_.skip(multiplicand(frequency), clocks);
+    if (!at_.holds(Stage::kIdle)) multiplier_.skip(multiplicand(frequency), clocks);
   }
   bool operator==(const SpeedControl&) const = default;
 
  private:
   // Reference, then product by product; bounds stand behind what they bound.
   enum class Stage : std::uint8_t {
-    kIdle, kSlew, kReach, kBemf, kSlip, kIntegral, kWhole, kWholeLow, kWholeHigh, kKeep,
+    kIdle, kSlew, kReach, kBemf, kSlip, kIntegral, kAdd, kWhole, kWholeLow, kWholeHigh,
     kProportional, kLow, kHigh, kUp, kDown, kDuty, kOnClocks
   };
+  using Stages = OneHot<Stage, 17>;
+  using Limit = UInt<17>;
   using Work = Int<21>;  // s5.15: kp e alone may be 16 times the full duty
-
-  static Stage next(Stage stage) {
-    if (stage >= Stage::kOnClocks) return Stage::kIdle;
-    return static_cast<Stage>(static_cast<int>(stage) + 1);
-  }
 
   // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
   Int<27> multiplicand(Frequency frequency) const {
-    const bool of_error = stage_ == Stage::kIntegral || stage_ == Stage::kProportional;
-    const bool of_duty = stage_ == Stage::kOnClocks;
+    const bool of_duty = at_.holds(Stage::kOnClocks);
     const Int<27> speed = frequency;
-    return wrap<Int<27>>((of_error  ? wrap<Int<27>>(reference_)
-                          : of_duty ? Int<27>(duty_)
-                                    : Int<27>(0)) +
-                         (of_error  ? ~speed
-                          : of_duty ? Int<27>(0)
-                                    : speed));
+    return wrap<Int<27>>((of_error_ ? wrap<Int<27>>(reference_)
+                          : of_duty  ? Int<27>(duty_)
+                                     : Int<27>(0)) +
+                         (of_error_ ? ~speed
+                          : of_duty  ? Int<27>(0)
+                                     : speed));
   }
 
   UInt<16> factor(const In& in) const {
-    switch (stage_) {
-      case Stage::kBemf:
-        return in.mode == SpeedMode::kControl ? in.words.loaded : in.words.bemf;
-      case Stage::kIntegral: return in.words.ki;
-      case Stage::kProportional: return in.words.kp;
-      default: return in.period;
+    return at_.holds(Stage::kBemf)
+               ? (control_ ? in.words.loaded : in.words.bemf)
+           : at_.holds(Stage::kIntegral)     ? in.words.ki
+           : at_.holds(Stage::kProportional) ? in.words.kp
+                                             : UInt<16>(in.period);
+  }
+
+  void slew(const In& in, bool control) {
+    const bool lower = !at_least(offset(reference_), UInt<28>(not_target_));
+    // Downwards one last bit more, the one's complement: what passes the target is caught two clocks later.
+    const Int<21> slew = in.words.slew;
+    const Int<21> moved = (rises_ ? slew : Int<21>(0)) | (falls_ ? Int<21>(~slew) : Int<21>(0));
+    if (at_.holds(Stage::kSlew)) {
+      reference_ = wrap<Int<28>>(reference_ + moved);
+    } else if (at_.holds(Stage::kReach) && !control) {
+      reference_ = in.frequency;
+    } else if (passes_) {
+      reference_ = wrap<Frequency>(~not_target_);
     }
+    passes_ = at_.holds(Stage::kReach) && control && lower != rises_;
+    if (at_.holds(Stage::kIdle)) {
+      rises_ = lower;
+      falls_ = !lower;
+    }
+    not_target_ = ~UInt<27>(in.target);
   }
 
   Work sum(const In& in, Int<32> product) const {
-    const bool whole = stage_ == Stage::kWhole || stage_ == Stage::kProportional;
-    const bool control = in.mode == SpeedMode::kControl;
-    const Work base = whole     ? wrap<Work>(integral_ >> 16)
-                      : control ? Work(in.slip)
-                                : Work(in.fixed_duty);
-    const bool alone = in.mode == SpeedMode::kFixed || stage_ == Stage::kWhole;
-    return wrap<Work>(base + (alone ? Int<20>(0) : wrap<Int<20>>(product >> 12)));
+    const Work base = whole_ ? wrap<Work>(integral_ >> 16) : Work(control_ ? in.slip : in.fixed_duty);
+    return wrap<Work>(base + (alone_ ? Int<20>(0) : wrap<Int<20>>(product >> 12)));
   }
 
-  void add(const In& in, Int<32> product) {
-    if (stage_ == Stage::kIntegral) {
-      const bool winds_up = product.negative() ? at_low_ : at_high_ || limited_;
-      if (!winds_up) integral_ = wrap<Int<34>>(integral_ + product);
-    } else if (stage_ == Stage::kOnClocks) {
-      on_clocks_ = product.slice<28, 15>();
-    } else {
-      work_ = sum(in, product);
+  // Everything behind the reference: the product of this stage when it is complete, or its bound.
+  void work(const In& in, Int<32> product, bool done, bool limited) {
+    const bool control = control_;
+    const Limit limit = wrap<Limit>(~not_limit_);
+    const bool beyond = work_.slice<19, 17>() != 0;  // more than any limit
+    const bool below = work_.negative() || (!beyond && !at_least(work_.slice<16, 0>(), not_limit_));
+    const bool too_low = at_.holds_one_of(Stage::kWholeLow, Stage::kLow, Stage::kDown) && below;
+    const bool too_high = at_.holds_one_of(Stage::kWholeHigh, Stage::kHigh, Stage::kUp) && !below;
+    const Work last = work_;
+    const Work total = sum(in, product);
+    // The integral takes its product in the clock after, and a bound in two: cleared in one, added to in the next.
+    // Its carry chain stays in one piece that way, and the sum goes straight into its register.
+    const Int<34> addend = loads_ ? Int<34>(last) << 16 : Int<34>(product);
+    const bool adds = adds_ || loads_;
+    if (clears_) {
+      integral_ = 0;
+    } else if (adds) {
+      integral_ = wrap<Int<34>>(integral_ + addend);
     }
-    const bool control = in.mode == SpeedMode::kControl;
-    stage_ = stage_ == Stage::kBemf && !control ? Stage::kHigh : next(stage_);
-  }
-
-  void advance(const In& in) {
-    const bool control = in.mode == SpeedMode::kControl;
-    const Int<18> limit = bound(in);
-    const bool below = work_ < limit;
-    const bool too_low =
-        (stage_ == Stage::kWholeLow || stage_ == Stage::kLow || stage_ == Stage::kDown) && below;
-    const bool too_high =
-        (stage_ == Stage::kWholeHigh || stage_ == Stage::kHigh || stage_ == Stage::kUp) && !below;
-    const Work work = work_;
-    if (stage_ == Stage::kWhole) {
-      work_ = sum(in, 0);
+    const bool winds_up = product.negative() ? at_low_ : at_high_ || limited;
+    adds_ = done && at_.holds(Stage::kIntegral) && !winds_up;
+    loads_ = clears_;
+    clears_ = (at_.holds(Stage::kProportional) && starts_ && (at_low_ || at_high_)) ||
+              (at_.holds(Stage::kDuty) && !control);
+    if (at_.holds(Stage::kWhole) || (done && at_.holds_one_of(Stage::kBemf, Stage::kProportional))) {
+      work_ = total;
     } else if (too_low || too_high) {
       work_ = limit;
     }
-
-    const Frequency goal = control ? in.target : in.frequency;
-    // What kSlew decides kReach adds: a comparison and an addition in one clock would be the longest path.
-    const Int<28> moved = wrap<Int<28>>(reference_ + work);
-    const bool lower = moved < goal;
-    switch (stage_) {
-      case Stage::kIdle:
-        if (in.tick) stage_ = Stage::kSlew;
-        return;
-      case Stage::kSlew:
-        // Downwards one last bit more, the one's complement: kReach catches whatever passes the goal.
-        rises_ = lower;
-        work_ = lower ? Work(in.words.slew) : ~Work(in.words.slew);
-        break;
-      case Stage::kReach:
-        reference_ = !control || lower != rises_ ? Int<28>(goal) : moved;
-        break;
-      case Stage::kSlip: slips_ = below; break;
-      case Stage::kWhole: at_low_ = at_high_ = false; break;
-      case Stage::kKeep:
-        if (at_low_ || at_high_) integral_ = Int<34>(work) << 16;
-        break;
-      case Stage::kDuty:
-        duty_ = wrap<Duty>(work);
-        work_ = 0;  // until kSlew
-        if (!control) {
-          integral_ = Int<34>(work) << 16;
-          slips_ = false;
-        }
-        break;
-      default: break;
+    if (at_.holds(Stage::kSlip)) slips_ = below;
+    if (at_.holds(Stage::kDuty)) {
+      duty_ = wrap<Duty>(last);
+      if (!control) slips_ = false;
     }
-    at_low_ = at_low_ || too_low;
-    at_high_ = at_high_ || too_high;
-    stage_ = stage_ == Stage::kHigh && !control ? Stage::kDuty : next(stage_);
+    if (done && at_.holds(Stage::kOnClocks)) on_clocks_ = product.slice<28, 15>();
+    at_low_ = !at_.holds(Stage::kWhole) && (at_low_ || too_low);
+    at_high_ = !at_.holds(Stage::kWhole) && (at_high_ || too_high);
+    not_limit_ = ~bound(in);
+    move(in);
   }
 
-  Int<18> bound(const In& in) const {
-    switch (stage_) {
-      case Stage::kWholeLow:
-      case Stage::kLow: return in.words.minimum;
-      case Stage::kWholeHigh:
-      case Stage::kHigh: return in.words.maximum;
-      default: {
-        // Downwards one last bit more: the one's complement.
-        const bool up = stage_ == Stage::kUp && !in.hurries;
-        const bool down = stage_ == Stage::kUp || stage_ == Stage::kDown;
-        const Int<18> slew = up     ? Int<18>(in.words.duty_slew)
-                             : down ? ~Int<18>(in.words.duty_slew)
-                                    : Int<18>(0);
-        return wrap<Int<18>>(duty_ + slew);
-      }
+  // What the stage behind this one compares with.
+  Limit bound(const In& in) const {
+    const bool control = control_;
+    if (at_.holds_one_of(Stage::kWhole, Stage::kProportional)) return in.words.minimum;
+    if (at_.holds_one_of(Stage::kWholeLow, Stage::kLow) || (at_.holds(Stage::kBemf) && !control)) {
+      return in.words.maximum;
     }
+    return at_.holds_one_of(Stage::kHigh, Stage::kUp) ? moved_ : Limit(duty_);
+  }
+
+  // The duty's slew, ready one stage before bound() wants it.  Downwards one last bit more: the one's complement.
+  void move(const In& in) {
+    const bool up = at_.holds(Stage::kLow) && !in.hurries;
+    const Int<13> slew = in.words.duty_slew;
+    const auto moved = duty_ + (up ? slew : ~slew);
+    moved_ = moved.negative() ? Limit(0) : wrap<Limit>(moved);
   }
 
   SerialMultiplier<27, 16> multiplier_;
-  Stage stage_ = Stage::kIdle;
-  bool started_ = false;    // the stage's product is under way
-  Work work_ = 0;           // duty on its way; 0 while idle; from kSlew to kReach the slew
+  Stages at_ = Stage::kIdle;
+  bool of_error_ = false;   // the product is the error's: kIntegral or kProportional
+  bool starts_ = false;     // this is the first clock of a product
+  bool control_ = false;    // the mode is kControl
+  bool whole_ = false;      // the sum to come is the integral
+  bool alone_ = false;      // and without a product
+  Work work_ = 0;           // duty on its way
+  bool adds_ = false;       // the integral takes the product
+  bool clears_ = false;     // it is cleared, before
+  bool loads_ = false;      // it takes the work
+  Limit moved_ = 0;         // the duty, one slew further
+  Limit not_limit_ = 0;     // complement of what this stage compares with
   Int<28> reference_ = 0;   // u0.32, the slewed target
+  UInt<27> not_target_ = UInt<27>::max();  // complement of the target, a clock ago
+  bool passes_ = false;     // the reference passed it
+  bool falls_ = false;      // it goes down: a flip-flop of its own, for want of time to ask !rises_
   bool rises_ = false;      // the reference went up
   Int<34> integral_ = 0;    // u1.31: the duty and 16 bits more
   Duty duty_ = 0;

@@ -18,13 +18,14 @@
 // With Hall sensors kRun follows kIdle at once.
 //
 //     latency      1 clock: outputs follow the state
-//     registers    about 60 bits     multipliers  none
+//     registers    about 97 bits     multipliers  none
 //
 // Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/one_hot.hpp"
 #include "hls/six_step/commutation.hpp"
 #include "hls/six_step/divide_by_n.hpp"
 #include "hls/six_step/loop_filter.hpp"
@@ -57,7 +58,7 @@ class StartSequence {
     State state = State::kIdle;
     Reason reason = Reason::kNone;      // of the last failed try, or of the fault
     bool enable = false;                // the gate guard may turn gates on
-    Pattern pattern = Pattern::kOff;
+    OneHot<Pattern, 5> pattern = Pattern::kOff;
     bool reverse = false;               // direction of this try
     bool running = false;               // locked and under speed control
     SpeedMode mode = SpeedMode::kFixed;
@@ -75,93 +76,122 @@ class StartSequence {
 
   Out tick(const In& in) {
     const Out present = out(in);
-    const bool over = in.tick && ticks_ == 0;
-    const State wanted = choose(in, over);
-    const bool leaves = wanted != state_;
-    const State next = leaves ? admit(in, wanted) : state_;
+    const bool over = in.tick && last_ && !entered_;
+    const Moves moves = choose(in, over);
+    const States next = admit(in, moves, over);
 
-    began_ = leaves && state_ == State::kIdle && wanted == State::kObserve;
-    failed_ = leaves && wanted == State::kRest;
-    load_step_ = leaves && (next == State::kAccelerate ||
-                            (state_ == State::kObserve && next == State::kRun));
-    if (leaves && wanted == State::kObserve) reverse_ = in.command.reverse;
+    began_ = moves.tries && at_.holds(State::kIdle);
+    const bool failed = failed_;
+    failed_ = moves.fails;
+    load_step_ = (!at_.holds(State::kAccelerate) && next.holds(State::kAccelerate)) ||
+                 (at_.holds(State::kObserve) && next.holds(State::kRun));
+    if (moves.tries) reverse_ = in.command.reverse;
     if (began_) {
       reason_ = Reason::kNone;
-    } else if (leaves && (next == State::kRest || next == State::kFault)) {
-      reason_ = wanted == State::kBrake                             ? Reason::kCannotStop
+    } else if (moves.fails || (!at_.holds(State::kFault) && next.holds(State::kFault))) {
+      reason_ = moves.brakes          ? Reason::kCannotStop
                 : in.fatal || in.lost ? in.cause
-                                                                    : Reason::kNoLock;
+                                      : Reason::kNoLock;
     }
     fade(in);
-    count(in, over, leaves, wanted);
-    if (leaves) {
-      ticks_ = length(in, next, present.gentle);
-    } else if (in.tick && !over) {
-      ticks_ = wrap<Length>(ticks_ - 1);
-    }
+    count(in, over, failed, braking_);
+    braking_ = moves.brakes;
     clear_was_ = in.command.clear_fault;
-    state_ = next;
+    entered_ = moves.leaves;
+    duty_ = at_.holds_one_of(State::kSettle, State::kReset) ? stronger(in.words.reset_duty)
+            : at_.holds(State::kBrake)                      ? in.words.brake_duty
+                                                            : Duty(0);
+    boosts_ = next.holds_one_of(State::kAccelerate, State::kPullIn);
+    drives_ = next.holds_one_of(State::kAccelerate, State::kPullIn, State::kRun, State::kSlowDown);
+    at_ = next;
     return present;
   }
 
   bool operator==(const StartSequence&) const = default;
 
  private:
-  // Where the present state wants to go; itself, if nowhere.  kObserve stands for a new try, kBrake
-  // for one more braking interval, kRest for a failed try: admit() knows what becomes of them.
-  State choose(const In& in, bool over) const {
-    if (state_ == State::kFault) {
-      const bool rearm = in.command.clear_fault && !clear_was_;
-      return rearm && !in.command.run && !in.fatal ? State::kIdle : State::kFault;
-    }
-    if (!in.command.configured) return State::kIdle;
-    if (in.fatal) return State::kFault;
-    const bool brakes = in.command.brake_to_stop &&
-                        (state_ == State::kRun || state_ == State::kSlowDown ||
-                         state_ == State::kBrake || state_ == State::kObserve);
-    if (!in.command.run && !brakes) return State::kIdle;
-
-    const bool enough = fresh_ && good_ >= in.words.good_crossings;
-    const bool turn_round = !in.command.run || in.command.reverse != reverse_;
-    switch (state_) {
-      case State::kIdle: return State::kObserve;
-      case State::kObserve:
-        if (enough) {
-          return !in.command.run || turns_reverse_ != reverse_ ? State::kBrake : State::kRun;
-        }
-        return !over ? State::kObserve : in.command.run ? State::kSettle : State::kIdle;
-      case State::kBrake:
-        if (!over) return State::kBrake;
-        return !in.command.run && !looks(in) ? State::kIdle : State::kObserve;
-      case State::kSettle: return over ? State::kReset : State::kSettle;
-      case State::kReset: return over ? State::kAccelerate : State::kReset;
-      case State::kAccelerate:
-        return in.fast ? State::kPullIn : over ? State::kRest : State::kAccelerate;
-      case State::kPullIn: return enough ? State::kRun : over ? State::kRest : State::kPullIn;
-      case State::kRun:
-        return in.lost ? State::kRest : turn_round ? State::kSlowDown : State::kRun;
-      case State::kSlowDown:
-        if (in.lost) return State::kRest;
-        if (!turn_round) return State::kRun;
-        return over || !in.fast ? State::kBrake : State::kSlowDown;
-      default: return over ? State::kObserve : state_;
-    }
-  }
+  using States = OneHot<State, 11>;
 
   static bool looks(const In& in) {
     return in.source == Source::kBemf && in.words.observe != 0;
   }
 
-  State admit(const In& in, State wanted) const {
-    switch (wanted) {
-      case State::kObserve:
-        return looks(in)                    ? State::kObserve
-               : in.source == Source::kHall ? State::kRun
-                                            : State::kSettle;
-      case State::kBrake: return brakes_ == kMostBrakes ? State::kFault : State::kBrake;
-      case State::kRest: return retries_ >= in.words.retries ? State::kFault : State::kRest;
-      default: return wanted;
-    }
+  // What more than one state may want, and what counters have a say in.
+  struct Moves {
+    bool stops = false;   // to kIdle, whatever the state is
+    bool trips = false;   // to kFault, likewise
+    bool tries = false;   // a new try
+    bool brakes = false;  // one braking interval more
+    bool fails = false;   // this try failed
+    bool leaves = false;  // the state, by any of these or by itself
+  };
+
+  Moves choose(const In& in, bool over) const {
+    const bool fault = at_.holds(State::kFault);
+    const bool runs = at_.holds_one_of(State::kRun, State::kSlowDown);
+    const bool brakes = in.command.brake_to_stop &&
+                        (runs || at_.holds_one_of(State::kBrake, State::kObserve));
+    const bool halts = !in.command.run && !brakes;
+    const bool rearm = in.command.clear_fault && !clear_was_ && !in.command.run && !in.fatal;
+    const bool trips = in.command.configured && in.fatal;
+    const bool goes = !fault && in.command.configured && !in.fatal && !halts;
+    return {.stops = fault ? rearm : !in.command.configured || (halts && !in.fatal),
+            .trips = fault ? !rearm : trips,
+            .tries = goes && (at_.holds(State::kIdle) || (at_.holds(State::kBrake) && over && looks_again(in)) ||
+                              (at_.holds(State::kRest) && over)),
+            .brakes = goes && ((at_.holds(State::kObserve) && enough_ && !turns_on(in)) ||
+                               (at_.holds(State::kSlowDown) && !in.lost && turns_round(in) && (over || !in.fast))),
+            .fails = goes && ((at_.holds(State::kAccelerate) && !in.fast && over) ||
+                              (at_.holds(State::kPullIn) && !enough_ && over) || (runs && in.lost)),
+            .leaves = goes ? leaves(in, over)
+                           : !at_.holds_one_of(State::kIdle, State::kFault) || (at_.holds(State::kIdle) && trips) ||
+                                 (fault && rearm)};
+  }
+
+  // What ends the present state while the drive is told to go on.
+  bool leaves(const In& in, bool over) const {
+    const bool timed = !at_.holds_one_of(State::kIdle, State::kRun, State::kFault);
+    return at_.holds(State::kIdle) || (over && timed) ||
+           (enough_ && at_.holds_one_of(State::kObserve, State::kPullIn)) ||
+           (in.fast && at_.holds(State::kAccelerate)) ||
+           (at_.holds(State::kRun) && (in.lost || turns_round(in))) ||
+           (at_.holds(State::kSlowDown) && (in.lost || !turns_round(in) || !in.fast));
+  }
+
+  bool turns_round(const In& in) const { return !in.command.run || in.command.reverse != reverse_; }
+  bool turns_on(const In& in) const { return in.command.run && turns_reverse_ == reverse_; }
+  static bool looks_again(const In& in) { return in.command.run || looks(in); }
+
+  // Every state with what leads to it, and what keeps the drive in it.
+  States admit(const In& in, const Moves& moves, bool over) const {
+    const bool hall = in.source == Source::kHall;
+    const bool missed = at_.holds(State::kObserve) && !enough_ && over;
+    const bool caught = at_.holds(State::kObserve) && enough_ && turns_on(in);
+    const bool locks = at_.holds(State::kPullIn) && enough_;
+    const bool on = at_.holds_one_of(State::kRun, State::kSlowDown) && !in.lost;
+    const bool gives_up = at_.holds(State::kBrake) && over && !looks_again(in);
+    const auto to = [](State state, bool yes) { return States(state).when(yes); };
+    const States wanted =
+        to(State::kIdle, (missed && !in.command.run) || gives_up) |
+        to(State::kObserve, at_.holds(State::kObserve) && !enough_ && !over) |
+        to(State::kBrake, at_.holds(State::kBrake) && !over) |
+        to(State::kSettle, (missed && in.command.run) || (at_.holds(State::kSettle) && !over)) |
+        to(State::kReset, (at_.holds(State::kSettle) && over) || (at_.holds(State::kReset) && !over)) |
+        to(State::kAccelerate, (at_.holds(State::kReset) && over) ||
+                                   (at_.holds(State::kAccelerate) && !in.fast && !over)) |
+        to(State::kPullIn, (at_.holds(State::kAccelerate) && in.fast) ||
+                               (at_.holds(State::kPullIn) && !enough_ && !over)) |
+        to(State::kRun, caught || locks || (on && !turns_round(in))) |
+        to(State::kSlowDown, on && turns_round(in) && (at_.holds(State::kRun) || (!over && in.fast))) |
+        to(State::kRest, at_.holds(State::kRest) && !over);
+    return wanted.when(!moves.stops && !moves.trips) |
+           to(State::kIdle, moves.stops) |
+           to(State::kObserve, moves.tries && looks(in)) |
+           to(State::kRun, moves.tries && !looks(in) && hall) |
+           to(State::kSettle, moves.tries && !looks(in) && !hall) |
+           to(State::kBrake, moves.brakes && !braked_) |
+           to(State::kRest, moves.fails && !tried_) |
+           to(State::kFault, moves.trips || (moves.brakes && braked_) || (moves.fails && tried_));
   }
 
   using Length = UInt<15>;  // Ticks, doubled up to three times
@@ -172,39 +202,49 @@ class StartSequence {
     return times.bit(1) ? once << 2 : once;
   }
 
-  static Length length(const In& in, State state, UInt<2> failed) {
-    switch (state) {
-      case State::kObserve: return in.words.observe;
-      case State::kBrake: return in.words.brake;
-      case State::kSettle:
-      case State::kReset:
-        return doubled(state == State::kSettle ? in.words.settle : in.words.reset, failed);
-      case State::kPullIn: return in.words.pull_in;
-      case State::kSlowDown: return in.words.slow_down;
-      case State::kRest: return in.words.rest;
-      case State::kRun: return 1024;   // after that long earlier failures are forgotten
-      default: return doubled(Ticks::max(), failed);  // a ramp of 0 must end, too
-    }
+  Length length(const In& in, UInt<2> failed) const {
+    const auto when = [this](State state, Length then) { return at_.holds(state) ? then : Length(0); };
+    return when(State::kObserve, in.words.observe) | when(State::kBrake, in.words.brake) |
+           when(State::kSettle, doubled(in.words.settle, failed)) |
+           when(State::kReset, doubled(in.words.reset, failed)) |
+           when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
+           when(State::kRest, in.words.rest) |
+           when(State::kRun, 1024) |  // after that long earlier failures are forgotten
+           when(State::kAccelerate, doubled(Ticks::max(), failed));  // a ramp of 0 must end, too
   }
 
-  void count(const In& in, bool over, bool leaves, State wanted) {
-    if (began_ || (over && state_ == State::kRun)) {
+  // `failed` and `brakes` are of the clock before: nothing asks so soon.
+  void count(const In& in, bool over, bool failed, bool brakes) {
+    // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
+    const bool ticks = (in.tick || late_) && !entered_;
+    late_ = in.tick && entered_;
+    last_ = !entered_ && ticks_ == 0;
+    if (entered_) {
+      ticks_ = length(in, gentle());
+    } else if (ticks && ticks_ != 0) {
+      ticks_ = wrap<Length>(ticks_ - 1);
+    }
+    tried_ = retries_ >= in.words.retries;
+    if (at_.holds(State::kIdle) || (over && at_.holds(State::kRun))) {
       retries_ = 0;
-    } else if (failed_) {
+    } else if (failed) {
       retries_ = wrap<UInt<4>>(retries_ + 1);
     }
-    if (began_ || state_ == State::kRun) {
+    braked_ = brakes_ == kMostBrakes;
+    if (at_.holds_one_of(State::kIdle, State::kRun)) {
       brakes_ = 0;
-    } else if (leaves && wanted == State::kBrake) {
+    } else if (brakes) {
       brakes_ = wrap<UInt<8>>(brakes_ + 1);
     }
     // While observing, changes that go on in the direction of the last one.
-    const bool same = state_ != State::kObserve || in.turns_reverse == turns_reverse_;
-    fresh_ = in.update;
-    if (leaves) {
+    const bool same = !at_.holds(State::kObserve) || in.turns_reverse == turns_reverse_;
+    const bool counts = in.good && same;
+    enough_ = in.update && counts && nearly_ && !entered_;
+    nearly_ = good_ + 1 >= in.words.good_crossings;
+    if (entered_) {
       good_ = 0;
     } else if (in.update) {
-      good_ = in.good && same ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
+      good_ = counts ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
       turns_reverse_ = in.turns_reverse;
     }
   }
@@ -216,11 +256,13 @@ class StartSequence {
   // waiting for the verdict would make this the longest path of the drive.
   void fade(const In& in) {
     const Duty part = boost_ >> 5;
-    if (state_ != State::kPullIn) {
+    const bool faded = boost_ < stronger(in.words.start_duty);
+    if (!at_.holds(State::kPullIn)) {
       boost_ = stronger(in.words.start_duty);
-    } else if (in.commutate && (!in.lags || boost_ < stronger(in.words.start_duty))) {
+    } else if (in.commutate && (!in.lags || faded_)) {
       boost_ = in.lags ? wrap<Duty>(boost_ + part) : wrap<Duty>(boost_ - part);
     }
+    faded_ = faded;
   }
 
   // Two failed tries: bus, flux or resistance may be weaker than the words' motor; the limit stands.
@@ -231,72 +273,71 @@ class StartSequence {
   Out out(const In& in) const {
     const bool hall = in.source == Source::kHall;
     Out out;
-    out.state = state_;
+    out.state = at_.value();
     out.reason = reason_;
     out.reverse = reverse_;
     out.load_step = load_step_;
     out.step = step(in);
     out.began = began_;
     out.failed = failed_;
-    out.stop = state_ == State::kSlowDown;
+    out.stop = at_.holds(State::kSlowDown);
     // A load too heavy for the ramp fails; the next try takes a quarter of it.
-    out.gentle = retries_ > 3 ? UInt<2>(3) : wrap<UInt<2>>(retries_);
-    switch (state_) {
-      case State::kObserve:
-        out.turn_vco = true;
-        out.watch = Evidence::kSectors;
-        out.loop = Loop::kCatch;
-        out.mode = SpeedMode::kAboveBemf;
-        break;
-      case State::kBrake:
-        out.enable = true;
-        out.pattern = Pattern::kBrake;
-        out.duty = in.words.brake_duty;
-        break;
-      case State::kSettle:
-      case State::kReset:
-        out.enable = true;
-        out.pattern = state_ == State::kSettle ? Pattern::kSettle : Pattern::kReset;
-        out.duty = stronger(in.words.reset_duty);
-        break;
-      case State::kAccelerate:
-      case State::kPullIn:
-        out.enable = out.turn_vco = true;
-        out.watch = state_ == State::kPullIn ? Evidence::kCrossings : Evidence::kNothing;
-        out.loop = state_ == State::kPullIn ? Loop::kTrack : Loop::kRamp;
-        out.pattern = Pattern::kDrive;
-        out.mode = SpeedMode::kAboveBemf;
-        out.duty = boost_;
-        break;
-      case State::kRun:
-      case State::kSlowDown:
-        out.enable = out.turn_vco = out.running = true;
-        out.watch = hall ? Evidence::kSectors : Evidence::kCrossings;
-        out.loop = hall ? Loop::kHall : Loop::kTrack;
-        out.pattern = Pattern::kDrive;
-        out.mode = SpeedMode::kControl;
-        break;
-      default: break;
-    }
+    out.gentle = gentle();
+
+    const bool observes = at_.holds(State::kObserve);
+    out.running = at_.holds_one_of(State::kRun, State::kSlowDown);
+    out.enable = drives_ || at_.holds_one_of(State::kBrake, State::kSettle, State::kReset);
+    out.turn_vco = observes || drives_;
+    const auto bridge = [](Pattern pattern, bool on) { return OneHot<Pattern, 5>(pattern).when(on); };
+    out.pattern = bridge(Pattern::kOff, !out.enable) | bridge(Pattern::kDrive, drives_) |
+                  bridge(Pattern::kBrake, at_.holds(State::kBrake)) |
+                  bridge(Pattern::kSettle, at_.holds(State::kSettle)) |
+                  bridge(Pattern::kReset, at_.holds(State::kReset));
+    const bool tracks = at_.holds(State::kPullIn) || (out.running && !hall);
+    const bool follows = observes || (out.running && hall);
+    out.watch = follows ? Evidence::kSectors : tracks ? Evidence::kCrossings : Evidence::kNothing;
+    out.loop = observes                        ? Loop::kCatch
+               : follows                       ? Loop::kHall
+               : tracks                        ? Loop::kTrack
+               : at_.holds(State::kAccelerate) ? Loop::kRamp
+                                               : Loop::kStop;
+    out.mode = out.running            ? SpeedMode::kControl
+               : observes || boosts_ ? SpeedMode::kAboveBemf
+                                     : SpeedMode::kFixed;
+    out.duty = boosts_ ? boost_ : duty_;
     return out;
   }
 
+  // Tries that failed, as far as they make the next one gentler.
+  UInt<2> gentle() const { return retries_ > 3 ? UInt<2>(3) : wrap<UInt<2>>(retries_); }
+
   // With load_step: full torque from the reset position, or where a rotor that enters `sector` is.
   Step step(const In& in) const {
-    if (state_ == State::kAccelerate) return reverse_ ? Step(0) : Step(3);
+    if (at_.holds(State::kAccelerate)) return reverse_ ? Step(0) : Step(3);
     return reverse_ ? in.sector : next_step(in.sector, true);
   }
 
   static constexpr int kMostBrakes = 255;  // intervals before a rotor counts as unstoppable
 
-  State state_ = State::kIdle;
+  States at_ = State::kIdle;
+  bool drives_ = false;         // one of the states in which the bridge commutates
+  bool boosts_ = false;         // one of those in which boost_ is the duty
+  Duty duty_ = 0;               // u1.15, that of other states
+  bool entered_ = false;        // this is the first clock of the state
+  bool late_ = false;           // there was a tick in it
+  bool last_ = false;           // no ticks are left
+  bool tried_ = false;          // no more tries are left
+  bool braking_ = false;        // a braking interval begins
+  bool braked_ = false;         // no more braking intervals are left
   Reason reason_ = Reason::kNone;
   Length ticks_ = 0;            // left in this state
   UInt<6> good_ = 0;            // good crossings in a row
-  bool fresh_ = false;          // good_ was counted in the last clock
+  bool nearly_ = false;         // one more is enough
+  bool enough_ = false;         // that one came in the last clock
   UInt<4> retries_ = 0;         // failed tries
   UInt<8> brakes_ = 0;          // braking intervals of this stop
   Duty boost_ = 0;              // u1.15, duty above the back-EMF's while pulling in
+  bool faded_ = false;          // it is below the start's
   bool load_step_ = false;
   bool began_ = false;
   bool failed_ = false;

@@ -7,7 +7,7 @@
 //
 //     frequency    f_clk * frequency / 2^32     resolution   f_clk / 2^32 (0.011 Hz at 48 MHz)
 //     latency      1 clock: phase and pulse are registers
-//     registers    33 bits                      multipliers  none
+//     registers    34 bits                      multipliers  none
 //
 // Doc: docs/blocks/vco_counter.md   Test: tests/hls/vco_counter_test.cpp
 
@@ -22,8 +22,8 @@ class VcoCounter {
  public:
   struct In {
     bool enable = false;      // false holds the phase
-    bool load = false;        // takes `phase` instead of adding; wins over enable
-    Phase phase = 0;          // u0.16, VCO turns
+    bool load = false;        // begins a turn instead of adding; wins over enable
+    bool half = false;        // with `load`: in its middle
     Frequency frequency = 0;  // u0.32, VCO turns per clock
   };
 
@@ -33,13 +33,18 @@ class VcoCounter {
   };
 
   Out tick(const In& in) {
-    const Out out{.phase = phase_.slice<31, 16>(), .pulse = pulse_};
-    const auto sum = phase_ + UInt<32>(in.frequency);
-    pulse_ = !in.load && in.enable && sum.bit(32);
+    const Out out{.phase = UInt<32>(phase()).slice<31, 16>(), .pulse = pulse_};
+    const auto sum = wrap<UInt<27>>(low_ + in.frequency);
+    const bool carry = sum.bit(26);
+    pulse_ = !in.load && in.enable && carry && full_;
     if (in.load) {
-      phase_ = UInt<32>(in.phase) << 16;
+      low_ = 0;
+      high_ = in.half ? UInt<6>(32) : UInt<6>(0);
+      full_ = false;
     } else if (in.enable) {
-      phase_ = wrap<UInt<32>>(sum);
+      low_ = sum.slice<25, 0>();
+      full_ = high_ == (carry ? UInt<6>(62) : UInt<6>(63));
+      high_ = wrap<UInt<6>>(high_ + UInt<1>(carry));
     }
     return out;
   }
@@ -47,20 +52,29 @@ class VcoCounter {
   // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
   std::uint64_t quiet(const In& in) const {
     if (!in.enable || in.frequency == 0) return ~std::uint64_t{0};
-    return UInt<32>(~phase_).raw() / std::uint64_t{in.frequency.raw()};
+    return UInt<32>(~phase()).raw() / std::uint64_t{in.frequency.raw()};
   }
   void skip(const In& in, std::uint64_t clocks) {
-    if (in.enable) phase_ = UInt<32>::of(phase_.raw() + clocks * in.frequency.raw());
+    if (!in.enable) return;
+    const auto moved = UInt<32>::of(phase().raw() + clocks * in.frequency.raw());
+    low_ = moved.slice<25, 0>();
+    high_ = moved.slice<31, 26>();
+    full_ = high_ == UInt<6>::max();
   }
   // The phase that the last of `clocks` skipped ones showed.
   Phase shown(const In& in, std::uint64_t clocks) const {
     const std::uint64_t moved = in.enable ? (clocks - 1) * in.frequency.raw() : 0;
-    return UInt<32>::of(phase_.raw() + moved).slice<31, 16>();
+    return UInt<32>::of(phase().raw() + moved).slice<31, 16>();
   }
   bool operator==(const VcoCounter&) const = default;
 
  private:
-  UInt<32> phase_ = 0;  // u0.32, VCO turns
+  UInt<32> phase() const { return UInt<32>(high_) << 26 | UInt<32>(low_); }
+
+  // u0.32, VCO turns, in two parts: above the frequency's bits there is nothing to add but a carry.
+  UInt<27> low_ = 0;    // its lower 26 bits, and room for the carry
+  UInt<6> high_ = 0;    // the others
+  bool full_ = false;   // they are all ones: the next carry into them ends the turn
   bool pulse_ = false;  // the last addition passed a whole turn
 };
 

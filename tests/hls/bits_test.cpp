@@ -111,6 +111,16 @@ TEST(Bits, LogicWorksBitByBit) {
   EXPECT_EQ(~Int<8>(5), Int<8>(-6));
 }
 
+TEST(Bits, AComplementIsComparedWithAsItsNumber) {
+  for (int a = 0; a < 16; ++a) {
+    for (int b = 0; b < 16; ++b) EXPECT_EQ(at_least(UInt<4>(a), ~UInt<4>(b)), a >= b) << a << ' ' << b;
+  }
+}
+
+TEST(Bits, OffsetNumbersAreInTheOrderOfSignedOnes) {
+  for (int a = -8; a < 8; ++a) EXPECT_EQ(offset(Int<4>(a)), UInt<4>(a + 8));
+}
+
 TEST(Bits, EverythingWorksAtCompileTime) {
   constexpr auto sum = UInt<8>(200) + UInt<8>(100);
   static_assert(sum == 300);

@@ -17,7 +17,7 @@ std::string legs(const Gates& gates) {
 std::string request(Pattern pattern, int step, bool chop, bool complementary = false) {
   Commutation dut;
   return legs(dut.tick(
-      {.pattern = pattern, .step = step, .chop = chop, .complementary = complementary}));
+      {.pattern = pattern, .legs = Commutation::legs(step), .chop = chop, .complementary = complementary}));
 }
 
 TEST(Commutation, EachStepDrivesItsTwoPhasesAndFloatsTheThird) {

@@ -47,7 +47,7 @@ TEST(DivideByN, StepPhaseEqualsTheVcosPhaseWhenNIsSix) {
 TEST(DivideByN, TheDividedSignalIsHighForTheFirstHalfTurn) {
   DivideByN dut;
   const bool expected[] = {true, true, false, false, false, true};
-  for (const bool high : expected) EXPECT_EQ(dut.tick({.pulse = true}).turn, high);
+  for (const bool high : expected) EXPECT_EQ(DivideByN::turn(dut.tick({.pulse = true}).step), high);
 }
 
 TEST(DivideByN, LoadWinsOverAPulseAndBeginsAStep) {

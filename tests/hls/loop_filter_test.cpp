@@ -24,6 +24,7 @@ Frequency settle(LoopFilter& dut, const In& in) {
 
 // One update (or tick), worked on to its end.
 Frequency update(LoopFilter& dut, In in) {
+  dut.tick(in);  // a new `loop` counts from the next clock on
   in.update = in.tick = true;
   dut.tick(in);
   in.update = in.tick = false;

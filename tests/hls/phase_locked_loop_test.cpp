@@ -40,14 +40,14 @@ struct Loop6 {
       const auto ramp = std::min<std::int64_t>(left, 1 << 19);
       for (int i = 0; i < 200; ++i) {
         filter.tick({.loop = Loop::kRamp,
-                     .tick = i == 0,
+                     .tick = i == 1,  // a new `loop` counts from the next clock on
                      .ramp = ramp,
                      .maximum = Frequency::max()});
       }
       left -= ramp;
     }
     divider.tick({.divide = divide, .load = true, .half = true});
-    vco.tick({.load = true, .phase = divide == 0 ? 0x8000 : 0});
+    vco.tick({.load = true, .half = divide == 0});
   }
 
   double frequency() { return std::ldexp(double(out.frequency.raw()) / kTurn, -divide); }

@@ -74,7 +74,7 @@ TEST(SixStepBare, TheEndOfRunCountsAtOnce) {
     Bench copy = bench;
     copy.wait(start * 17);
     copy.in.controls.run = false;
-    copy.wait(4);
+    copy.wait(5);  // three to the drive, two from there
     for (int i = 0; i < 3 * kBounce / 2; ++i) {
       copy.wait(1);
       ASSERT_FALSE(copy.any_gate()) << start << " + " << i;
@@ -147,8 +147,8 @@ bool same_gates(int speed, Frequency whole, std::int64_t target) {
     Turned::turn(in.pins, i);
     host.pins = in.pins;
     const auto out = bare.tick(in);
-    host.command.run = i > kBounce;  // the look is in this clock
-    host.command.clear_fault = i == 0 || i == kBounce;
+    host.command.run = i > kBounce + 2;  // the look, what it took, and whether that is to run: a clock each
+    host.command.clear_fault = i == 1 || i == kBounce + 1;
     const auto wanted = drive.tick(host);
     same = same && wanted.gates == out.gates && wanted.locked == out.locked;
     locked = locked || out.locked;

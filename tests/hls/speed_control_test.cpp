@@ -25,6 +25,7 @@ SpeedControl::In typical() {
 
 // One tick and the clocks that its products take.
 SpeedControl::Out update(SpeedControl& dut, SpeedControl::In in) {
+  dut.tick(in);  // a new mode or target counts from the next clock on
   in.tick = true;
   dut.tick(in);
   in.tick = false;

@@ -1,4 +1,4 @@
-// A start sequence with short times, one tick per clock, and the inputs of a healthy drive.
+// A start sequence with short times, a tick in every fifth clock, and the inputs of a healthy drive.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,13 +34,23 @@ struct StartBench {
                 .retries = 2};
   }
 
-  // One clock; returns what the outputs are after it.
+  // A clock with all strobes of `in`, and four without; returns the outputs after them, strobes in any of them.
   StartSequence::Out clock() {
-    dut.tick(in);
+    StartSequence::Out out;
+    auto next = in;
+    for (int i = 0; i < 5; ++i) {
+      dut.tick(next);
+      next.tick = next.update = next.commutate = false;
+      auto after = dut;
+      const auto last = out;
+      out = after.tick(next);
+      if (last.load_step) out.step = last.step;
+      out.load_step |= last.load_step;
+      out.began |= last.began;
+      out.failed |= last.failed;
+      if (visited.empty() || visited.back() != out.state) visited.push_back(out.state);
+    }
     in.update = false;
-    auto after = dut;
-    const auto out = after.tick(in);
-    if (visited.empty() || visited.back() != out.state) visited.push_back(out.state);
     return out;
   }
 
@@ -71,7 +81,6 @@ struct StartBench {
     in.update = in.good = true;
     in.turns_reverse = reverse;
     in.sector = sector;
-    clock();
     return clock();
   }
 

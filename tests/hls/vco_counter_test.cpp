@@ -20,8 +20,9 @@ TEST(VcoCounter, AHundredthOfATurnPerClockMakesOnePulseInAHundredClocks) {
 
 TEST(VcoCounter, ThePulseMarksTheFirstClockOfTheNewTurn) {
   VcoCounter dut;
-  dut.tick({.load = true, .phase = 0xFFFF});
   const VcoCounter::In quick = {.enable = true, .frequency = turns_per_clock(1.0 / 65536)};
+  dut.tick({.load = true, .half = true});
+  for (int i = 0x8000; i < 0xFFFF; ++i) ASSERT_FALSE(dut.tick(quick).pulse);
   EXPECT_EQ(dut.tick(quick).phase, Phase(0xFFFF));
   const auto wrapped = dut.tick(quick);
   EXPECT_EQ(wrapped.phase, Phase(0));
@@ -31,7 +32,7 @@ TEST(VcoCounter, ThePulseMarksTheFirstClockOfTheNewTurn) {
 
 TEST(VcoCounter, HoldsItsPhaseWhenNotEnabled) {
   VcoCounter dut;
-  dut.tick({.load = true, .phase = 0x8000});
+  dut.tick({.load = true, .half = true});
   dut.tick({.frequency = Frequency::max()});
   const auto out = dut.tick({});
   EXPECT_EQ(out.phase, Phase(0x8000));
@@ -39,12 +40,27 @@ TEST(VcoCounter, HoldsItsPhaseWhenNotEnabled) {
 }
 
 TEST(VcoCounter, LoadWinsOverEnableAndMakesNoPulse) {
-  VcoCounter dut;
-  dut.tick({.load = true, .phase = 0xFFFF});
-  dut.tick({.enable = true, .load = true, .phase = 0x1234, .frequency = Frequency::max()});
-  const auto out = dut.tick({});
-  EXPECT_EQ(out.phase, Phase(0x1234));
-  EXPECT_FALSE(out.pulse);
+  for (const bool half : {false, true}) {
+    VcoCounter dut;
+    for (int i = 0; i < 64; ++i) dut.tick({.enable = true, .frequency = Frequency::max()});  // one more ends the turn
+    VcoCounter not_loaded = dut;
+    not_loaded.tick({.enable = true, .frequency = Frequency::max()});
+    EXPECT_TRUE(not_loaded.tick({}).pulse);
+    dut.tick({.enable = true, .load = true, .half = half, .frequency = Frequency::max()});
+    const auto out = dut.tick({});
+    EXPECT_EQ(out.phase, half ? Phase(0x8000) : Phase(0));
+    EXPECT_FALSE(out.pulse);
+  }
+}
+
+TEST(VcoCounter, ATurnFromItsMiddleIsHalfAsLong) {
+  for (const bool half : {false, true}) {
+    VcoCounter dut;
+    dut.tick({.load = true, .half = half});
+    int clocks = 0;
+    while (!dut.tick({.enable = true, .frequency = turns_per_clock(1.0 / 128)}).pulse) ++clocks;
+    EXPECT_EQ(clocks, half ? 64 : 128);
+  }
 }
 
 // Pulses counted and phase reached add up to the distance travelled, to the last of 32 bits, by
