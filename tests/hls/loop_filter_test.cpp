@@ -114,6 +114,21 @@ TEST(LoopFilter, ConstantDelayIsTakenBack) {
   EXPECT_NEAR(double(update(dut, in).raw()) / kTurn, 1e-3, 2 * 2e-3 / 65536 + 1 / kTurn);
 }
 
+TEST(LoopFilter, TheErrorCountsAsItStandsAtTheUpdate) {
+  auto in = track();
+  in.ki = in.kp = 0x4000;
+  in.error = 0x1000;
+  auto dut = at(1e-3), changed = dut, other = dut;
+  const Frequency wanted = update(dut, in);
+  changed.tick(in);
+  in.update = true;
+  changed.tick(in);
+  in.update = false;
+  in.error = -0x1000;
+  EXPECT_EQ(settle(changed, in), wanted);
+  EXPECT_NE(update(other, in), wanted) << "the control";
+}
+
 TEST(LoopFilter, TheOutputStaysWithinItsLimits) {
   auto in = track();
   in.ki = in.kp = 0x8000;

@@ -63,6 +63,21 @@ TEST(Protection, ThreeMissesInARowAreAStepOut) {
   EXPECT_EQ(out.reason, Reason::kStepOut);
 }
 
+// What adds to the score waits a clock, so the verdict on clocks that follow each other comes two later, and no more.
+TEST(Protection, MissesInClocksThatFollowEachOtherAreCountedAll) {
+  for (const bool lags : {false, true}) {
+    auto dut = armed();
+    auto in = running();
+    in.missed = true;
+    in.lags = lags;
+    const int misses = lags ? 3 : 12;
+    int clocks = 0;
+    while (!dut.tick(in).lost && clocks < 100) ++clocks;
+    EXPECT_GE(clocks, misses - 1);
+    EXPECT_LE(clocks, misses + 1);
+  }
+}
+
 TEST(Protection, TwelveHiddenCrossingsInARowAreAStepOut) {
   auto dut = armed();
   auto in = running();

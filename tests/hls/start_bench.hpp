@@ -34,16 +34,21 @@ struct StartBench {
                 .retries = 2};
   }
 
-  // A clock with all strobes of `in`, and four without; returns the outputs after them, strobes in any of them.
+  // A clock with all strobes of `in`, and four without; returns the outputs after them, strobes in any of them, which
+  // last one clock.
   StartSequence::Out clock() {
     StartSequence::Out out;
     auto next = in;
+    auto shown = dut;
+    StartSequence::Out before = shown.tick(next);
     for (int i = 0; i < 5; ++i) {
       dut.tick(next);
       next.tick = next.update = next.commutate = false;
       auto after = dut;
       const auto last = out;
       out = after.tick(next);
+      EXPECT_FALSE((before.load_step && out.load_step) || (before.began && out.began) || (before.failed && out.failed));
+      before = out;
       if (last.load_step) out.step = last.step;
       out.load_step |= last.load_step;
       out.began |= last.began;
