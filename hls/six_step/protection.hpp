@@ -21,8 +21,7 @@
 //
 // The first four end a try (`lost`), the last two end the drive (`fatal`), whatever it is doing.
 //
-//     latency      none: the verdict stands in the clock of its cause, if its strobes are three clocks apart;
-//                  on some that follow each other it comes up to two later
+//     latency      none: the verdict stands in the clock of its cause; on strobes in clocks in a row up to two later
 //     registers    35 bits     multipliers  none
 //
 // Doc: docs/blocks/protection.md   Test: tests/hls/protection_test.cpp
