@@ -14,61 +14,49 @@ module current_limit (
 );
   logic [11:0] left;  // clocks of off-time (cut) or of blanking
   logic due;  // of them 1 or none
-  logic none;  // none
+  logic none;  // none; in an off-time there is always one
   logic cut;  // off-time
   logic released;  // the comparator fell in this off-time
   logic hit;  // the first clock of an off-time
   logic [3:0] stuck;  // cuts in a row without release
 
-  wire on = on_i && !cut;  // line 37
-  wire both_40 = on && none;  // line 40
-  wire both_42 = cut && due;  // line 42
-  wire hit_next = both_40 && comparator_i && words_off_time_i != 12'd0;
-  wire either_49 = released || !comparator_i;  // line 49
+  wire both_39 = on_i && none;  // line 39
+  wire both_41 = cut && due;  // line 41
+  wire hit_next = both_39 && comparator_i && words_off_time_i != 12'd0;
+  wire either_48 = released || !comparator_i;  // line 48
 
   always_ff @(posedge clk) begin
     if (hit_next) begin
       left <= words_off_time_i;
       due <= words_off_time_i[11:1] == 11'd0;
       none <= 1'b0;
+    end else if (!both_41 && (on_i || cut)) begin
+      if (!both_39) begin
+        left <= left - 12'd1;
+        due <= due || left == 12'd2;
+      end
+      none <= both_39 || left == 12'd1;
     end else begin
-      logic either;
-      either = cut || on_i;
-      if (either) begin
-        if (both_42) begin
-          left <= {4'd0, words_blanking_i};
-          if (either_49) begin
-            stuck <= 4'd0;
-          end else begin
-            logic [4:0] sum_45;
-            sum_45 = {1'b0, stuck} + 5'd1;  // line 45
-            if (!(sum_45[4] && sum_45[3:0] != 4'd15)) begin
-              stuck <= sum_45[3:0];
-            end
-          end
-        end else if (both_40) begin
-          if (!comparator_i) begin
-            stuck <= 4'd0;
-          end
-        end else begin
-          left <= left - 12'd1;
-        end
-      end else begin
-        left <= {4'd0, words_blanking_i};
-      end
-      if (!both_42 && either) begin
-        if (!both_40) begin
-          due <= due || left == 12'd2;
-        end
-        none <= both_40 || left == 12'd1;
-      end else begin
-        due <= words_blanking_i[7:1] == 7'd0;
-        none <= words_blanking_i == 8'd0;
-      end
+      left <= {4'd0, words_blanking_i};
+      due <= words_blanking_i[7:1] == 7'd0;
+      none <= words_blanking_i == 8'd0;
     end
-    cut <= hit_next || (both_42 ^ cut);  // line 65
-    released <= cut && either_49;
+    cut <= hit_next || (both_41 ^ cut);  // line 64
+    released <= cut && either_48;
     hit <= hit_next;
+    if (both_41) begin
+      if (either_48) begin
+        stuck <= 4'd0;
+      end else begin
+        logic [4:0] sum_44;
+        sum_44 = {1'b0, stuck} + 5'd1;  // line 44
+        if (!(sum_44[4] && sum_44[3:0] != 4'd15)) begin
+          stuck <= sum_44[3:0];
+        end
+      end
+    end else if (both_39 && !comparator_i) begin
+      stuck <= 4'd0;
+    end
     if (rst) begin
       left <= 12'd0;
       due <= 1'b1;
@@ -80,7 +68,7 @@ module current_limit (
     end
   end
 
-  assign on_o = on;
+  assign on_o = on_i && !cut;
   assign hit_o = hit;
   assign stuck_o = stuck;
 endmodule

@@ -16,30 +16,26 @@ module guarded_leg (
   logic [1:0] was;  // the request of the last clock
   logic [7:0] timer;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 
-  wire [1:0] same = (gate == 2'd0) ? was : gate;  // line 44
-  wire both_48 = !off_i && (gate != 2'd0 || timer[7:1] == 7'd0);  // line 48
-  wire both_40 = low_i && !high_i;  // line 40
   wire either = off_i || timer[7:1] == 7'd0;
-  wire choice =
-      either ? both_48 && both_40 && same[1] :
-      (gate[1] || !both_48 || !both_40) ? gate[1] :
-      same[1];
-  wire both_39 = high_i && !low_i;  // line 39
-  wire choice_2 =
-      either ? both_48 && both_39 && same[0] :
-      (gate[0] || !both_48 || !both_39) ? gate[0] :
-      same[0];
-  wire [1:0] choice_58 = (both_40 && !off_i) ? 2'd2 : 2'd0;  // line 58
-  wire both_45 = both_39 && same[0];  // line 45
-  wire choice_45 = (both_45 || !both_40) ? both_45 : same[1];  // line 45
-  wire both = !off_i && choice_45;
-  wire both_46 = gate == 2'd0 && timer[7:1] == 7'd0;  // line 46
+  wire [1:0] held = either ? 2'd0 : gate;  // line 48
+  wire [1:0] choice_45 = (gate == 2'd0) ? was : gate;  // line 45
+  wire [1:0] same = off_i ? 2'd0 : choice_45;  // line 45
+  wire [1:0] ready = ((gate != 2'd0 || timer[7:1] == 7'd0) && !off_i) ? choice_45 : 2'd0;
+  wire [1:0] choice_44 = (low_i && !high_i) ? 2'd2 : 2'd0;  // line 44
+  wire [1:0] request = choice_44 | {1'b0, high_i && !low_i};  // line 44
+  wire [1:0] both_46 = request & same;  // line 46
+  wire either_47 = gate == 2'd0 || both_46 != 2'd0;  // line 47
+  wire both_47 = gate == 2'd0 && timer[7:1] == 7'd0;  // line 47
 
   always_ff @(posedge clk) begin
-    gate <= (choice ? 2'd2 : 2'd0) | {1'b0, choice_2};  // line 57
-    was <= choice_58 | {1'b0, both_39 && !off_i};  // line 58
-    if ((gate == 2'd0 || both) ? both_46 || !(both_46 || both) : either) begin
-      if (gate != 2'd0 || !both) begin
+    gate <= held | (ready & request);  // line 56
+    if (off_i) begin
+      was <= 2'd0;
+    end else begin
+      was <= request;
+    end
+    if (either_47 ? both_47 || !(both_47 || both_46 != 2'd0) : either) begin
+      if (gate != 2'd0 || both_46 == 2'd0) begin
         timer <= dead_time_i;
       end else begin
         timer <= minimum_i;

@@ -17,7 +17,8 @@ module hall_decoder (
   logic [2:0] code;  // u v w, one clock ago
   logic [9:0] left;  // clocks until the code counts
   logic stood;  // none: it counts
-  logic [2:0] sector;  // 0 to 5: of the last legal code
+  logic [2:0] last;  // the last legal one that counted
+  logic [2:0] sector;  // 0 to 5: its sector
   logic legal;  // of the last code that counted
   logic moved;  // one clock: to a neighbour, in earnest
   logic reverse;  // the last move went down
@@ -25,10 +26,12 @@ module hall_decoder (
   logic back;  // the sector is the one before the last move's
   logic jumped;  // one clock: to no neighbour
 
-  wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 68
+  wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 72
+  wire [2:0] other = code ^ last;  // line 54
+  wire [2:0] sum_57 = other - 3'd1;  // line 57
 
   always_ff @(posedge clk) begin
-    code <= code_next;  // line 68
+    code <= code_next;  // line 72
     if (code_next == code) begin
       if (!stood) begin
         left <= left - 10'd1;
@@ -39,33 +42,17 @@ module hall_decoder (
       stood <= hold_i == 10'd0;
     end
     if (stood) begin
-      logic [2:0] decoded_sector;  // line 50
-      logic unequal;
       logic either;
       logic either_2;
-      logic [2:0] choice_52;
-      logic equal_52;
-      logic [2:0] choice_53;
-      logic equal_53;
-      logic both_57;
-      case (code)
-        3'd4: decoded_sector = 3'd1;
-        3'd6: decoded_sector = 3'd2;
-        3'd2: decoded_sector = 3'd3;
-        3'd3: decoded_sector = 3'd4;
-        3'd1: decoded_sector = 3'd5;
-        default: decoded_sector = 3'd0;
-      endcase
-      unequal = decoded_sector != sector;
       either = code == 3'd5 || code == 3'd4 || code == 3'd6;
       either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
-      choice_52 = (sector == 3'd5) ? 3'd0 : sector + 3'd1;  // line 52
-      equal_52 = decoded_sector == choice_52;  // line 52
-      choice_53 = (code == 3'd1) ? 3'd0 : decoded_sector + 3'd1;  // line 53
-      equal_53 = sector == choice_53;  // line 53
-      both_57 = sure && (equal_53 ^ reverse);  // line 57
-      if (either_2) begin
-        if (!legal || unequal) begin
+      if (!legal || code != last) begin
+        if (either_2) begin
+          logic choice_61;
+          logic choice;
+          choice_61 = (legal && other != 3'd4) ? sum_57[2:1] == 2'd0 : legal;  // line 61
+          choice = (other != 3'd4 && legal) ? sum_57[2:1] == 2'd0 : legal;
+          last <= code;
           case (code)
             3'd1: sector <= 3'd5;
             3'd2: sector <= 3'd3;
@@ -74,47 +61,48 @@ module hall_decoder (
             3'd5: sector <= 3'd0;
             default: sector <= 3'd2;
           endcase
-        end
-        if (legal) begin
-          if (unequal) begin
-            logic either_3;
-            either_3 = equal_52 || equal_53;
-            sure <= either_3;
-            back <= either_3 && both_57 && !back;
-            jumped <= !either_3;
-          end else begin
-            jumped <= 1'b0;
-          end
-        end else begin
-          sure <= 1'b0;
-          back <= 1'b0;
-          jumped <= 1'b1;
-        end
-      end else begin
-        jumped <= 1'b0;
-      end
-      legal <= either_2;
-      if (legal) begin
-        if (either_2) begin
-          if (unequal) begin
-            if (both_57 ^ back) begin
-              moved <= 1'b0;
-            end else if (equal_53) begin
-              moved <= 1'b1;
-              reverse <= 1'b1;
-            end else begin
-              moved <= equal_52;
-              reverse <= !equal_52 && reverse;
+          if (choice) begin
+            logic differ_55;
+            logic equal_55;
+            logic equal_55_2;
+            logic choice_55;
+            logic both_58;
+            logic differ_59;
+            differ_55 = code[1] ^ code[2];  // line 55
+            equal_55 = code[0] == code[2];  // line 55
+            equal_55_2 = code[2] == code[1];  // line 55
+            choice_55 =  // line 55
+                (other == 3'd4) ? equal_55_2 :
+                (other == 3'd2) ? differ_55 :
+                equal_55;
+            both_58 = sure && (choice_55 ^ reverse);  // line 58
+            differ_59 = both_58 ^ back;  // line 59
+            moved <= !differ_59;
+            if (!differ_59) begin
+              if (other == 3'd4) begin
+                reverse <= equal_55_2;
+              end else if (other == 3'd2) begin
+                reverse <= differ_55;
+              end else begin
+                reverse <= equal_55;
+              end
             end
+            back <= both_58 && !back;
           end else begin
             moved <= 1'b0;
+            back <= 1'b0;
           end
+          sure <= choice || choice_61;
+          jumped <= !choice;
         end else begin
           moved <= 1'b0;
+          jumped <= 1'b0;
         end
       end else begin
         moved <= 1'b0;
+        jumped <= 1'b0;
       end
+      legal <= either_2;
     end else begin
       moved <= 1'b0;
       jumped <= 1'b0;
@@ -123,6 +111,7 @@ module hall_decoder (
       code <= 3'd0;
       left <= 10'd0;
       stood <= 1'b1;
+      last <= 3'd0;
       sector <= 3'd0;
       legal <= 1'b0;
       moved <= 1'b0;
@@ -138,4 +127,7 @@ module hall_decoder (
   assign moved_o = moved;
   assign reverse_o = reverse;
   assign jumped_o = jumped;
+
+  // What nothing reads, for the linters.
+  wire unused = &{1'b0, sum_57[0]};
 endmodule

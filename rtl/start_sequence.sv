@@ -71,8 +71,9 @@ module start_sequence (
 
   logic [10:0] at_bits;  // public, for a set to be a port
   logic drives;  // one of the states in which the bridge commutates
-  logic boosts;  // one of those in which boost_ is the duty
-  logic [15:0] duty;  // u1.15, that of other states
+  logic enables;  // or one of the others in which gates may be on
+  logic boosts;  // one of those whose duty comes above the back-EMF's
+  logic [15:0] duty;  // u1.15, of the state a clock ago; in kPullIn it fades
   logic entered;  // this is the first clock of the state
   logic late;  // there was a tick in it
   logic last;  // no ticks are left
@@ -86,8 +87,7 @@ module start_sequence (
   logic enough;  // that one came in the last clock
   logic [3:0] retries;  // failed tries
   logic [7:0] brakes;  // braking intervals of this stop
-  logic [15:0] boost;  // u1.15, duty above the back-EMF's while pulling in
-  logic faded;  // it is below the start's
+  logic faded;  // the duty is below the start's
   logic load_step;
   logic began;
   logic failed;
@@ -95,103 +95,115 @@ module start_sequence (
   logic turns_reverse;  // direction at the last update while observing
   logic clear_was;
 
-  wire [2:0] either_276 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
-  wire [1:0] choice_276 = at_bits[6] ? 2'd2 : 2'd0;  // line 276
-  wire [3:0] wide_276 =  // line 276
+  wire [2:0] either_277 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
+  wire [1:0] choice_277 = at_bits[6] ? 2'd2 : 2'd0;  // line 277
+  wire [3:0] wide_277 =  // line 277
       {1'b0,
-      either_276 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_276[1], choice_276} | {3{at_bits[7]}}};
-  wire [3:0] either_276_2 = wide_276 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 276
-  wire enable = drives || at_bits[2] || at_bits[4:3] != 2'd0;  // line 289
-  wire [4:0] either_292 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enable}} | {at_bits[2], 4'd0};
-  wire both_297 = at_bits[8:7] != 2'd0 && source_i;  // line 297
+      either_277 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_277[1], choice_277} | {3{at_bits[7]}}};
+  wire [3:0] either_277_2 = wide_277 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 277
+  wire [4:0] either_293 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enables}} | {at_bits[2], 4'd0};
+  wire both_298 = at_bits[8:7] != 2'd0 && source_i;  // line 298
   wire either = at_bits[6] || (at_bits[8:7] != 2'd0 && !source_i);
-  wire inverse_316 = !reverse;  // line 316
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 312
+  wire inverse_317 = !reverse;  // line 317
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 313
   wire both = tick_i && last && !entered;
-  wire either_80 = source_i || words_observe_i == 12'd0;  // line 80
-  wire both_163 = !command_run_i && either_80;  // line 163
-  wire both_140 = at_bits[2] && both;  // line 140
-  wire choice_80 = both_140 ? at_bits[9] || !both_163 : at_bits[9] && both;  // line 80
-  wire either_80_2 = at_bits[0] || choice_80;  // line 80
-  wire choice_132 =  // line 132
+  wire either_143 = (at_bits[6] && both && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
+  wire either_80 = !(!at_bits[5] || fast_i || !both) || either_143;  // line 80
+  wire choice_130 =  // line 130
       (!command_brake_to_stop_i || at_bits[8:7] != 2'd0) ? command_brake_to_stop_i :
       at_bits[2:1] != 2'd0;
-  wire either_134 = command_run_i || choice_132;  // line 134
-  wire both_137 = !fatal_i && either_134;  // line 137
-  wire either_137 = at_bits[10] || !command_configured_i;  // line 137
-  wire both_80 = !either_137 && both_137;  // line 80
-  wire both_80_2 = both_80 && either_80_2;  // line 80
-  wire [3:0] choice_191 = (both_80_2 && (source_i ^ either_80)) ? 4'd8 : 4'd0;  // line 191
+  wire either_132 = command_run_i || choice_130;  // line 132
+  wire both_135 = !fatal_i && either_132;  // line 135
+  wire either_135 = at_bits[10] || !command_configured_i;  // line 135
+  wire both_80 = !either_135 && both_135;  // line 80
+  wire failed_next = both_80 && either_80;  // line 80
+  wire [9:0] choice_171 = (failed_next && !tried) ? 10'd512 : 10'd0;  // line 171
   wire differ_80 = command_reverse_i ^ reverse;  // line 80
-  wire either_161 = !command_run_i || differ_80;  // line 161
-  wire either_143 = !at_bits[8] || lost_i;  // line 143
-  wire both_80_3 = !either_143 && either_161 && (both || !fast_i);  // line 80
+  wire either_159 = !command_run_i || differ_80;  // line 159
+  wire either_141 = !at_bits[8] || lost_i;  // line 141
+  wire both_80_2 = !either_141 && either_159 && (both || !fast_i);  // line 80
   wire differ_80_2 = turns_reverse ^ reverse;  // line 80
-  wire both_142 = at_bits[1] && enough;  // line 142
-  wire choice_80_2 = both_142 ? !command_run_i || differ_80_2 || both_80_3 : both_80_3;  // line 80
-  wire braking_next = both_80 && choice_80_2;  // line 80
-  wire [2:0] choice_173 = (braking_next && !braked) ? 3'd4 : 3'd0;  // line 173
-  wire either_145 = (at_bits[6] && both && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
-  wire either_80_3 = !(!at_bits[5] || fast_i || !both) || either_145;  // line 80
-  wire failed_next = both_80 && either_80_3;  // line 80
-  wire [9:0] choice_173_2 = (failed_next && !tried) ? 10'd512 : 10'd0;  // line 173
-  wire [9:0] wide_192 = {6'd0, choice_191 | {1'b0, choice_173}};  // line 192
-  wire both_135 = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);  // line 135
-  wire both_136 = command_configured_i && fatal_i;  // line 136
-  wire choice_139 = at_bits[10] ? !both_135 : both_136;  // line 139
-  wire [10:0] choice_194 =  // line 194
-      (choice_139 || (braking_next && braked) || (failed_next && tried)) ? 11'd1024 : 11'd0;
-  wire [1:0] choice_173_3 = (both_80_2 && !source_i && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
-  wire choice_138 = either_137 ? !at_bits[10] || both_135 : !(either_134 || fatal_i);  // line 138
-  wire [7:0] choice_173_4 = (both_80_2 && source_i) ? 8'd128 : 8'd0;  // line 173
-  wire [7:0] wide_189 = {6'd0, choice_173_3 | {1'b0, choice_138}};  // line 189
+  wire both_140 = at_bits[1] && enough;  // line 140
+  wire choice_80 = both_140 ? !command_run_i || differ_80_2 || both_80_2 : both_80_2;  // line 80
+  wire braking_next = both_80 && choice_80;  // line 80
+  wire both_133 = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);  // line 133
+  wire both_134 = command_configured_i && fatal_i;  // line 134
+  wire choice_137 = at_bits[10] ? !both_133 : both_134;  // line 137
+  wire [10:0] choice =
+      (choice_137 || (braking_next && braked) || (failed_next && tried)) ? 11'd1024 : 11'd0;
+  wire either_114 = source_i || words_observe_i == 12'd0;  // line 114
+  wire both_138 = at_bits[2] && both;  // line 138
+  wire choice_80_2 = both_138 ? at_bits[9] || !(!command_run_i && either_114) : at_bits[9] && both;
+  wire either_80_2 = at_bits[0] || choice_80_2;  // line 80
+  wire both_80_3 = both_80 && either_80_2;  // line 80
+  wire [3:0] choice_2 = (both_80_3 && (source_i ^ either_114)) ? 4'd8 : 4'd0;
+  wire [2:0] choice_171_2 = (braking_next && !braked) ? 3'd4 : 3'd0;  // line 171
+  wire [1:0] choice_171_3 = (both_80_3 && !source_i && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
+  wire choice_136 = either_135 ? !at_bits[10] || both_133 : !(either_132 || fatal_i);  // line 136
+  wire [7:0] choice_171_4 = (both_80_3 && source_i) ? 8'd128 : 8'd0;  // line 171
+  wire [7:0] wide_187 = {6'd0, choice_171_3 | {1'b0, choice_136}};  // line 187
   wire inverse = !(enough || both);
-  wire [1:0] choice_173_5 = (at_bits[1] && inverse) ? 2'd2 : 2'd0;  // line 173
-  wire both_168 = at_bits[1] && !enough && both;  // line 168
-  wire [2:0] choice_173_6 = (at_bits[2] && !both) ? 3'd4 : 3'd0;  // line 173
-  wire [2:0] wide_176 =  // line 176
-      {1'b0, choice_173_5 | {1'b0, (both_168 && !command_run_i) || (both_140 && both_163)}};
-  wire [3:0] choice_173_7 = ((both_168 && command_run_i) || (at_bits[3] && !both)) ? 4'd8 : 4'd0;
-  wire [4:0] choice_173_8 = (both ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 173
-  wire [4:0] wide_178 = {1'b0, {1'b0, wide_176 | choice_173_6} | choice_173_7};  // line 178
-  wire [5:0] choice = ((at_bits[4] && both) || (at_bits[5] && !(fast_i || both))) ? 6'd32 : 6'd0;
-  wire both_182 = at_bits[5] && fast_i;  // line 182
-  wire [6:0] choice_173_9 = (both_182 || (at_bits[6] && inverse)) ? 7'd64 : 7'd0;  // line 173
-  wire [6:0] wide_181 = {1'b0, {1'b0, wide_178 | choice_173_8} | choice};  // line 181
-  wire either_184 = (both_142 && command_run_i && !differ_80_2) || (at_bits[6] && enough);
-  wire both_184 = command_run_i && !differ_80;  // line 184
-  wire both_171 = at_bits[8:7] != 2'd0 && !lost_i;  // line 171
-  wire [7:0] choice_173_10 = ((either_184 || !both_171) ? either_184 : both_184) ? 8'd128 : 8'd0;
-  wire [7:0] wide_183 = {1'b0, wide_181 | choice_173_9};  // line 183
-  wire [8:0] choice_185 =  // line 185
-      (both_171 && either_161 && (at_bits[7] || (!both && fast_i))) ? 9'd256 : 9'd0;
-  wire [8:0] wide_184 = {1'b0, wide_183 | choice_173_10};  // line 184
-  wire [9:0] choice_173_11 = (at_bits[9] && !both) ? 10'd512 : 10'd0;  // line 173
-  wire [9:0] wanted = {1'b0, wide_184 | choice_185} | choice_173_11;  // line 185
-  wire [9:0] choice_187 = (choice_138 || choice_139) ? 10'd0 : wanted;  // line 187
-  wire [9:0] either_189 = {2'd0, wide_189 | choice_173_4} | choice_187;  // line 189
-  wire [10:0] at_bits_next = {1'b0, wide_192 | choice_173_2} | choice_194 | {1'b0, either_189};
-  wire [3:0] retries_next =  // line 228
-      (at_bits[0] || (both && at_bits[7])) ? 4'd0 :
-      failed ? retries + 4'd1 :
-      retries;
-  wire [6:0] sum_243 = {1'b0, good} + 7'd1;  // line 243
-  wire [15:0] choice_2 =
+  wire [1:0] choice_171_5 = (at_bits[1] && inverse) ? 2'd2 : 2'd0;  // line 171
+  wire both_166 = at_bits[1] && !enough && both;  // line 166
+  wire [1:0] wide_173 =  // line 173
+      {1'b0,
+      (both_166 && !command_run_i) ||
+      (both_138 && !(command_run_i || (!source_i && words_observe_i != 12'd0)))};
+  wire [2:0] choice_171_6 = (at_bits[2] && !both) ? 3'd4 : 3'd0;  // line 171
+  wire [2:0] wide_174 = {1'b0, choice_171_5 | wide_173};  // line 174
+  wire [3:0] choice_171_7 = ((both_166 && command_run_i) || (at_bits[3] && !both)) ? 4'd8 : 4'd0;
+  wire [4:0] choice_171_8 = (both ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 171
+  wire [4:0] wide_176 = {1'b0, {1'b0, wide_174 | choice_171_6} | choice_171_7};  // line 176
+  wire [5:0] choice_171_9 =  // line 171
+      ((at_bits[4] && both) || (at_bits[5] && !(fast_i || both))) ? 6'd32 : 6'd0;
+  wire both_180 = at_bits[5] && fast_i;  // line 180
+  wire [6:0] choice_171_10 = (both_180 || (at_bits[6] && inverse)) ? 7'd64 : 7'd0;  // line 171
+  wire [6:0] wide_179 = {1'b0, {1'b0, wide_176 | choice_171_8} | choice_171_9};  // line 179
+  wire either_182 = (both_140 && command_run_i && !differ_80_2) || (at_bits[6] && enough);
+  wire both_182 = command_run_i && !differ_80;  // line 182
+  wire both_169 = at_bits[8:7] != 2'd0 && !lost_i;  // line 169
+  wire [7:0] choice_171_11 = ((either_182 || !both_169) ? either_182 : both_182) ? 8'd128 : 8'd0;
+  wire [7:0] wide_181 = {1'b0, wide_179 | choice_171_10};  // line 181
+  wire [8:0] choice_171_12 =  // line 171
+      (both_169 && either_159 && (at_bits[7] || (!both && fast_i))) ? 9'd256 : 9'd0;
+  wire [8:0] wide_182 = {1'b0, wide_181 | choice_171_11};  // line 182
+  wire [9:0] choice_171_13 = (at_bits[9] && !both) ? 10'd512 : 10'd0;  // line 171
+  wire [9:0] wanted = {1'b0, wide_182 | choice_171_12} | choice_171_13;  // line 183
+  wire [9:0] choice_185 = (choice_136 || choice_137) ? 10'd0 : wanted;  // line 185
+  wire [9:0] either_187 = {2'd0, wide_187 | choice_171_4} | choice_185;  // line 187
+  wire [9:0] either_189 = {6'd0, choice_2 | {1'b0, choice_171_2}} | either_187;  // line 189
+  wire [10:0] at_bits_next = {1'b0, choice_171} | choice | {1'b0, either_189};  // line 191
+  wire either_102 = choice_185[6:5] != 2'd0 || either_187[7];  // line 102
+  wire [15:0] choice_3 =
       (retries[3:1] == 3'd0) ? words_start_duty_i :
       words_start_duty_i[15] ? 16'd65535 :
       {words_start_duty_i[14:0], 1'b0};
+  wire [6:0] sum_241 = {1'b0, good} + 7'd1;  // line 241
 
   always_ff @(posedge clk) begin
-    at_bits <= at_bits_next;  // line 193
-    drives <= choice_187[6:5] != 2'd0 || either_189[7] || choice_187[8];
-    boosts <= choice_187[6:5] != 2'd0;  // line 104
-    if (at_bits[4:3] == 2'd0) begin
+    at_bits <= at_bits_next;  // line 191
+    drives <= either_102 || choice_185[8];
+    enables <= either_102 || choice_185[8] || either_189[3:2] != 2'd0 || choice_185[4];
+    boosts <= choice_185[6:5] != 2'd0;  // line 101
+    if (at_bits[6]) begin
+      if (commutate_i) begin
+        if (lags_i) begin
+          if (faded) begin
+            duty <= duty + {5'd0, duty[15:5]};
+          end
+        end else begin
+          duty <= duty - {5'd0, duty[15:5]};
+        end
+      end
+    end else if (at_bits[5]) begin
+      duty <= choice_3;
+    end else if (at_bits[4:3] == 2'd0) begin
       if (at_bits[2]) begin
         duty <= words_brake_duty_i;
       end else begin
         duty <= 16'd0;
       end
-    end else if (retries_next[3:1] == 3'd0) begin
+    end else if (retries[3:1] == 3'd0) begin
       duty <= words_reset_duty_i;
     end else if (words_reset_duty_i[15]) begin
       duty <= 16'd65535;
@@ -199,22 +211,22 @@ module start_sequence (
       duty <= {words_reset_duty_i[14:0], 1'b0};
     end
     if (both_80) begin
-      logic choice_146;
-      logic choice_146_2;
-      logic either_146;
-      logic inverse_154;
-      choice_146 = either_143 ? at_bits[8] : both_184 || !fast_i;  // line 146
-      choice_146_2 = at_bits[7] ? lost_i || !command_run_i || differ_80 || choice_146 : choice_146;
-      either_146 = both_182 || choice_146_2;  // line 146
-      inverse_154 = !(!at_bits[0] && (!both || (at_bits & 11'h481) != 11'd0));  // line 154
-      entered <= inverse_154 || (enough && (at_bits[6:1] & 6'h21) != 6'd0) || either_146;
+      logic choice_144;
+      logic choice_144_2;
+      logic either_144;
+      logic inverse_152;
+      choice_144 = either_141 ? at_bits[8] : both_182 || !fast_i;  // line 144
+      choice_144_2 = at_bits[7] ? lost_i || !command_run_i || differ_80 || choice_144 : choice_144;
+      either_144 = both_180 || choice_144_2;  // line 144
+      inverse_152 = !(!at_bits[0] && (!both || (at_bits & 11'h481) != 11'd0));  // line 152
+      entered <= inverse_152 || (enough && (at_bits[6:1] & 6'h21) != 6'd0) || either_144;
     end else begin
       entered <=
-          (at_bits & 11'h401) == 11'd0 || (at_bits[0] && both_136) || (at_bits[10] && both_135);
+          (at_bits & 11'h401) == 11'd0 || (at_bits[0] && both_134) || (at_bits[10] && both_133);
     end
-    late <= tick_i && entered;  // line 220
-    last <= !entered && ticks == 15'd0;  // line 221
-    tried <= (words_retries_i <= retries);  // line 227
+    late <= tick_i && entered;  // line 218
+    last <= !entered && ticks == 15'd0;  // line 219
+    tried <= (words_retries_i <= retries);  // line 225
     if (at_bits[10]) begin
       braking <= 1'b0;
       began <= 1'b0;
@@ -225,11 +237,11 @@ module start_sequence (
       logic both_80_6;
       logic both_83;
       logic both_80_7;
-      both_80_4 = command_configured_i && both_137;  // line 80
-      both_80_5 = both_80_4 && choice_80_2;  // line 80
+      both_80_4 = command_configured_i && both_135;  // line 80
+      both_80_5 = both_80_4 && choice_80;  // line 80
       both_80_6 = both_80_4 && either_80_2;  // line 80
       both_83 = both_80_6 && at_bits[0];  // line 83
-      both_80_7 = both_80_4 && either_80_3;  // line 80
+      both_80_7 = both_80_4 && either_80;  // line 80
       braking <= both_80_5;
       if (both_83) begin
         reason <= Reason_kNone;
@@ -251,33 +263,33 @@ module start_sequence (
       began <= both_83;
       failed <= both_80_7;
     end
-    braked <= brakes == 8'd255;  // line 233
+    braked <= brakes == 8'd255;  // line 231
     if (entered) begin
-      logic [14:0] wide_207;
+      logic [14:0] wide_205;
       logic [14:0] once;
       logic [14:0] then;
       logic [14:0] once_2;
       logic [14:0] then_2;
+      logic [14:0] either_206;
       logic [14:0] either_208;
-      logic [14:0] either_210;
-      logic [14:0] either_211;
+      logic [14:0] either_209;
       logic [12:0] once_3;
       logic [14:0] then_3;
-      wide_207 =  // line 207
+      wide_205 =  // line 205
           {3'd0, (at_bits[1] ? words_observe_i : 12'd0) | (at_bits[2] ? words_brake_i : 12'd0)};
-      once = {3'd0, words_settle_i} << gentle[0];  // line 201
-      then = gentle[1] ? {once[12:0], 2'd0} : once;  // line 202
-      once_2 = {3'd0, words_reset_i} << gentle[0];  // line 201
-      then_2 = gentle[1] ? {once_2[12:0], 2'd0} : once_2;  // line 202
-      either_208 = wide_207 | (at_bits[3] ? then : 15'd0) | (at_bits[4] ? then_2 : 15'd0);
-      either_210 =  // line 210
-          either_208 | {3'd0, at_bits[6] ? words_pull_in_i : 12'd0} |
+      once = {3'd0, words_settle_i} << gentle[0];  // line 199
+      then = gentle[1] ? {once[12:0], 2'd0} : once;  // line 200
+      once_2 = {3'd0, words_reset_i} << gentle[0];  // line 199
+      then_2 = gentle[1] ? {once_2[12:0], 2'd0} : once_2;  // line 200
+      either_206 = wide_205 | (at_bits[3] ? then : 15'd0) | (at_bits[4] ? then_2 : 15'd0);
+      either_208 =  // line 208
+          either_206 | {3'd0, at_bits[6] ? words_pull_in_i : 12'd0} |
           {3'd0, at_bits[8] ? words_slow_down_i : 12'd0};
-      either_211 =  // line 211
-          either_210 | {3'd0, at_bits[9] ? words_rest_i : 12'd0} | {4'd0, at_bits[7], 10'd0};
-      once_3 = gentle[0] ? 13'd8190 : 13'd4095;  // line 201
-      then_3 = gentle[1] ? {once_3, 2'd0} : {2'd0, once_3};  // line 202
-      ticks <= either_211 | (at_bits[5] ? then_3 : 15'd0);
+      either_209 =  // line 209
+          either_208 | {3'd0, at_bits[9] ? words_rest_i : 12'd0} | {4'd0, at_bits[7], 10'd0};
+      once_3 = gentle[0] ? 13'd8190 : 13'd4095;  // line 199
+      then_3 = gentle[1] ? {once_3, 2'd0} : {2'd0, once_3};  // line 200
+      ticks <= either_209 | (at_bits[5] ? then_3 : 15'd0);
       good <= 6'd0;
       enough <= 1'b0;
     end else begin
@@ -290,7 +302,7 @@ module start_sequence (
           enough <= 1'b0;
         end else begin
           if (good_i) begin
-            good <= sum_243[5:0];
+            good <= sum_241[5:0];
           end else begin
             good <= 6'd0;
           end
@@ -301,8 +313,12 @@ module start_sequence (
         enough <= 1'b0;
       end
     end
-    nearly <= ({1'b0, words_good_crossings_i} <= sum_243);  // line 243
-    retries <= retries_next;  // line 228
+    nearly <= ({1'b0, words_good_crossings_i} <= sum_241);  // line 241
+    if (at_bits[0] || (both && at_bits[7])) begin
+      retries <= 4'd0;
+    end else if (failed) begin
+      retries <= retries + 4'd1;
+    end
     if ((at_bits[7:0] & 8'h81) == 8'd0) begin
       if (braking) begin
         brakes <= brakes + 8'd1;
@@ -310,29 +326,19 @@ module start_sequence (
     end else begin
       brakes <= 8'd0;
     end
-    if (at_bits[6]) begin
-      if (commutate_i) begin
-        if (lags_i) begin
-          boost <= boost + {5'd0, faded ? boost[15:5] : 11'd0};
-        end else begin
-          boost <= boost - {5'd0, boost[15:5]};
-        end
-      end
-    end else begin
-      boost <= choice_2;
-    end
-    faded <= boost < choice_2;  // line 259
+    faded <= duty < choice_3;  // line 257
     if (at_bits[5]) begin
-      load_step <= at_bits[1] && either_189[7];
-    end else if (choice_187[5] || !at_bits[1]) begin
-      load_step <= choice_187[5];
+      load_step <= at_bits[1] && either_187[7];
+    end else if (choice_185[5] || !at_bits[1]) begin
+      load_step <= choice_185[5];
     end else begin
-      load_step <= either_189[7];
+      load_step <= either_187[7];
     end
     clear_was <= command_clear_fault_i;
     if (rst) begin
       at_bits <= 11'd1;
       drives <= 1'b0;
+      enables <= 1'b0;
       boosts <= 1'b0;
       duty <= 16'd0;
       entered <= 1'b0;
@@ -348,7 +354,6 @@ module start_sequence (
       enough <= 1'b0;
       retries <= 4'd0;
       brakes <= 8'd0;
-      boost <= 16'd0;
       faded <= 1'b0;
       load_step <= 1'b0;
       began <= 1'b0;
@@ -359,30 +364,30 @@ module start_sequence (
     end
   end
 
-  assign state_o = either_276_2 | (at_bits[10] ? 4'd10 : 4'd0);
+  assign state_o = either_277_2 | (at_bits[10] ? 4'd10 : 4'd0);
   assign reason_o = reason;
-  assign enable_o = enable;
-  assign pattern_bits_o = either_292 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
+  assign enable_o = enables;
+  assign pattern_bits_o = either_293 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
   assign reverse_o = reverse;
   assign running_o = at_bits[8:7] != 2'd0;
   assign mode_o =
       (at_bits[8:7] == 2'd0) ? ((at_bits[1] || boosts) ? SpeedMode_kAboveBemf : SpeedMode_kFixed) :
       SpeedMode_kControl;
-  assign duty_o = boosts ? boost : duty;
+  assign duty_o = duty;
   assign stop_o = at_bits[8];
   assign watch_o =
-      (at_bits[1] || both_297) ? Evidence_kSectors :
+      (at_bits[1] || both_298) ? Evidence_kSectors :
       either ? Evidence_kCrossings :
       Evidence_kNothing;
   assign loop_o =
       at_bits[1] ? Loop_kCatch :
-      both_297 ? Loop_kHall :
+      both_298 ? Loop_kHall :
       either ? Loop_kTrack :
       at_bits[5] ? Loop_kRamp :
       Loop_kStop;
   assign load_step_o = load_step;
   assign step_o =
-      at_bits[5] ? {1'b0, {2{inverse_316}}} :
+      at_bits[5] ? {1'b0, {2{inverse_317}}} :
       reverse ? sector_i :
       (sector_i == 3'd0) ? 3'd5 :
       sector_i - 3'd1;

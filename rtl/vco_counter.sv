@@ -11,10 +11,13 @@ module vco_counter (
     output logic [15:0] phase_o,  // u0.16, VCO turns
     output logic        pulse_o  // one clock, the first of a new turn
 );
-  logic [26:0] low;  // its lower 26 bits, and room for the carry
+  logic [26:0] low;  // its lower 26 bits, and their carry
+  logic counted;  // the carry is new, and has still to be added to
   logic [5:0] high;  // the others
-  logic full;  // they are all ones: the next carry into them ends the turn
-  logic pulse;  // the last addition passed a whole turn
+  logic full;  // which are all ones: the carry ends the turn
+
+  wire carry = low[26] && counted;  // line 37
+  wire [5:0] sum_40 = high + {5'd0, carry};  // line 40
 
   always_ff @(posedge clk) begin
     if (load_i) begin
@@ -25,29 +28,24 @@ module vco_counter (
         high <= 6'd0;
       end
       full <= 1'b0;
-      pulse <= 1'b0;
-    end else if (enable_i) begin
-      logic [26:0] sum;
-      logic [1:0] choice_46;
-      sum = low + {1'b0, frequency_i};  // line 37
-      choice_46 = sum[26] ? 2'd2 : 2'd3;  // line 46
-      low <= {1'b0, sum[25:0]};
-      if (sum[26]) begin
-        high <= high + 6'd1;
-      end
-      full <= high == {{4{choice_46[1]}}, choice_46};
-      pulse <= sum[26] && full;
     end else begin
-      pulse <= 1'b0;
+      if (enable_i) begin
+        low <= {1'b0, low[25:0]} + {1'b0, frequency_i};
+      end
+      high <= sum_40;
+      if (carry) begin
+        full <= high == 6'd62;
+      end
     end
+    counted <= enable_i;
     if (rst) begin
       low <= 27'd0;
+      counted <= 1'b0;
       high <= 6'd0;
       full <= 1'b0;
-      pulse <= 1'b0;
     end
   end
 
-  assign phase_o = {high, 10'd0} | {5'd0, low[26:16]};
-  assign pulse_o = pulse;
+  assign phase_o = {sum_40, 10'd0} | {6'd0, low[25:16]};
+  assign pulse_o = carry && full;
 endmodule

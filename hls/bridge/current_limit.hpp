@@ -34,10 +34,9 @@ class CurrentLimit {
   };
 
   Out tick(const In& in) {
-    const bool on = in.on && !cut_;
-    const Out out{.on = on, .hit = hit_, .stuck = stuck_};
+    const Out out{.on = in.on && !cut_, .hit = hit_, .stuck = stuck_};
 
-    const bool heard = on && none_;
+    const bool heard = in.on && none_;
     const bool hit = heard && in.comparator && in.words.off_time != 0;
     const bool cut_ends = cut_ && due_;
 
@@ -53,7 +52,7 @@ class CurrentLimit {
       left_ = in.words.off_time;
       due_ = in.words.off_time < 2;
       none_ = false;
-    } else if (cut_ends || !(on || cut_)) {
+    } else if (cut_ends || !(in.on || cut_)) {
       left_ = in.words.blanking;
       due_ = in.words.blanking < 2;
       none_ = in.words.blanking == 0;
@@ -84,7 +83,7 @@ class CurrentLimit {
 
   UInt<12> left_ = 0;      // clocks of off-time (cut) or of blanking
   bool due_ = true;        // of them 1 or none
-  bool none_ = true;       // none
+  bool none_ = true;       // none; in an off-time there is always one
   bool cut_ = false;       // off-time
   bool released_ = false;  // the comparator fell in this off-time
   bool hit_ = false;       // the first clock of an off-time

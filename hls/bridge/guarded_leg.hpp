@@ -41,21 +41,20 @@ class GuardedLeg {
     const bool on = gate_ != 0;
     const bool due = (timer_ >> 1) == 0;
     // The request comes late in the clock: all that does not wait for it is asked first.
-    const Pair same = on ? gate_ : was_;
-    const bool wanted = !in.off && ((high && same.bit(kHigh)) || (low && same.bit(kLow)));
+    const Pair request = Pair(high) << kHigh | Pair(low) << kLow;
+    const Pair same = in.off ? Pair(0) : on ? gate_ : was_;
+    const bool wanted = (request & same) != 0;
     const bool reloads = (!on && due) || (!wanted && (!on || in.off || due));
-    const bool held = !in.off && !due;
-    const bool ready = !in.off && (on || due);
-    const bool high_on = (held && gate_.bit(kHigh)) || (ready && high && same.bit(kHigh));
-    const bool low_on = (held && gate_.bit(kLow)) || (ready && low && same.bit(kLow));
+    const Pair held = !in.off && !due ? gate_ : Pair(0);
+    const Pair ready = on || due ? same : Pair(0);
 
     if (reloads) {
       timer_ = !on && wanted ? in.minimum : in.dead_time;
     } else if (!due) {
       timer_ = wrap<UInt<8>>(timer_ - 1);
     }
-    gate_ = Pair(high_on) << kHigh | Pair(low_on) << kLow;
-    was_ = Pair(high && !in.off) << kHigh | Pair(low && !in.off) << kLow;
+    gate_ = held | (ready & request);
+    was_ = in.off ? Pair(0) : request;
     return out;
   }
 

@@ -36,16 +36,18 @@ class SerialMultiplier {
     Int<WA + WB> product = 0;  // valid from done to the next start
     bool done = false;         // one clock
     bool busy = false;         // from the clock after start to the one before done
+    bool ends = false;         // done comes in the next clock, unless a start drops it
   };
 
   Out tick(const In& in) {
+    const bool drops = last_ && !dropping_ && in.shift != 0;
+    const bool ends = last_ && !drops;
     const Out out{.product = (Int<WA + WB>(high_) << WB) | Int<WA + WB>(low_),
                   .done = done_,
-                  .busy = left_ != 0};
-    const bool last = left_ == 1;
+                  .busy = left_ != 0,
+                  .ends = ends};
     const auto sum = high_ + addend_;
-    const bool drops = last && !dropping_ && in.shift != 0;
-    done_ = !in.start && last && !drops;
+    done_ = !in.start && ends;
     // The addend is that of the next clock, so that an adder and nothing else lies between registers.
     if (in.start) {
       high_ = 0;
@@ -53,10 +55,12 @@ class SerialMultiplier {
       left_ = WB;
       dropping_ = false;
       addend_ = in.b.bit(0) ? in.a : Int<WA>(0);
+      last_ = false;
     } else if (left_ != 0) {
-      addend_ = low_.bit(1) && !last && !dropping_ ? in.a : Int<WA>(0);
+      addend_ = low_.bit(1) && !last_ && !dropping_ ? in.a : Int<WA>(0);
       high_ = wrap<Int<WA>>(sum >> 1);
       low_ = (low_ >> 1) | (UInt<WB>(sum.bit(0)) << (WB - 1));
+      last_ = drops ? in.shift == 1 : left_ == 2;
       left_ = drops ? Left(in.shift) : wrap<Left>(left_ - 1);
       dropping_ = dropping_ || drops;
     }
@@ -75,6 +79,7 @@ class SerialMultiplier {
     high_ = Int<WA>::of(sum >> n);
     low_ = UInt<WB>::of(low >> n | (static_cast<std::uint64_t>(sum) & (place - 1)) << (WB - n));
     left_ = Left::of(left_.raw() - clocks);
+    last_ = left_ == 1;
   }
   bool operator==(const SerialMultiplier&) const = default;
 
@@ -85,6 +90,7 @@ class SerialMultiplier {
   UInt<WB> low_ = 0;    // above: its lower bits; below: the bits of b still to come
   Int<WA> addend_ = 0;  // a, or 0 where the bit of b is 0
   Left left_ = 0;       // clocks
+  bool last_ = false;   // of them 1
   bool dropping_ = false;  // b is used up; the clocks that are left shift the product
   bool done_ = false;   // the product is complete
 };

@@ -13,7 +13,7 @@
 // step back to the last sector and the return from there are no moves; a second step back is one.
 //
 //     latency      hold + 2 clocks from the pins' synchronisers to the outputs
-//     registers    23 bits     multipliers  none
+//     registers    26 bits     multipliers  none
 //
 // Doc: docs/blocks/hall_decoder.md   Test: tests/hls/hall_decoder_test.cpp
 
@@ -49,11 +49,12 @@ class HallDecoder {
                   .jumped = jumped_};
     const Decoded decoded = decode(code_);
     const bool accept = stood_;
-    const bool up = decoded.sector == (sector_ == 5 ? UInt<3>(0) : wrap<UInt<3>>(sector_ + 1));
-    const bool down = sector_ == (decoded.sector == 5 ? UInt<3>(0)
-                                                      : wrap<UInt<3>>(decoded.sector + 1));
-    const bool changed = accept && decoded.legal && (!legal_ || decoded.sector != sector_);
-    const bool neighbour = changed && legal_ && (up || down);
+    // Codes of neighbours differ in one pin; that one and a second tell the direction.
+    const bool u = code_.bit(2), v = code_.bit(1), w = code_.bit(0);
+    const UInt<3> other = code_ ^ last_;
+    const bool down = other == 0b100 ? u == v : other == 0b010 ? v != u : w == u;
+    const bool changed = accept && decoded.legal && (!legal_ || other != 0);
+    const bool neighbour = changed && legal_ && (other == 0b100 || other == 0b010 || other == 0b001);
     const bool turns = sure_ && down != reverse_;
     moved_ = neighbour && turns == back_;
     jumped_ = changed && !neighbour;
@@ -62,7 +63,10 @@ class HallDecoder {
       sure_ = neighbour;
     }
     if (moved_) reverse_ = down;
-    if (changed) sector_ = decoded.sector;
+    if (changed) {
+      sector_ = decoded.sector;
+      last_ = code_;
+    }
     if (accept) legal_ = decoded.legal;
 
     const UInt<3> code = (UInt<3>(in.u) << 2) | (UInt<3>(in.v) << 1) | UInt<3>(in.w);
@@ -106,7 +110,8 @@ class HallDecoder {
   UInt<3> code_ = 0;      // u v w, one clock ago
   UInt<10> left_ = 0;     // clocks until the code counts
   bool stood_ = true;     // none: it counts
-  UInt<3> sector_ = 0;    // 0 to 5: of the last legal code
+  UInt<3> last_ = 0;      // the last legal one that counted
+  UInt<3> sector_ = 0;    // 0 to 5: its sector
   bool legal_ = false;    // of the last code that counted
   bool moved_ = false;    // one clock: to a neighbour, in earnest
   bool reverse_ = false;  // the last move went down

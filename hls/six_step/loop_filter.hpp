@@ -18,7 +18,7 @@
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
 //     latency      24 clocks per product: about 150 from update to frequency; an update that comes
 //                  while busy is passed over
-//     registers    about 280 bits     multipliers  none (one serial)
+//     registers    about 310 bits     multipliers  none (one serial)
 //
 // Doc: docs/blocks/loop_filter.md   Test: tests/hls/loop_filter_test.cpp
 
@@ -69,7 +69,6 @@ class LoopFilter {
                   .slow = slow_,
                   .busy = !at_.holds(Stage::kIdle)};
     const bool bounds = at_.holds_one_of(Stage::kLow, Stage::kHigh, Stage::kSlow, Stage::kOut);
-    const bool multiplies = !bounds && !at_.holds(Stage::kIdle);
     const auto product = multiplier_.tick({.start = starts_,
                                            .a = multiplicand(),
                                            .b = factor(in)});
@@ -80,15 +79,14 @@ class LoopFilter {
     bound(in, below);
     const bool begins = ticks ? in.tick : in.update;
     const bool goes = at_.holds(Stage::kIdle) ? begins : bounds || product.done;
-    starts_ = goes && (at_.holds_one_of(Stage::kIdle, Stage::kDelay, Stage::kScale, Stage::kProportional, Stage::kPole) ||
-                       (at_.holds(Stage::kIntegral) && track));
+    starts_ = goes || at_.holds(Stage::kIdle);  // and over and over with 0, where there is nothing to multiply
     if (goes) {
       at_ = at_.holds(Stage::kIntegral) && !track ? Stages(Stage::kLow) : at_.next();
     }
     if (loop_ == Loop::kStop) {
-      x_ = 0;
       y_ = 0;
-      fast_ = slow_ = shown_ = at_top_ = at_bottom_ = starts_ = false;
+      fast_ = slow_ = shown_ = at_top_ = at_bottom_ = false;
+      starts_ = true;
       at_ = Stage::kIdle;
     }
     loop_ = in.loop;
@@ -129,7 +127,8 @@ class LoopFilter {
       return track ? in.ki : smooth(in) ? UInt<16>(0x1000) : UInt<16>(0x4000);
     }
     if (at_.holds(Stage::kProportional)) return in.kp;
-    return at_.holds(Stage::kPole) ? pole : wrap<UInt<15>>(UInt<15>(0x4000) - pole);
+    if (at_.holds(Stage::kPole)) return pole;
+    return at_.holds(Stage::kKeep) ? wrap<UInt<15>>(UInt<15>(0x4000) - pole) : UInt<15>(0);
   }
 
   // Hall sensors stand a few degrees off: small errors count for a quarter, large ones are real.
@@ -141,28 +140,36 @@ class LoopFilter {
   // A bound that is passed is taken in the clock after it was compared with.
   void work(const In& in, Int<56> product, bool done) {
     const bool track = loop_ == Loop::kTrack;
+    // Nothing stands behind the adder: a bound comes as what is added to, the product being 0 by then.
     const Work sum = wrap<Work>(base_ + wrap<Work>(product >> 14));
-    // A product takes longer than a clock: there is time to fetch what it will be added to.
-    base_ = at_.holds_one_of(Stage::kDelay, Stage::kKeep)              ? work_
-            : at_.holds_one_of(Stage::kIntegral, Stage::kProportional) ? x_
-                                                                       : Work(0);
-    const bool integrates = at_.holds(Stage::kIntegral) && track;
-    const bool winds_up = work_.negative() ? at_bottom_ : at_top_;
-    if (done && integrates && !winds_up) {
-      x_ = sum;
-    } else if (at_.holds(Stage::kOut) && !track) {
-      x_ = work_;
+    const bool too_low = at_.holds(Stage::kHigh) && below_;
+    const bool too_high = at_.holds(Stage::kSlow) && !below_;
+    // A product takes longer than a clock, and a bound waits for one: there is time to fetch what they need.
+    if (at_.holds(Stage::kIdle)) {
+      base_ = Work(loop_ == Loop::kRamp ? ramp_error(in.gentle) : in.error) << 6;
+    } else if (!at_.holds(Stage::kDelay)) {
+      base_ = at_.holds_one_of(Stage::kIntegral, Stage::kProportional) ? x_
+              : at_.holds(Stage::kKeep)                                ? work_
+              : at_.holds(Stage::kLow)  ? wrap<Work>(UInt<30>(least(in)) << 4)
+              : at_.holds(Stage::kHigh) ? wrap<Work>(UInt<30>(in.maximum) << 4)
+                                        : Work(0);
     }
     if (at_.holds(Stage::kOut)) y_ = wrap<UInt<30>>(work_);
-    if (done && !integrates) {
-      work_ = sum;
-    } else if (at_.holds(Stage::kIdle)) {
-      work_ = Work(loop_ == Loop::kRamp ? ramp_error(in.gentle) : in.error) << 6;
-    } else if (at_.holds(Stage::kHigh) && below_) {
-      work_ = wrap<Work>(UInt<30>(least(in)) << 4);
-    } else if (at_.holds(Stage::kSlow) && !below_) {
-      work_ = wrap<Work>(UInt<30>(in.maximum) << 4);
+    const bool integrates = at_.holds(Stage::kIntegral) && track;
+    const bool winds_up = work_.negative() ? at_bottom_ : at_top_;
+    // The integrator takes its product in the clock after; where the loop is not closed, the result: cleared in one
+    // clock, added to in the next.
+    if (clears_) {
+      x_ = 0;
+    } else if (adds_) {
+      x_ = wrap<Work>(x_ + addend_);
     }
+    const bool follows = at_.holds(Stage::kOut) && !track;
+    if (done || follows) addend_ = follows ? work_ : wrap<Work>(product >> 14);
+    adds_ = follows_ || (done && integrates && !winds_up);
+    clears_ = loop_ == Loop::kStop || follows;
+    follows_ = follows;
+    if ((done && !integrates) || too_low || too_high) work_ = sum;
   }
 
   // 1/16 of a turn stands for the whole ramp.
@@ -195,11 +202,15 @@ class LoopFilter {
 
   SerialMultiplier<34, 22> multiplier_;
   Stages at_ = Stage::kIdle;
-  bool starts_ = false;     // this is the first clock of a product
-  Work base_ = 0;           // what the product is added to
+  bool starts_ = true;      // this is the first clock of a product, or there is none
+  Work base_ = 0;           // what the product is added to, or comes instead
   Loop loop_ = Loop::kStop; // a clock ago
-  Work work_ = 0;           // the error, e', p, v, and the next y
+  Work work_ = 0;           // e', p, v, and the next y
   Work x_ = 0;              // s-2.36, the integrator
+  Work addend_ = 0;         // the product, or the result
+  bool adds_ = false;       // the integrator takes it
+  bool clears_ = false;     // it is cleared
+  bool follows_ = false;    // to take the result
   UInt<30> y_ = 0;          // u0.36, behind the pole
   UInt<29> not_limit_ = 0;  // complement of what this stage compares with
   bool fast_ = false;

@@ -19,7 +19,7 @@
 //
 //     latency      at most 140 clocks after the tick, with shift 15; a tick that comes earlier is
 //                  passed over
-//     registers    about 285 bits     multipliers  none (one serial)
+//     registers    about 320 bits     multipliers  none (one serial)
 //
 // Doc: docs/blocks/speed_control.md   Test: tests/hls/speed_control_test.cpp
 
@@ -71,6 +71,7 @@ class SpeedControl {
 
     slew(in, control);
     work(in, wrap<Int<32>>(product.product), product.done, limited);
+    choose(product.done, product.ends);
     whole_ = at_.holds_one_of(Stage::kAdd, Stage::kProportional);
     alone_ = in.mode == SpeedMode::kFixed || at_.holds(Stage::kAdd);
     control_ = in.mode == SpeedMode::kControl;
@@ -153,41 +154,44 @@ class SpeedControl {
   void work(const In& in, Int<32> product, bool done, bool limited) {
     const bool control = control_;
     const Limit limit = wrap<Limit>(~not_limit_);
-    const bool beyond = work_.slice<19, 17>() != 0;  // more than any limit
-    const bool below = work_.negative() || (!beyond && !at_least(work_.slice<16, 0>(), not_limit_));
-    const bool too_low = at_.holds_one_of(Stage::kWholeLow, Stage::kLow, Stage::kDown) && below;
-    const bool too_high = at_.holds_one_of(Stage::kWholeHigh, Stage::kHigh, Stage::kUp) && !below;
+    const bool below = !at_least(offset(work_), UInt<21>(not_limit_) | UInt<21>(0xE0000));
+    const bool at_high = at_high_ || (high_was_ && !below_);
     const Work last = work_;
     const Work total = sum(in, product);
     // The integral takes its product in the clock after, and a bound in two: cleared in one, added to in the next.
     // Its carry chain stays in one piece that way, and the sum goes straight into its register.
-    const Int<34> addend = loads_ ? Int<34>(last) << 16 : Int<34>(product);
-    const bool adds = adds_ || loads_;
     if (clears_) {
       integral_ = 0;
-    } else if (adds) {
-      integral_ = wrap<Int<34>>(integral_ + addend);
+    } else if (adds_) {
+      integral_ = wrap<Int<34>>(integral_ + addend_);
     }
     const bool winds_up = product.negative() ? at_low_ : at_high_ || limited;
-    adds_ = done && at_.holds(Stage::kIntegral) && !winds_up;
-    loads_ = clears_;
-    clears_ = (at_.holds(Stage::kProportional) && starts_ && (at_low_ || at_high_)) ||
+    if (done || clears_) addend_ = clears_ ? Int<34>(last) << 16 : Int<34>(product);
+    adds_ = clears_ || (done && at_.holds(Stage::kIntegral) && !winds_up);
+    clears_ = (at_.holds(Stage::kProportional) && starts_ && (at_low_ || at_high)) ||
               (at_.holds(Stage::kDuty) && !control);
-    if (at_.holds(Stage::kWhole) || (done && at_.holds_one_of(Stage::kBemf, Stage::kProportional))) {
-      work_ = total;
-    } else if (too_low || too_high) {
-      work_ = limit;
-    }
+    if (below ? low_ : high_) work_ = sums_ ? total : Work(limit);
     if (at_.holds(Stage::kSlip)) slips_ = below;
     if (at_.holds(Stage::kDuty)) {
       duty_ = wrap<Duty>(last);
       if (!control) slips_ = false;
     }
     if (done && at_.holds(Stage::kOnClocks)) on_clocks_ = product.slice<28, 15>();
-    at_low_ = !at_.holds(Stage::kWhole) && (at_low_ || too_low);
-    at_high_ = !at_.holds(Stage::kWhole) && (at_high_ || too_high);
+    at_low_ = !at_.holds(Stage::kWhole) && (at_low_ || (low_was_ && below_));
+    at_high_ = !at_.holds(Stage::kWhole) && at_high;
+    below_ = below;
     not_limit_ = ~bound(in);
     move(in);
+  }
+
+  // Whether the next clock takes a sum, or compares with a bound and takes that.
+  void choose(bool done, bool ends) {
+    low_was_ = low_ && !sums_;
+    high_was_ = high_ && !sums_;
+    sums_ = at_.holds(Stage::kAdd) || (ends && at_.holds_one_of(Stage::kBemf, Stage::kProportional));
+    low_ = sums_ || at_.holds_one_of(Stage::kWhole, Stage::kUp) || (done && at_.holds(Stage::kProportional));
+    high_ = sums_ || at_.holds_one_of(Stage::kWholeLow, Stage::kLow) || (control_ && at_.holds(Stage::kHigh)) ||
+            (!control_ && done && at_.holds(Stage::kBemf));
   }
 
   // What the stage behind this one compares with.
@@ -216,9 +220,9 @@ class SpeedControl {
   bool whole_ = false;      // the sum to come is the integral
   bool alone_ = false;      // and without a product
   Work work_ = 0;           // duty on its way
-  bool adds_ = false;       // the integral takes the product
-  bool clears_ = false;     // it is cleared, before
-  bool loads_ = false;      // it takes the work
+  bool clears_ = false;     // the integral is cleared, before it takes the work
+  bool adds_ = false;       // it takes the addend
+  Int<34> addend_ = 0;      // the product, or the work
   Limit moved_ = 0;         // the duty, one slew further
   Limit not_limit_ = 0;     // complement of what this stage compares with
   Int<28> reference_ = 0;   // u0.32, the slewed target
@@ -231,6 +235,12 @@ class SpeedControl {
   Clocks on_clocks_ = 0;
   bool slips_ = false;
   bool limited_ = false;    // the current limit cut a pulse since the last integral
+  bool sums_ = false;       // this clock takes a sum
+  bool low_ = false;        // it takes something where the work is below the bound
+  bool high_ = false;       // it does where it is not
+  bool low_was_ = false;    // a bound in the last clock, that is
+  bool high_was_ = false;
+  bool below_ = false;      // which found less
   bool at_high_ = false;    // integral or duty wanted to be higher than they may
   bool at_low_ = false;     // or lower
 };

@@ -18,7 +18,7 @@
 // With Hall sensors kRun follows kIdle at once.
 //
 //     latency      1 clock: outputs follow the state
-//     registers    about 97 bits     multipliers  none
+//     registers    82 bits     multipliers  none
 //
 // Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
@@ -93,16 +93,14 @@ class StartSequence {
                 : in.fatal || in.lost ? in.cause
                                       : Reason::kNoLock;
     }
-    fade(in);
+    lead(in);
     count(in, over, failed, braking_);
     braking_ = moves.brakes;
     clear_was_ = in.command.clear_fault;
     entered_ = moves.leaves;
-    duty_ = at_.holds_one_of(State::kSettle, State::kReset) ? stronger(in.words.reset_duty)
-            : at_.holds(State::kBrake)                      ? in.words.brake_duty
-                                                            : Duty(0);
     boosts_ = next.holds_one_of(State::kAccelerate, State::kPullIn);
     drives_ = next.holds_one_of(State::kAccelerate, State::kPullIn, State::kRun, State::kSlowDown);
+    enables_ = drives_ || next.holds_one_of(State::kBrake, State::kSettle, State::kReset);
     at_ = next;
     return present;
   }
@@ -254,13 +252,16 @@ class StartSequence {
   // 1/32 more per step, up to the start's: a heavy load would stop it else.
   // The failures counted are those before this clock: one that counts now ends the pulling in, and
   // waiting for the verdict would make this the longest path of the drive.
-  void fade(const In& in) {
-    const Duty part = boost_ >> 5;
-    const bool faded = boost_ < stronger(in.words.start_duty);
+  void lead(const In& in) {
+    const Duty part = duty_ >> 5;
+    const bool faded = duty_ < stronger(in.words.start_duty);
     if (!at_.holds(State::kPullIn)) {
-      boost_ = stronger(in.words.start_duty);
+      duty_ = at_.holds(State::kAccelerate)                          ? stronger(in.words.start_duty)
+              : at_.holds_one_of(State::kSettle, State::kReset) ? stronger(in.words.reset_duty)
+              : at_.holds(State::kBrake)                        ? in.words.brake_duty
+                                                                : Duty(0);
     } else if (in.commutate && (!in.lags || faded_)) {
-      boost_ = in.lags ? wrap<Duty>(boost_ + part) : wrap<Duty>(boost_ - part);
+      duty_ = in.lags ? wrap<Duty>(duty_ + part) : wrap<Duty>(duty_ - part);
     }
     faded_ = faded;
   }
@@ -286,7 +287,7 @@ class StartSequence {
 
     const bool observes = at_.holds(State::kObserve);
     out.running = at_.holds_one_of(State::kRun, State::kSlowDown);
-    out.enable = drives_ || at_.holds_one_of(State::kBrake, State::kSettle, State::kReset);
+    out.enable = enables_;
     out.turn_vco = observes || drives_;
     const auto bridge = [](Pattern pattern, bool on) { return OneHot<Pattern, 5>(pattern).when(on); };
     out.pattern = bridge(Pattern::kOff, !out.enable) | bridge(Pattern::kDrive, drives_) |
@@ -304,7 +305,7 @@ class StartSequence {
     out.mode = out.running            ? SpeedMode::kControl
                : observes || boosts_ ? SpeedMode::kAboveBemf
                                      : SpeedMode::kFixed;
-    out.duty = boosts_ ? boost_ : duty_;
+    out.duty = duty_;
     return out;
   }
 
@@ -321,8 +322,9 @@ class StartSequence {
 
   States at_ = State::kIdle;
   bool drives_ = false;         // one of the states in which the bridge commutates
-  bool boosts_ = false;         // one of those in which boost_ is the duty
-  Duty duty_ = 0;               // u1.15, that of other states
+  bool enables_ = false;        // or one of the others in which gates may be on
+  bool boosts_ = false;         // one of those whose duty comes above the back-EMF's
+  Duty duty_ = 0;               // u1.15, of the state a clock ago; in kPullIn it fades
   bool entered_ = false;        // this is the first clock of the state
   bool late_ = false;           // there was a tick in it
   bool last_ = false;           // no ticks are left
@@ -336,8 +338,7 @@ class StartSequence {
   bool enough_ = false;         // that one came in the last clock
   UInt<4> retries_ = 0;         // failed tries
   UInt<8> brakes_ = 0;          // braking intervals of this stop
-  Duty boost_ = 0;              // u1.15, duty above the back-EMF's while pulling in
-  bool faded_ = false;          // it is below the start's
+  bool faded_ = false;          // the duty is below the start's
   bool load_step_ = false;
   bool began_ = false;
   bool failed_ = false;

@@ -6,8 +6,8 @@
 // turn of the VCO is one commutation step when N = 6.
 //
 //     frequency    f_clk * frequency / 2^32     resolution   f_clk / 2^32 (0.011 Hz at 48 MHz)
-//     latency      1 clock: phase and pulse are registers
-//     registers    34 bits                      multipliers  none
+//     latency      1 clock; between registers and outputs lies a carry of one bit
+//     registers    35 bits                      multipliers  none
 //
 // Doc: docs/blocks/vco_counter.md   Test: tests/hls/vco_counter_test.cpp
 
@@ -33,19 +33,21 @@ class VcoCounter {
   };
 
   Out tick(const In& in) {
-    const Out out{.phase = UInt<32>(phase()).slice<31, 16>(), .pulse = pulse_};
-    const auto sum = wrap<UInt<27>>(low_ + in.frequency);
-    const bool carry = sum.bit(26);
-    pulse_ = !in.load && in.enable && carry && full_;
+    // The upper bits follow in the clock after: the carry waits in a flip-flop at the end of its chain.
+    const bool carries = low_.bit(26) && counted_;
+    const Out out{.phase = phase().slice<31, 16>(), .pulse = carries && full_};
+    full_ = !in.load && (carries ? high_ == UInt<6>(62) : full_);
+    if (in.load) {
+      high_ = in.half ? UInt<6>(32) : UInt<6>(0);
+    } else if (carries) {
+      high_ = wrap<UInt<6>>(high_ + 1);
+    }
     if (in.load) {
       low_ = 0;
-      high_ = in.half ? UInt<6>(32) : UInt<6>(0);
-      full_ = false;
     } else if (in.enable) {
-      low_ = sum.slice<25, 0>();
-      full_ = high_ == (carry ? UInt<6>(62) : UInt<6>(63));
-      high_ = wrap<UInt<6>>(high_ + UInt<1>(carry));
+      low_ = wrap<UInt<27>>(low_.slice<25, 0>() + in.frequency);
     }
+    counted_ = in.enable;
     return out;
   }
 
@@ -57,8 +59,10 @@ class VcoCounter {
   void skip(const In& in, std::uint64_t clocks) {
     if (!in.enable) return;
     const auto moved = UInt<32>::of(phase().raw() + clocks * in.frequency.raw());
-    low_ = moved.slice<25, 0>();
-    high_ = moved.slice<31, 26>();
+    const auto low = moved.slice<25, 0>();
+    const UInt<1> carry(low < in.frequency);
+    low_ = UInt<27>(carry) << 26 | UInt<27>(low);
+    high_ = wrap<UInt<6>>(moved.slice<31, 26>() - carry);
     full_ = high_ == UInt<6>::max();
   }
   // The phase that the last of `clocks` skipped ones showed.
@@ -69,13 +73,16 @@ class VcoCounter {
   bool operator==(const VcoCounter&) const = default;
 
  private:
-  UInt<32> phase() const { return UInt<32>(high_) << 26 | UInt<32>(low_); }
+  UInt<32> phase() const {
+    const UInt<1> carry(low_.bit(26) && counted_);
+    return UInt<32>(wrap<UInt<6>>(high_ + carry)) << 26 | UInt<32>(low_.slice<25, 0>());
+  }
 
   // u0.32, VCO turns, in two parts: above the frequency's bits there is nothing to add but a carry.
-  UInt<27> low_ = 0;    // its lower 26 bits, and room for the carry
-  UInt<6> high_ = 0;    // the others
-  bool full_ = false;   // they are all ones: the next carry into them ends the turn
-  bool pulse_ = false;  // the last addition passed a whole turn
+  UInt<27> low_ = 0;      // its lower 26 bits, and their carry
+  bool counted_ = false;  // the carry is new, and has still to be added to
+  UInt<6> high_ = 0;      // the others
+  bool full_ = false;     // which are all ones: the carry ends the turn
 };
 
 }  // namespace steplock

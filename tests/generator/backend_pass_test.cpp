@@ -232,6 +232,33 @@ TEST(Counters, ConditionBecomesTheClockEnable) {
   EXPECT_NE(text.find("if (c_i)"), std::string::npos) << text;
 }
 
+TEST(Counters, ConditionOfAnAddendBecomesTheClockEnable) {
+  for (const bool then : {true, false}) {
+    Build b("m");
+    const NodeId c = b.input("c", 1), x = b.input("x", 8), r = b.reg("r", 8, 0), zero = b.constant(8, 0);
+    b.next(r, b.op(Op::kAdd, then ? b.mux(c, x, zero) : b.mux(c, zero, x), r));
+    b.output("y", r);
+    Design d = alone(std::move(b.m));
+    optimise(d);
+    const std::string text = print_module(d, d.modules[0]);
+    EXPECT_NE(text.find(then ? "if (c_i)" : "if (!c_i)"), std::string::npos) << text;
+    EXPECT_EQ(text.find('?'), std::string::npos) << text;
+  }
+}
+
+// A sum that somebody else reads has to be there whether the register takes it or not.
+TEST(Counters, SumThatIsReadKeepsItsAddend) {
+  Build b("m");
+  const NodeId c = b.input("c", 1), x = b.input("x", 8), r = b.reg("r", 8, 0);
+  const NodeId sum = b.op(Op::kAdd, r, b.mux(c, x, b.constant(8, 0)));
+  b.next(r, sum);
+  b.output("y", sum);
+  Design d = alone(std::move(b.m));
+  optimise(d);
+  const std::string text = print_module(d, d.modules[0]);
+  EXPECT_EQ(text.find("if (c_i)"), std::string::npos) << text;
+}
+
 TEST(Enumerators, KeepTheirNamesWherePackedIntoFewerBits) {
   Build b("m");
   b.m.enumerations.push_back({"State", 3, {{"kIdle", 0}, {"kRun", 1}, {"kStop", 3}}});

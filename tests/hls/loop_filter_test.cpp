@@ -244,5 +244,33 @@ RC_GTEST_PROP(LoopFilter, CatchingConvergesToOneOverTheInterval, ()) {
   RC_ASSERT(std::abs(f * interval - 1) < 2.0 / 65536 + 2 * interval / kTurn);
 }
 
+// However soon after a result the next update comes, it takes the same clocks to the same frequency.
+TEST(LoopFilter, AnUpdateMayComeInAnyClockAfterAResult) {
+  for (const Loop loop : {Loop::kTrack, Loop::kCatch}) {
+    LoopFilter::In in{.loop = loop, .error = 0x800, .ki = 0x400, .kp = 0x1000, .minimum = 1000, .maximum = Frequency::max()};
+    LoopFilter settled;
+    const auto update = [&in](LoopFilter& dut) {
+      in.update = true;
+      dut.tick(in);
+      in.update = false;
+      int clocks = 0;
+      while (dut.tick(in).busy) ++clocks;
+      return clocks;
+    };
+    settled.tick(in);
+    for (int i = 0; i < 5; ++i) update(settled);
+    LoopFilter rested = settled;
+    for (int i = 0; i < 100; ++i) rested.tick(in);
+    const int clocks = update(rested);
+    EXPECT_GT(clocks, 24 * 3);
+    for (int rest = 0; rest < 60; ++rest) {
+      LoopFilter dut = settled;
+      for (int i = 0; i < rest; ++i) dut.tick(in);
+      EXPECT_EQ(update(dut), clocks) << rest << " clocks after the result";
+      EXPECT_EQ(dut.tick(in).frequency, rested.tick(in).frequency);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace steplock

@@ -86,6 +86,20 @@ TEST(SerialMultiplier, TakesOneClockPerBitOfBAndOneMore) {
   EXPECT_EQ(multiply(longer, 3, 5).clocks, 27);
 }
 
+RC_GTEST_PROP(SerialMultiplier, EndsOneClockBeforeDone, ()) {
+  SerialMultiplier<5, 4> dut;
+  bool due = false;
+  int products = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const bool start = *rc::gen::resize(100, rc::gen::inRange(0, 8)) == 0;
+    const auto out = dut.tick({.start = start, .a = 3, .b = 5, .shift = i / 250});
+    RC_ASSERT(out.done == due);
+    due = out.ends && !start;
+    products += out.done;
+  }
+  RC_ASSERT(products > 10);
+}
+
 TEST(SerialMultiplier, DoneLastsOneClockAndTheProductStays) {
   SerialMultiplier<9, 8> dut;
   multiply(dut, -100, 200);
