@@ -8,7 +8,7 @@
 // them.
 //
 //     latency      none: step and step phase follow the VCO's outputs in the same clock
-//     registers    9 bits     multipliers  none
+//     registers    6 bits     multipliers  none
 //
 // Doc: docs/blocks/divide_by_n.md   Test: tests/hls/divide_by_n_test.cpp
 
@@ -30,10 +30,10 @@ constexpr Step next_step(Step step, bool reverse) {
 class DivideByN {
  public:
   struct In {
-    bool pulse = false;    // the VCO completed a turn; the last load or turn was two clocks ago, or more
+    bool pulse = false;    // the VCO completed a turn
     Phase phase = 0;       // u0.16, VCO turns
     UInt<2> divide = 0;    // N = 6 * 2^divide
-    bool reverse = false;  // step counts down; counts from the next clock on
+    bool reverse = false;  // step counts down
     bool hold = false;     // turns do not move the step: a sensor will
     bool load = false;     // takes `step`, from the middle or the beginning; wins over a pulse
     Step step = 0;         // 0 to 5
@@ -52,8 +52,7 @@ class DivideByN {
   Out tick(const In& in) {
     const UInt<3> last = in.divide == 3 ? 7 : in.divide == 2 ? 3 : in.divide == 1 ? 1 : 0;
     const bool elapsed = !in.load && in.pulse && sub_ >= last;
-    const Step turned = in.pulse && sub_ >= last && !in.hold ? next_ : step_;
-    next_ = next_step(step_, in.reverse);
+    const Step turned = in.pulse && sub_ >= last && !in.hold ? next_step(step_, in.reverse) : step_;
     if (in.load) {
       step_ = in.step;
       sub_ = in.half ? wrap<UInt<3>>((last + 1) >> 1) : UInt<3>(0);
@@ -81,7 +80,6 @@ class DivideByN {
  private:
   UInt<3> sub_ = 0;  // VCO turns into the step
   Step step_ = 0;
-  Step next_ = 1;  // the one after, a clock after the step: turns are many clocks apart
 };
 
 }  // namespace steplock
