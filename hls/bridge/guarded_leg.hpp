@@ -44,13 +44,15 @@ class GuardedLeg {
     const Pair request = Pair(high) << kHigh | Pair(low) << kLow;
     const Pair same = in.off ? Pair(0) : on ? gate_ : was_;
     const bool wanted = (request & same) != 0;
-    const bool reloads = (!on && due) || (!wanted && (!on || in.off || due));
+    const bool keeps = on && !in.off && !due;  // its minimum on-time, whatever is requested
     const Pair held = !in.off && !due ? gate_ : Pair(0);
     const Pair ready = on || due ? same : Pair(0);
 
-    if (reloads) {
-      timer_ = !on && wanted ? in.minimum : in.dead_time;
-    } else if (!due) {
+    if (!wanted && !keeps) {
+      timer_ = in.dead_time;
+    } else if (due) {
+      timer_ = on ? UInt<8>(0) : in.minimum;
+    } else {
       timer_ = wrap<UInt<8>>(timer_ - 1);
     }
     gate_ = held | (ready & request);

@@ -21,10 +21,13 @@ namespace steplock {
 
 using Step = UInt<3>;  // 0 to 5; see docs/theory.md for the patterns
 
-// The neighbour in the direction of rotation.
+// The neighbour in the direction of rotation, bit by bit: an adder would begin and end a carry chain.
 constexpr Step next_step(Step step, bool reverse) {
-  if (reverse) return step == 0 ? Step(5) : wrap<Step>(step - 1);
-  return step >= 5 ? Step(0) : wrap<Step>(step + 1);
+  const bool low = step.bit(0), middle = step.bit(1), high = step.bit(2);
+  const bool three_or_four = (middle && low) || (high && !low);
+  const bool to_middle = reverse ? three_or_four : middle != low && !high;
+  const bool to_high = reverse ? (high ? low : !middle && !low) : three_or_four;
+  return UInt<3>(to_high) << 2 | UInt<3>(to_middle) << 1 | UInt<3>(!low);
 }
 
 class DivideByN {

@@ -17,7 +17,7 @@
 //
 //     error        s0.16 of a step, held until the next update
 //     latency      1 clock: outputs are registers, but for `error`'s bounds and `good`'s comparison behind one
-//     registers    42 bits     multipliers  none
+//     registers    26 bits     multipliers  none
 //
 // Doc: docs/blocks/phase_detector.md   Test: tests/hls/phase_detector_test.cpp
 
@@ -61,7 +61,7 @@ class PhaseDetector {
     const UInt<17> magnitude = wrap<UInt<17>>(error_.negative() ? ~error_ : error_);
     const Out out{.error = saturate<PhaseError>(error_),
                   .update = update_,
-                  .good = update_ && !missed_ && !at_least(magnitude, not_window_),
+                  .good = update_ && !missed_ && (follows_ ? magnitude < kSectorWindow : magnitude < in.window),
                   .missed = missed_,
                   .hurries = hurries_};
 
@@ -91,7 +91,7 @@ class PhaseDetector {
       answered_ = true;
     }
     before_ = in.before_seen;
-    not_window_ = ~UInt<17>(sectors ? Phase(0x2000) : in.window);
+    follows_ = sectors;
     return out;
   }
 
@@ -112,6 +112,7 @@ class PhaseDetector {
   }
   bool far_lead() const { return error_ >= kFarLead; }
 
+  static constexpr Phase kSectorWindow = 0x2000;  // u0.16: following, errors below are good
   static constexpr PhaseError kLead = 0x1000;     // s0.16: as under hard acceleration
   static constexpr PhaseError kFarLead = 0x2000;  // so far that the next crossing can be gone
 
@@ -122,7 +123,7 @@ class PhaseDetector {
   bool before_ = false;   // before_seen, from the step that a commutation ends
   bool hid_ = false;      // the last update was of a step on the level after
   bool hurries_ = false;  // and the rotor led before it; until the next update
-  UInt<17> not_window_ = 0;  // complement of u0.16: errors below that are good
+  bool follows_ = false;  // the error is that of a sector
   bool turned_ = false;   // following: a whole turn since the last change or miss
 };
 

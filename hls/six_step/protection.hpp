@@ -81,22 +81,21 @@ class Protection {
     const bool few_left = wrong_ <= 2;
     const bool all_left = wrong_ >= in.words.wrong_lock;
     if (in.running) {
-      score_ = wrap<UInt<7>>(strikes_ != 0        ? score_ + strikes_
-                             : credit_ && score_ != 0 ? score_ - 1
-                                                      : Int<9>(score_));
+      const bool pays = strikes_ == 0 && credit_ && score_ != 0;
+      score_ = wrap<UInt<7>>(score_ + (pays ? UInt<7>::max() : UInt<7>(strikes_)));
       strikes_ = heavy ? UInt<3>(4) : UInt<3>(strikes);
       credit_ = in.good;
       watch_steps(in);
-      if (in.tick) watch_time(in, in.slips || long_);
+      if (in.tick) watch_time(in);
     } else {
       score_ = 0;
       strikes_ = 0;
       credit_ = false;
       slow_ = 0;
-      wrong_ = in.words.wrong_lock;
       hall_ = 0;
     }
 
+    watch_lock(in);
     long_ = freewheels_long;
     none_left_ = none_left;
     few_left_ = few_left;
@@ -127,12 +126,18 @@ class Protection {
     }
   }
 
-  void watch_time(const In& in, bool wrong) {
-    if (wrong) {
-      wrong_ = few_left_ ? Ticks(0) : wrap<Ticks>(wrong_ - 2);
-    } else if (!all_left_) {
-      wrong_ = wrap<Ticks>(wrong_ + 1);
+  // One adder loads, takes two away and gives one back; all bits have one reset (docs/theory.md).
+  void watch_lock(const In& in) {
+    const bool wrong = in.slips || long_;
+    const Ticks change = !in.running ? in.words.wrong_lock : wrong ? wrap<Ticks>(~Ticks(1)) : Ticks(1);
+    if (in.running && in.tick && wrong && few_left_) {
+      wrong_ = 0;
+    } else if (!in.running || (in.tick && (wrong || !all_left_))) {
+      wrong_ = wrap<Ticks>((in.running ? wrong_ : Ticks(0)) + change);
     }
+  }
+
+  void watch_time(const In& in) {
     if (!in.hall || !in.hall_illegal) {
       hall_ = 0;
     } else if (hall_ != 2) {

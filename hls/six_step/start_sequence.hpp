@@ -261,7 +261,9 @@ class StartSequence {
               : at_.holds(State::kBrake)                        ? in.words.brake_duty
                                                                 : Duty(0);
     } else if (in.commutate && (!in.lags || faded_)) {
-      duty_ = in.lags ? wrap<Duty>(duty_ + part) : wrap<Duty>(duty_ - part);
+      // One adder for both directions: the 1 that the complement lacks is carried in from a bit below.
+      const UInt<17> change = UInt<17>(in.lags ? part : wrap<Duty>(~part)) << 1 | UInt<17>(!in.lags);
+      duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
     }
     faded_ = faded;
   }
