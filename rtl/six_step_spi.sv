@@ -101,7 +101,7 @@ module six_step_spi (
   );
 
   always_ff @(posedge clk) begin
-    bit_ <= (drive_data & (32'd1 << bus_place)) != 32'd0;  // line 43
+    bit_ <= (drive_data & (32'd1 << bus_place)) != 32'd0;  // line 38
     if (bus_writing) begin
       error <= drive_write_error;
     end else begin

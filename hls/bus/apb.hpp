@@ -52,4 +52,16 @@ class Apb {
   bool asked_ = false;  // in the clock before: this one has the answer
 };
 
+// What a top shows of the bus: an answer of the registers, with pslverr if they refused.
+struct ApbAnswers {
+  bool pready = false;
+  bool pslverr = false;
+  UInt<32> prdata = 0;
+};
+template <class Registered>
+ApbAnswers apb_answers(const Apb::Out& bus, bool pwrite, const Registered& drive) {
+  const bool error = pwrite ? drive.write_error : drive.read_error;
+  return {.pready = bus.pready, .pslverr = bus.pready && error, .prdata = drive.data};
+}
+
 }  // namespace steplock

@@ -23,31 +23,22 @@ class SixStepApb {
     Apb::In apb;
   };
 
-  struct ApbOut {
-    bool pready = false;
-    bool pslverr = false;
-    UInt<32> prdata = 0;
-  };
-
   struct Out {
     Gates gates;
     bool interrupt = false;  // level
     bool locked = false;     // running under speed control
     bool fault = false;      // the drive's fault is latched
-    ApbOut apb;
+    ApbAnswers apb;
   };
 
   Out tick(const In& in) {
     const auto bus = bus_.tick(in.apb);
     const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
-    const bool error = in.apb.pwrite ? drive.write_error : drive.read_error;
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,
             .locked = drive.locked,
             .fault = drive.fault,
-            .apb = {.pready = bus.pready,
-                    .pslverr = bus.pready && error,
-                    .prdata = drive.data}};
+            .apb = apb_answers(bus, in.apb.pwrite, drive)};
   }
 
  private:

@@ -24,17 +24,12 @@ class SixStepSpi {
     Spi::Pins spi;            // asynchronous
   };
 
-  struct SpiOut {
-    bool miso = false;
-    bool selected = false;  // drive miso now, where several slaves share it
-  };
-
   struct Out {
     Gates gates;
     bool interrupt = false;  // level
     bool locked = false;     // running under speed control
     bool fault = false;      // the drive's fault is latched
-    SpiOut spi;
+    SpiAnswers spi;
   };
 
   Out tick(const In& in) {

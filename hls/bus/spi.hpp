@@ -120,4 +120,10 @@ class Spi {
   bool miso_ = false;
 };
 
+// What a top shows of the bus.
+struct SpiAnswers {
+  bool miso = false;
+  bool selected = false;  // drive miso now, where several slaves share it
+};
+
 }  // namespace steplock

@@ -1,10 +1,10 @@
-/* The drive's registers over SPI, for a companion processor beside six_step_spi: C99, no allocation.
+/* The drive's registers over SPI, for a companion processor beside six_step_spi or sinusoidal_spi: C99, no allocation.
  *
  *     struct steplock_spi spi = {my_transfer, my_port};
  *     struct steplock_bus bus = steplock_over_spi(&spi);
  *
- * and all of steplock.h works over it.  Mode 0, SCLK at most an eighth of the drive's clock.
- * Frames: docs/blocks/spi.md.  Test: tests/hls/six_step_spi_test.cpp
+ * and all of steplock.h and steplock_sinusoidal.h works over it.  Mode 0, SCLK at most an eighth of the drive's clock.
+ * Frames: docs/blocks/spi.md.  Test: tests/hls/six_step_spi_test.cpp, tests/hls/sinusoidal_spi_test.cpp
  */
 #ifndef STEPLOCK_SPI_H
 #define STEPLOCK_SPI_H

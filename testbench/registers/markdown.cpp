@@ -71,7 +71,9 @@ std::string markdown(const Map& map) {
         "([SPI slave](blocks/spi.md)); and once for each axis, 0x100 bytes apart, where one bus has "
         "several drives\n([axes](blocks/six_step_axes.md)).\n\n";
   } else {
-    page += "The same map stands behind [AXI4-Lite](blocks/sinusoidal_axi.md) and [Wishbone](blocks/sinusoidal_wb.md).\n\n";
+    page +=
+        "The same map stands behind [AXI4-Lite](blocks/sinusoidal_axi.md), [Wishbone](blocks/sinusoidal_wb.md) and "
+        "[APB](blocks/sinusoidal_apb.md);\nand, in [frames](blocks/spi.md), behind [SPI](blocks/sinusoidal_spi.md).\n\n";
   }
   page += fmt::format(
       "| access | |\n|---|---|\n"

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "hls/bus/apb.hpp"
 #include "hls/bus/axi_lite.hpp"
 #include "hls/bus/wishbone.hpp"
 #include "tests/hls/bus_traffic.hpp"
@@ -22,6 +23,21 @@ struct WishboneHost {
   }
   static Answer answer(const typename Top::Out& out) {
     return {.done = out.wb.ack || out.wb.err, .error = out.wb.err, .data = std::uint32_t(out.wb.dat.raw())};
+  }
+};
+
+template <class TheTop, class TheMap>
+struct ApbHost {
+  using Top = TheTop;
+  using Map = TheMap;
+  static constexpr int kPhases = 2;
+  static constexpr int kClocks = 3;  // of a transfer at most
+  static void idle(typename Top::In& in) { in.apb = {}; }
+  static void show(typename Top::In& in, const Transfer& t, int phase) {
+    in.apb = {.psel = true, .penable = phase > 0, .pwrite = t.write, .paddr = t.address, .pwdata = t.data, .pstrb = t.strobes};
+  }
+  static Answer answer(const typename Top::Out& out) {
+    return {.done = out.apb.pready, .error = out.apb.pslverr, .data = std::uint32_t(out.apb.prdata.raw())};
   }
 };
 

@@ -10,27 +10,75 @@
 #include <map>
 #include <random>
 
+#include "Vsinusoidal_apb.h"
 #include "Vsinusoidal_axi.h"
+#include "Vsinusoidal_spi.h"
 #include "Vsinusoidal_wb.h"
+#include "hls/bus/sinusoidal_apb.hpp"
 #include "hls/bus/sinusoidal_axi.hpp"
+#include "hls/bus/sinusoidal_spi.hpp"
 #include "hls/bus/sinusoidal_wb.hpp"
+#include "ports/sinusoidal_apb_ports.hpp"
 #include "ports/sinusoidal_axi_ports.hpp"
+#include "ports/sinusoidal_spi_ports.hpp"
 #include "ports/sinusoidal_wb_ports.hpp"
 #include "testbench/lockstep.hpp"
 #include "tests/hls/bus_hosts.hpp"
+#include "tests/hls/spi_host.hpp"
 
 namespace steplock {
 namespace {
 
-struct AxiRtl : AxiHost<SinusoidalAxi, Sinusoidal> {
+// A transfer: `tick` gives the drive a clock.  `kLands`: clocks until a write is in its word, at most.
+template <class Host>
+struct Parallel : Host {
+  static constexpr int kLands = 20;
+  template <class In, class Out, class Tick>
+  static Answer ask(const Transfer& t, In& in, const Out& out, const Tick& tick, int) {
+    Answer answer;
+    for (int clock = 0; clock < 100 && !answer.done; ++clock) {
+      Host::show(in, t, std::min(clock, Host::kPhases - 1));
+      tick();
+      answer = Host::answer(out);
+    }
+    Host::idle(in);
+    return answer;
+  }
+};
+
+struct AxiRtl : Parallel<AxiHost<SinusoidalAxi, Sinusoidal>> {
   using Rtl = Vsinusoidal_axi;
   static void drive(Rtl& rtl, const Top::In& in) { ports::sinusoidal_axi::drive_ports(rtl, in); }
   static const char* differs(const Rtl& rtl, const Top::Out& out) { return ports::sinusoidal_axi::differs(rtl, out); }
 };
-struct WishboneRtl : WishboneHost<SinusoidalWb, Sinusoidal> {
+struct WishboneRtl : Parallel<WishboneHost<SinusoidalWb, Sinusoidal>> {
   using Rtl = Vsinusoidal_wb;
   static void drive(Rtl& rtl, const Top::In& in) { ports::sinusoidal_wb::drive_ports(rtl, in); }
   static const char* differs(const Rtl& rtl, const Top::Out& out) { return ports::sinusoidal_wb::differs(rtl, out); }
+};
+struct ApbRtl : Parallel<ApbHost<SinusoidalApb, Sinusoidal>> {
+  using Rtl = Vsinusoidal_apb;
+  static void drive(Rtl& rtl, const Top::In& in) { ports::sinusoidal_apb::drive_ports(rtl, in); }
+  static const char* differs(const Rtl& rtl, const Top::Out& out) { return ports::sinusoidal_apb::differs(rtl, out); }
+};
+struct SpiRtl {
+  using Top = SinusoidalSpi;
+  using Rtl = Vsinusoidal_spi;
+  static constexpr int kLands = 450;  // its last data bit is the 48th
+  static void drive(Rtl& rtl, const Top::In& in) { ports::sinusoidal_spi::drive_ports(rtl, in); }
+  static const char* differs(const Rtl& rtl, const Top::Out& out) { return ports::sinusoidal_spi::differs(rtl, out); }
+  // `draw`, below 100: the ratio of the clocks is anything between 8 and 9.
+  template <class Tick>
+  static Answer ask(const Transfer& t, Top::In& in, const Top::Out& out, const Tick& tick, int draw) {
+    const auto line = [&](const Spi::Pins& pins) {
+      in.spi = pins;
+      tick();
+      return out.spi.miso;
+    };
+    const double half = 4 + 0.005 * draw;
+    const SpiAnswer answer = t.write ? spi_write(line, half, t.address, t.data) : spi_read(line, half, t.address);
+    return {.done = answer.status == 0x5a || answer.status == 0x5e, .error = answer.status == 0x5e, .data = answer.data};
+  }
 };
 
 constexpr int kPeriod = 1200, kSample = SinusoidalLoop::kClocks + 10;  // clocks; of a sample at most
@@ -55,15 +103,18 @@ class Life {
   explicit Life(std::uint64_t seed, std::int64_t sabotage = -1) : random_(seed), sabotage_(sabotage) {}
 
   void live(std::int64_t clocks) {
-    ask({.write = true, .address = kLock, .data = kLockKey});
-    for (const auto& [address, value] : healthy()) ask({.write = true, .address = address, .data = value});
+    ask({.write = true, .address = kPwm, .data = healthy().at(kPwm)});
+    while (since_sample_ >= kNever && differs == nullptr) tick();
+    write_healthy_words();
     ask({.write = true, .address = kControl, .data = 3});
     while (clock_ < clocks && differs == nullptr) act();
   }
   const char* differs = nullptr;
-  int moves = 0, faults = 0, locks = 0, targets = 0, telemetry = 0;
+  int moves = 0, faults = 0, locks = 0, targets = 0, telemetry = 0, lost = 0;
 
  private:
+  static constexpr int kNever = 1 << 20;  // clocks since what has not been yet
+
   bool chance(int percent) { return int(random_() % 100) < percent; }
   std::uint32_t draw() { return std::uint32_t(random_()); }
 
@@ -104,14 +155,9 @@ class Life {
         started_ = clock_;
         const int address = 0x84 + 4 * int(draw() % 31);
         if (chance(60)) ask({.write = true, .address = kControl, .data = 1});  // else it is refused
-        while (since_codes_ < kSample || since_sample_ > kPeriod - 20) tick();
-        ask({.write = true, .address = address, .data = draw()});
+        ask_between_samples({.write = true, .address = address, .data = draw()});
         if (chance(30)) return;
-        ask({.write = true, .address = kLock, .data = kLockKey});
-        for (const auto& [at, value] : healthy()) {
-          while (since_codes_ < kSample || since_sample_ > kPeriod - 20) tick();
-          ask({.write = true, .address = at, .data = value});
-        }
+        write_healthy_words();
         return ask({.write = true, .address = kControl, .data = 3});
       }
     }
@@ -128,13 +174,17 @@ class Life {
   }
 
   void ask(const Transfer& t) {
-    for (int clock = 0; clock < 100; ++clock) {
-      Bus::show(in_, t, std::min(clock, Bus::kPhases - 1));
-      tick();
-      answer_ = Bus::answer(out_);
-      if (answer_.done) break;
-    }
-    Bus::idle(in_);
+    answer_ = Bus::ask(t, in_, out_, [this] { tick(); }, int(draw() % 100));
+    lost += !answer_.done;
+  }
+  // A word of a stopped drive lands between two samples.
+  void ask_between_samples(const Transfer& t) {
+    while (since_codes_ < kSample || since_sample_ > kPeriod - Bus::kLands) tick();
+    ask(t);
+  }
+  void write_healthy_words() {
+    ask({.write = true, .address = kLock, .data = kLockKey});
+    for (const auto& [at, value] : healthy()) ask_between_samples({.write = true, .address = at, .data = value});
   }
 
   void tick() {
@@ -167,12 +217,12 @@ class Life {
   typename Bus::Top::In in_;
   typename Bus::Top::Out out_;
   Answer answer_;
-  int since_sample_ = 1 << 20, since_codes_ = 1 << 20, late_ = 1;
+  int since_sample_ = kNever, since_codes_ = kNever, late_ = 1;
 };
 
 template <class Bus>
 struct SinusoidalBusRtl : testing::Test {};
-using Buses = testing::Types<AxiRtl, WishboneRtl>;
+using Buses = testing::Types<AxiRtl, WishboneRtl, ApbRtl, SpiRtl>;
 TYPED_TEST_SUITE(SinusoidalBusRtl, Buses);
 
 TYPED_TEST(SinusoidalBusRtl, EqualsItsCppForTwoMillionClocks) {
@@ -181,6 +231,7 @@ TYPED_TEST(SinusoidalBusRtl, EqualsItsCppForTwoMillionClocks) {
     Life<TypeParam> life(seed);
     life.live(500'000);
     EXPECT_EQ(life.differs, nullptr) << life.differs << ", seed " << seed;
+    EXPECT_EQ(life.lost, 0) << "answers, seed " << seed;
     moves += life.moves, locks += life.locks, faults += life.faults, targets += life.targets, telemetry += life.telemetry;
   }
   // It has been a life.
