@@ -1,13 +1,13 @@
-// divide_by_n: steplock::DivideByN, printed by hlsgen from hls/six_step/divide_by_n.hpp:30.
+// divide_by_n: steplock::DivideByN, printed by hlsgen from hls/six_step/divide_by_n.hpp:33.
 // Do not edit: change the C++ and print again.
 
 module divide_by_n (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
-    input  logic        pulse_i,  // the VCO completed a turn; the last load or turn was two clocks ago, or more
+    input  logic        pulse_i,  // the VCO completed a turn
     input  logic [15:0] phase_i,  // u0.16, VCO turns
     input  logic [1:0]  divide_i,  // N = 6 * 2^divide
-    input  logic        reverse_i,  // step counts down; counts from the next clock on
+    input  logic        reverse_i,  // step counts down
     input  logic        hold_i,  // turns do not move the step: a sensor will
     input  logic        load_i,  // takes `step`, from the middle or the beginning; wins over a pulse
     input  logic [2:0]  step_i,  // 0 to 5
@@ -20,52 +20,45 @@ module divide_by_n (
 );
   logic [2:0] sub;  // VCO turns into the step
   logic [2:0] step;
-  logic [2:0] next;  // the one after, a clock after the step: turns are many clocks apart
 
-  wire [1:0] choice = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};
-  wire [2:0] wide = {1'b0, choice};
-  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide;
-  wire at_most = last <= sub;
-  wire either_55 = !(pulse_i && at_most) || hold_i;  // line 55
+  wire either_27 = step[1:0] == 2'd3 || (step[2] && !step[0]);  // line 27
+  wire choice_29 =  // line 29
+      (!reverse_i || step[2]) ? (reverse_i ? step[0] : either_27) : !step[1] && !step[0];
+  wire [1:0] choice_30 = (reverse_i ? either_27 : (step[1] ^ step[0]) && !step[2]) ? 2'd2 : 2'd0;
+  wire [2:0] wide_30 = {1'b0, choice_30};  // line 30
+  wire [2:0] turned = (choice_29 ? 3'd4 : 3'd0) | wide_30 | {2'd0, !step[0]};  // line 30
+  wire [1:0] choice_58 = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};  // line 58
+  wire [2:0] wide_58 = {1'b0, choice_58};  // line 58
+  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide_58;  // line 58
+  wire below_58 = sub < last;  // line 58
   wire [2:0] step_next =
       load_i ? step_i :
-      (pulse_i && !either_55) ? next :
+      (pulse_i && !(below_58 || hold_i)) ? turned :
       step;
-  wire [3:0] sum_59 = {1'b0, last} + 4'd1;  // line 59
-  wire elapsed = !load_i && pulse_i && at_most;  // line 54
+  wire [3:0] sum_61 = {1'b0, last} + 4'd1;  // line 61
+  wire at_most = last <= sub;
+  wire elapsed = !load_i && pulse_i && at_most;
   wire [2:0] sub_next =
-      load_i ? (half_i ? sum_59[3:1] : 3'd0) :
-      pulse_i ? ((!load_i && at_most) ? 3'd0 : sub + 3'd1) :
+      load_i ? (half_i ? sum_61[3:1] : 3'd0) :
+      pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) :
       sub;
-  wire [18:0] shifted_76 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 76
+  wire [18:0] shifted_78 = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 78
 
   always_ff @(posedge clk) begin
     sub <= sub_next;
     step <= step_next;
-    if (reverse_i) begin
-      if (step == 3'd0) begin
-        next <= 3'd5;
-      end else begin
-        next <= step - 3'd1;
-      end
-    end else if (step > 3'd4) begin
-      next <= 3'd0;
-    end else begin
-      next <= step + 3'd1;
-    end
     if (rst) begin
       sub <= 3'd0;
       step <= 3'd0;
-      next <= 3'd1;
     end
   end
 
   assign step_o = step_next;
-  assign phase_o = shifted_76[15:0];
+  assign phase_o = shifted_78[15:0];
   assign commutate_o = load_i || (elapsed && !hold_i);
   assign elapsed_o = elapsed;
-  assign turned_o = either_55 ? step : next;
+  assign turned_o = (!pulse_i || below_58 || hold_i) ? step : turned;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_59[0], shifted_76[18:16]};
+  wire unused = &{1'b0, sum_61[0], shifted_78[18:16]};
 endmodule

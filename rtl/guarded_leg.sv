@@ -16,32 +16,33 @@ module guarded_leg (
   logic [1:0] was;  // the request of the last clock
   logic [7:0] timer;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 
-  wire either = off_i || timer[7:1] == 7'd0;
-  wire [1:0] held = either ? 2'd0 : gate;  // line 48
+  wire either_47 = off_i || timer[7:1] == 7'd0;  // line 47
+  wire [1:0] held = either_47 ? 2'd0 : gate;  // line 48
   wire [1:0] choice_45 = (gate == 2'd0) ? was : gate;  // line 45
   wire [1:0] same = off_i ? 2'd0 : choice_45;  // line 45
   wire [1:0] ready = ((gate != 2'd0 || timer[7:1] == 7'd0) && !off_i) ? choice_45 : 2'd0;
   wire [1:0] choice_44 = (low_i && !high_i) ? 2'd2 : 2'd0;  // line 44
   wire [1:0] request = choice_44 | {1'b0, high_i && !low_i};  // line 44
-  wire [1:0] both_46 = request & same;  // line 46
-  wire either_47 = gate == 2'd0 || both_46 != 2'd0;  // line 47
-  wire both_47 = gate == 2'd0 && timer[7:1] == 7'd0;  // line 47
 
   always_ff @(posedge clk) begin
-    gate <= held | (ready & request);  // line 56
+    gate <= held | (ready & request);  // line 58
     if (off_i) begin
       was <= 2'd0;
     end else begin
       was <= request;
     end
-    if (either_47 ? both_47 || !(both_47 || both_46 != 2'd0) : either) begin
-      if (gate != 2'd0 || both_46 == 2'd0) begin
-        timer <= dead_time_i;
+    if ((request & same) != 2'd0 || (gate != 2'd0 && !either_47)) begin
+      if (timer[7:1] == 7'd0) begin
+        if (gate == 2'd0) begin
+          timer <= minimum_i;
+        end else begin
+          timer <= 8'd0;
+        end
       end else begin
-        timer <= minimum_i;
+        timer <= timer - 8'd1;
       end
-    end else if (timer[7:1] != 7'd0) begin
-      timer <= timer - 8'd1;
+    end else begin
+      timer <= dead_time_i;
     end
     if (rst) begin
       gate <= 2'd0;

@@ -34,11 +34,11 @@ module phase_detector (
   logic before_;  // before_seen, from the step that a commutation ends
   logic hid;  // the last update was of a step on the level after
   logic hurries;  // and the rotor led before it; until the next update
-  logic [16:0] not_window;  // complement of u0.16: errors below that are good
+  logic follows;  // the error is that of a sector
   logic turned;  // following: a whole turn since the last change or miss
 
-  wire [17:0] sum_64 = {1'b0, error[16:0] ^ {17{error[17]}}} + {1'b0, not_window} + 18'd1;
-  wire [16:0] inverse_94 = ~{1'b0, window_i};  // line 94
+  wire [16:0] magnitude = error[16:0] ^ {17{error[17]}};  // line 61
+  wire choice = follows ? magnitude[16:13] == 4'd0 : magnitude < {1'b0, window_i};
 
   always_ff @(posedge clk) begin
     case (watch_i)
@@ -86,7 +86,6 @@ module phase_detector (
             end else begin
               answered <= crossing_i || answered;
             end
-            not_window <= inverse_94;
             turned <= 1'b0;
           end
           default: begin  // Evidence_kSectors
@@ -100,7 +99,6 @@ module phase_detector (
             answered <= 1'b1;
             hid <= !either && hid;
             hurries <= !either && hurries;
-            not_window <= 17'd122879;
             turned <= !commutate_i && (turned ^ elapsed_i);
           end
         endcase
@@ -109,11 +107,11 @@ module phase_detector (
         update <= 1'b0;
         missed <= 1'b0;
         answered <= 1'b1;
-        not_window <= inverse_94;
         turned <= 1'b0;
       end
     endcase
     before_ <= before_seen_i;
+    follows <= watch_i == Evidence_kSectors;  // line 69
     if (rst) begin
       error <= 18'sd0;
       update <= 1'b0;
@@ -122,7 +120,7 @@ module phase_detector (
       before_ <= 1'b0;
       hid <= 1'b0;
       hurries <= 1'b0;
-      not_window <= 17'd0;
+      follows <= 1'b0;
       turned <= 1'b0;
     end
   end
@@ -132,10 +130,7 @@ module phase_detector (
       (error[17:15] == 3'd0) ? error[15:0] :
       16'sd32767;
   assign update_o = update;
-  assign good_o = !(!update || missed) && !sum_64[17];
+  assign good_o = !(!update || missed) && choice;
   assign missed_o = missed;
   assign hurries_o = hurries;
-
-  // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_64[16:0]};
 endmodule

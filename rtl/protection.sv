@@ -62,19 +62,18 @@ module protection (
       running_i && words_wrong_lock_i != 12'd0 && (none_left || (tick_i && either && few_left));
   wire both_79 = tick_i && hall_i && hall_illegal_i && hall != 2'd0;  // line 79
   wire both_3 = running_i && (!(hall != 2'd2 || tick_i) || both_79);
-  wire below_104 = words_over_current_i - 4'd1 < stuck_i;  // line 104
-  wire fatal = fault_pin_i || below_104;  // line 105
+  wire below_103 = words_over_current_i - 4'd1 < stuck_i;  // line 103
+  wire fatal = fault_pin_i || below_103;  // line 104
   wire long_next = words_freewheel_i < freewheel_i;  // line 64
+  wire [1:0] choice_132 = either ? 2'd2 : 2'd1;  // line 132
+  wire [11:0] change = running_i ? {{10{choice_132[1]}}, choice_132} : words_wrong_lock_i;
+  wire [11:0] sum_136 = (running_i ? wrong : 12'd0) + change;  // line 136
 
   always_ff @(posedge clk) begin
     if (running_i) begin
-      if (strikes == 3'd0) begin
-        if (credit && score != 7'd0) begin
-          score <= score - 7'd1;
-        end
-      end else begin
-        score <= score + {4'd0, strikes};
-      end
+      logic [3:0] choice_85;
+      choice_85 = (strikes == 3'd0 && credit && score != 7'd0) ? 4'd15 : {1'b0, strikes};
+      score <= {{3{choice_85[3]}}, choice_85} + score;
       if (both_70) begin
         strikes <= 3'd4;
       end else begin
@@ -90,14 +89,10 @@ module protection (
         end
       end
       if (tick_i) begin
-        if (either) begin
-          if (few_left) begin
-            wrong <= 12'd0;
-          end else begin
-            wrong <= wrong - 12'd2;
-          end
-        end else if (!all_left) begin
-          wrong <= wrong + 12'd1;
+        if (either && few_left) begin
+          wrong <= 12'd0;
+        end else if (either || !all_left) begin
+          wrong <= sum_136;
         end
         if (hall_i && hall_illegal_i) begin
           if (hall != 2'd2) begin
@@ -111,7 +106,7 @@ module protection (
       score <= 7'd0;
       strikes <= 3'd0;
       slow <= 3'd0;
-      wrong <= words_wrong_lock_i;
+      wrong <= sum_136;
       hall <= 2'd0;
     end
     credit <= running_i && good_i;
@@ -144,7 +139,7 @@ module protection (
   assign reason_o =
       (fatal || choice_2) ?
       (fault_pin_i ? Reason_kFaultPin :
-      below_104 ? Reason_kOverCurrent :
+      below_103 ? Reason_kOverCurrent :
       Reason_kStepOut) :
       both ? Reason_kStall :
       both_2 ? Reason_kWrongLock :

@@ -27,7 +27,7 @@ module pwm_generator (
   wire [1:0] inverse_65 = ~{1'b0, left[13:1] == 13'd0};  // line 65
   wire [13:0] choice = (left[13:1] == 13'd0) ? period_i : 14'd16383;
   wire both_51 = waiting && lead == 13'd0;  // line 51
-  wire either = both_51 || (on && !first);
+  wire both_53 = on && !first;  // line 53
 
   always_ff @(posedge clk) begin
     left <= (left & {{12{inverse_65[1]}}, inverse_65}) + choice;  // line 65
@@ -45,11 +45,15 @@ module pwm_generator (
       waiting <= at_most_70;
       always_ <= at_most_70 && $signed(rest) < $signed({1'b0, minimum_i});
     end else begin
-      if (waiting) begin
-        lead <= lead - 13'd1;
-      end
-      if (either) begin
+      if (both_51) begin
         pulse <= pulse - 14'd1;
+      end else begin
+        if (waiting) begin
+          lead <= lead - 13'd1;
+        end
+        if (both_53) begin
+          pulse <= pulse - 14'd1;
+        end
       end
       waiting <= both_51 ^ waiting;
     end
@@ -69,7 +73,7 @@ module pwm_generator (
     if (left == 14'd0 || always_) begin
       on <= left != 14'd0;
     end else begin
-      on <= either && pulse != 14'd0;
+      on <= (both_51 || both_53) && pulse != 14'd0;
     end
     start <= first && left != 14'd0;  // line 55
     if (rst) begin

@@ -95,17 +95,20 @@ module start_sequence (
   logic turns_reverse;  // direction at the last update while observing
   logic clear_was;
 
-  wire [2:0] either_277 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
-  wire [1:0] choice_277 = at_bits[6] ? 2'd2 : 2'd0;  // line 277
-  wire [3:0] wide_277 =  // line 277
+  wire [2:0] either_279 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
+  wire [1:0] choice_279 = at_bits[6] ? 2'd2 : 2'd0;  // line 279
+  wire [3:0] wide_279 =  // line 279
       {1'b0,
-      either_277 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_277[1], choice_277} | {3{at_bits[7]}}};
-  wire [3:0] either_277_2 = wide_277 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 277
-  wire [4:0] either_293 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enables}} | {at_bits[2], 4'd0};
-  wire both_298 = at_bits[8:7] != 2'd0 && source_i;  // line 298
+      either_279 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_279[1], choice_279} | {3{at_bits[7]}}};
+  wire [3:0] either_279_2 = wide_279 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 279
+  wire [4:0] either_295 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enables}} | {at_bits[2], 4'd0};
+  wire both_300 = at_bits[8:7] != 2'd0 && source_i;  // line 300
   wire either = at_bits[6] || (at_bits[8:7] != 2'd0 && !source_i);
-  wire inverse_317 = !reverse;  // line 317
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 313
+  wire inverse_319 = !reverse;  // line 319
+  wire [2:0] choice_320 = (sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0]) ? 3'd4 : 3'd0;
+  wire [1:0] choice_320_2 = (sector_i[0] ? sector_i[1] : sector_i[2]) ? 2'd2 : 2'd0;  // line 320
+  wire [2:0] either_320 = choice_320 | {1'b0, choice_320_2} | {2'd0, !sector_i[0]};  // line 320
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 315
   wire both = tick_i && last && !entered;
   wire either_143 = (at_bits[6] && both && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
   wire either_80 = !(!at_bits[5] || fast_i || !both) || either_143;  // line 80
@@ -136,45 +139,48 @@ module start_sequence (
   wire choice_80_2 = both_138 ? at_bits[9] || !(!command_run_i && either_114) : at_bits[9] && both;
   wire either_80_2 = at_bits[0] || choice_80_2;  // line 80
   wire both_80_3 = both_80 && either_80_2;  // line 80
-  wire [3:0] choice_2 = (both_80_3 && (source_i ^ either_114)) ? 4'd8 : 4'd0;
-  wire [2:0] choice_171_2 = (braking_next && !braked) ? 3'd4 : 3'd0;  // line 171
-  wire [1:0] choice_171_3 = (both_80_3 && !source_i && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
+  wire [3:0] choice_171_2 = (both_80_3 && (source_i ^ either_114)) ? 4'd8 : 4'd0;  // line 171
+  wire [2:0] choice_171_3 = (braking_next && !braked) ? 3'd4 : 3'd0;  // line 171
+  wire [1:0] choice_171_4 = (both_80_3 && !source_i && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
   wire choice_136 = either_135 ? !at_bits[10] || both_133 : !(either_132 || fatal_i);  // line 136
-  wire [7:0] choice_171_4 = (both_80_3 && source_i) ? 8'd128 : 8'd0;  // line 171
-  wire [7:0] wide_187 = {6'd0, choice_171_3 | {1'b0, choice_136}};  // line 187
+  wire [7:0] choice_171_5 = (both_80_3 && source_i) ? 8'd128 : 8'd0;  // line 171
+  wire [7:0] wide_187 = {6'd0, choice_171_4 | {1'b0, choice_136}};  // line 187
   wire inverse = !(enough || both);
-  wire [1:0] choice_171_5 = (at_bits[1] && inverse) ? 2'd2 : 2'd0;  // line 171
+  wire [1:0] choice_171_6 = (at_bits[1] && inverse) ? 2'd2 : 2'd0;  // line 171
   wire both_166 = at_bits[1] && !enough && both;  // line 166
   wire [1:0] wide_173 =  // line 173
       {1'b0,
       (both_166 && !command_run_i) ||
       (both_138 && !(command_run_i || (!source_i && words_observe_i != 12'd0)))};
-  wire [2:0] choice_171_6 = (at_bits[2] && !both) ? 3'd4 : 3'd0;  // line 171
-  wire [2:0] wide_174 = {1'b0, choice_171_5 | wide_173};  // line 174
-  wire [3:0] choice_171_7 = ((both_166 && command_run_i) || (at_bits[3] && !both)) ? 4'd8 : 4'd0;
-  wire [4:0] choice_171_8 = (both ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 171
-  wire [4:0] wide_176 = {1'b0, {1'b0, wide_174 | choice_171_6} | choice_171_7};  // line 176
-  wire [5:0] choice_171_9 =  // line 171
+  wire [2:0] choice_171_7 = (at_bits[2] && !both) ? 3'd4 : 3'd0;  // line 171
+  wire [2:0] wide_174 = {1'b0, choice_171_6 | wide_173};  // line 174
+  wire [3:0] choice_171_8 = ((both_166 && command_run_i) || (at_bits[3] && !both)) ? 4'd8 : 4'd0;
+  wire [4:0] choice_171_9 = (both ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 171
+  wire [4:0] wide_176 = {1'b0, {1'b0, wide_174 | choice_171_7} | choice_171_8};  // line 176
+  wire [5:0] choice_171_10 =  // line 171
       ((at_bits[4] && both) || (at_bits[5] && !(fast_i || both))) ? 6'd32 : 6'd0;
   wire both_180 = at_bits[5] && fast_i;  // line 180
-  wire [6:0] choice_171_10 = (both_180 || (at_bits[6] && inverse)) ? 7'd64 : 7'd0;  // line 171
-  wire [6:0] wide_179 = {1'b0, {1'b0, wide_176 | choice_171_8} | choice_171_9};  // line 179
+  wire [6:0] choice_171_11 = (both_180 || (at_bits[6] && inverse)) ? 7'd64 : 7'd0;  // line 171
+  wire [6:0] wide_179 = {1'b0, {1'b0, wide_176 | choice_171_9} | choice_171_10};  // line 179
   wire either_182 = (both_140 && command_run_i && !differ_80_2) || (at_bits[6] && enough);
   wire both_182 = command_run_i && !differ_80;  // line 182
   wire both_169 = at_bits[8:7] != 2'd0 && !lost_i;  // line 169
-  wire [7:0] choice_171_11 = ((either_182 || !both_169) ? either_182 : both_182) ? 8'd128 : 8'd0;
-  wire [7:0] wide_181 = {1'b0, wide_179 | choice_171_10};  // line 181
-  wire [8:0] choice_171_12 =  // line 171
+  wire [7:0] choice_171_12 = ((either_182 || !both_169) ? either_182 : both_182) ? 8'd128 : 8'd0;
+  wire [7:0] wide_181 = {1'b0, wide_179 | choice_171_11};  // line 181
+  wire [8:0] choice_171_13 =  // line 171
       (both_169 && either_159 && (at_bits[7] || (!both && fast_i))) ? 9'd256 : 9'd0;
-  wire [8:0] wide_182 = {1'b0, wide_181 | choice_171_11};  // line 182
-  wire [9:0] choice_171_13 = (at_bits[9] && !both) ? 10'd512 : 10'd0;  // line 171
-  wire [9:0] wanted = {1'b0, wide_182 | choice_171_12} | choice_171_13;  // line 183
+  wire [8:0] wide_182 = {1'b0, wide_181 | choice_171_12};  // line 182
+  wire [9:0] choice_171_14 = (at_bits[9] && !both) ? 10'd512 : 10'd0;  // line 171
+  wire [9:0] wanted = {1'b0, wide_182 | choice_171_13} | choice_171_14;  // line 183
   wire [9:0] choice_185 = (choice_136 || choice_137) ? 10'd0 : wanted;  // line 185
-  wire [9:0] either_187 = {2'd0, wide_187 | choice_171_4} | choice_185;  // line 187
-  wire [9:0] either_189 = {6'd0, choice_2 | {1'b0, choice_171_2}} | either_187;  // line 189
+  wire [9:0] either_187 = {2'd0, wide_187 | choice_171_5} | choice_185;  // line 187
+  wire [9:0] either_189 = {6'd0, choice_171_2 | {1'b0, choice_171_3}} | either_187;  // line 189
   wire [10:0] at_bits_next = {1'b0, choice_171} | choice | {1'b0, either_189};  // line 191
   wire either_102 = choice_185[6:5] != 2'd0 || either_187[7];  // line 102
-  wire [15:0] choice_3 =
+  wire [12:0] change = {lags_i ? {1'b0, duty[15:5]} : ~{1'b0, duty[15:5]}, 1'b0} | {12'd0, !lags_i};
+  wire [16:0] change_2 = {{4{change[12]}}, change};  // line 265
+  wire [16:0] sum_266 = {duty, 1'b1} + change_2;  // line 266
+  wire [15:0] choice_2 =
       (retries[3:1] == 3'd0) ? words_start_duty_i :
       words_start_duty_i[15] ? 16'd65535 :
       {words_start_duty_i[14:0], 1'b0};
@@ -186,17 +192,11 @@ module start_sequence (
     enables <= either_102 || choice_185[8] || either_189[3:2] != 2'd0 || choice_185[4];
     boosts <= choice_185[6:5] != 2'd0;  // line 101
     if (at_bits[6]) begin
-      if (commutate_i) begin
-        if (lags_i) begin
-          if (faded) begin
-            duty <= duty + {5'd0, duty[15:5]};
-          end
-        end else begin
-          duty <= duty - {5'd0, duty[15:5]};
-        end
+      if (commutate_i && !(lags_i && !faded)) begin
+        duty <= sum_266[16:1];
       end
     end else if (at_bits[5]) begin
-      duty <= choice_3;
+      duty <= choice_2;
     end else if (at_bits[4:3] == 2'd0) begin
       if (at_bits[2]) begin
         duty <= words_brake_duty_i;
@@ -326,7 +326,7 @@ module start_sequence (
     end else begin
       brakes <= 8'd0;
     end
-    faded <= duty < choice_3;  // line 257
+    faded <= duty < choice_2;  // line 257
     if (at_bits[5]) begin
       load_step <= at_bits[1] && either_187[7];
     end else if (choice_185[5] || !at_bits[1]) begin
@@ -364,10 +364,10 @@ module start_sequence (
     end
   end
 
-  assign state_o = either_277_2 | (at_bits[10] ? 4'd10 : 4'd0);
+  assign state_o = either_279_2 | (at_bits[10] ? 4'd10 : 4'd0);
   assign reason_o = reason;
   assign enable_o = enables;
-  assign pattern_bits_o = either_293 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
+  assign pattern_bits_o = either_295 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
   assign reverse_o = reverse;
   assign running_o = at_bits[8:7] != 2'd0;
   assign mode_o =
@@ -376,26 +376,25 @@ module start_sequence (
   assign duty_o = duty;
   assign stop_o = at_bits[8];
   assign watch_o =
-      (at_bits[1] || both_298) ? Evidence_kSectors :
+      (at_bits[1] || both_300) ? Evidence_kSectors :
       either ? Evidence_kCrossings :
       Evidence_kNothing;
   assign loop_o =
       at_bits[1] ? Loop_kCatch :
-      both_298 ? Loop_kHall :
+      both_300 ? Loop_kHall :
       either ? Loop_kTrack :
       at_bits[5] ? Loop_kRamp :
       Loop_kStop;
   assign load_step_o = load_step;
   assign step_o =
-      at_bits[5] ? {1'b0, {2{inverse_317}}} :
+      at_bits[5] ? {1'b0, {2{inverse_319}}} :
       reverse ? sector_i :
-      (sector_i == 3'd0) ? 3'd5 :
-      sector_i - 3'd1;
+      either_320;
   assign turn_vco_o = at_bits[1] || drives;
   assign gentle_o = gentle;
   assign began_o = began;
   assign failed_o = failed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_ramp_i, words_hand_over_i, words_window_i};
+  wire unused = &{1'b0, words_ramp_i, words_hand_over_i, words_window_i, sum_266[0]};
 endmodule

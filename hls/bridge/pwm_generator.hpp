@@ -64,10 +64,11 @@ class PwmGenerator {
     // the period is a constant: flip-flops of constants that differ would want other resets, and other tiles.
     left_ = wrap<Clocks>((left_ & ~Clocks(ending)) + (ending ? in.period : Clocks::max()));
     if (ending) {
+      const auto rest = in.period - in.on_clocks;
       pulse_ = in.on_clocks;
-      lead_ = in.centred ? wrap<UInt<13>>((in.period - in.on_clocks) >> 1) : UInt<13>(0);
+      lead_ = in.centred ? wrap<UInt<13>>(rest >> 1) : UInt<13>(0);
       waiting_ = in.on_clocks >= in.minimum;
-      always_ = in.on_clocks >= in.minimum && in.on_clocks > in.period - in.minimum;
+      always_ = in.on_clocks >= in.minimum && rest < in.minimum;
     } else {
       if (counting) pulse_ = wrap<Clocks>(shorter_pulse);
       if (waiting_ && !rise) lead_ = wrap<UInt<13>>(shorter_lead);
