@@ -62,7 +62,7 @@ std::string dump(const Design& design) {
     text += fmt::format("module {}  ; {} @{}:{}\n", module.name, module.cpp_class,
                         module.source.file, module.source.line);
     for (const auto& leaf : module.inputs) {
-      text += fmt::format("  in {} {}\n", type_of(module, leaf), leaf.name);
+      text += fmt::format("  {} {} {}\n", leaf.parameter ? "parameter" : "in", type_of(module, leaf), leaf.name);
     }
     for (const auto& table : module.tables) {
       text += fmt::format("  table u{} {}[{}]\n", table.width, table.name, table.entries.size());

@@ -1,5 +1,7 @@
 #include "generator/names.hpp"
 
+#include <llvm/ADT/StringRef.h>
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -74,6 +76,7 @@ std::string flat_name(std::string_view path) {
 }
 
 std::string port_name(const Leaf& leaf, Direction direction) {
+  if (leaf.parameter) return llvm::StringRef(flat_name(leaf.name)).upper();
   return flat_name(leaf.name) + (direction == Direction::kIn ? "_i" : "_o");
 }
 

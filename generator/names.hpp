@@ -3,6 +3,7 @@
 //
 //     class SixStepTop            ->  six_step_top          (modules and files)
 //     config.kp, an input         ->  config_kp_i           (ports)
+//     with.telemetry, a parameter ->  WITH_TELEMETRY
 //     history[3], a register      ->  history_3             (registers, instances)
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/names_test.cpp

@@ -13,6 +13,7 @@
 #include <llvm/ADT/APInt.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ struct Leaf {
   bool is_signed = false;
   int enumeration = -1;  // Module::enumerations
   std::string comment;   // the `// u0.16, turns` behind the member in its header, or empty
+  std::optional<bool> parameter = {};  // of In: fixed at synthesis, with this default
 };
 
 struct Register {

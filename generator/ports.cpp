@@ -23,6 +23,7 @@ std::string drive(const Module& module) {
       "template <class Rtl, class In>\n"
       "void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {\n";
   for (const auto& leaf : module.inputs) {
+    if (leaf.parameter) continue;  // nothing to drive: the model was built with a value
     text += fmt::format("  set_port(rtl.{}, word_of(in.{}, {}));\n",
                         port_name(leaf, Direction::kIn), leaf.name, leaf.width);
   }
@@ -48,6 +49,7 @@ std::string random(const Module& module) {
       "template <class In, class Stimulus>\n"
       "void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {\n";
   for (const auto& leaf : module.inputs) {
+    if (leaf.parameter) continue;
     if (leaf.enumeration < 0) {
       text += fmt::format("  set_number(in.{}, stimulus.bits({}));\n", leaf.name, leaf.width);
       continue;

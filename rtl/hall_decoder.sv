@@ -1,7 +1,9 @@
-// hall_decoder: steplock::HallDecoder, printed by hlsgen from hls/six_step/hall_decoder.hpp:27.
+// hall_decoder: steplock::HallDecoder, printed by hlsgen from hls/six_step/hall_decoder.hpp:29.
 // Do not edit: change the C++ and print again.
 
-module hall_decoder (
+module hall_decoder #(
+    parameter logic DECODES = 1'b1
+) (
     input  logic       clk,
     input  logic       rst,  // synchronous, active high
     input  logic       u_i,  // synchronised
@@ -26,85 +28,93 @@ module hall_decoder (
   logic back;  // the sector is the one before the last move's
   logic jumped;  // one clock: to no neighbour
 
-  wire [2:0] code_next = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 72
-  wire [2:0] other = code ^ last;  // line 54
-  wire [2:0] sum_57 = other - 3'd1;  // line 57
+  wire [2:0] other = code ^ last;  // line 57
+  wire [2:0] sum_60 = other - 3'd1;  // line 60
 
   always_ff @(posedge clk) begin
-    code <= code_next;  // line 72
-    if (code_next == code) begin
-      if (!stood) begin
-        left <= left - 10'd1;
+    if (DECODES) begin
+      logic [2:0] code_2;
+      code_2 = (u_i ? 3'd4 : 3'd0) | {1'b0, v_i ? 2'd2 : 2'd0} | {2'd0, w_i};  // line 75
+      code <= code_2;
+      if (code_2 == code) begin
+        if (!stood) begin
+          left <= left - 10'd1;
+        end
+        stood <= stood || left == 10'd1;
+      end else begin
+        left <= hold_i;
+        stood <= hold_i == 10'd0;
       end
-      stood <= stood || left == 10'd1;
-    end else begin
-      left <= hold_i;
-      stood <= hold_i == 10'd0;
-    end
-    if (stood) begin
-      logic either;
-      logic either_2;
-      either = code == 3'd5 || code == 3'd4 || code == 3'd6;
-      either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
-      if (!legal || code != last) begin
-        if (either_2) begin
-          logic choice_61;
-          logic choice;
-          choice_61 = (legal && other != 3'd4) ? sum_57[2:1] == 2'd0 : legal;  // line 61
-          choice = (other != 3'd4 && legal) ? sum_57[2:1] == 2'd0 : legal;
-          last <= code;
-          case (code)
-            3'd1: sector <= 3'd5;
-            3'd2: sector <= 3'd3;
-            3'd3: sector <= 3'd4;
-            3'd4: sector <= 3'd1;
-            3'd5: sector <= 3'd0;
-            default: sector <= 3'd2;
-          endcase
-          if (choice) begin
-            logic differ_55;
-            logic equal_55;
-            logic equal_55_2;
-            logic choice_55;
-            logic both_58;
-            logic differ_59;
-            differ_55 = code[1] ^ code[2];  // line 55
-            equal_55 = code[0] == code[2];  // line 55
-            equal_55_2 = code[2] == code[1];  // line 55
-            choice_55 =  // line 55
-                (other == 3'd4) ? equal_55_2 :
-                (other == 3'd2) ? differ_55 :
-                equal_55;
-            both_58 = sure && (choice_55 ^ reverse);  // line 58
-            differ_59 = both_58 ^ back;  // line 59
-            moved <= !differ_59;
-            if (!differ_59) begin
-              if (other == 3'd4) begin
-                reverse <= equal_55_2;
-              end else if (other == 3'd2) begin
-                reverse <= differ_55;
+      if (stood) begin
+        logic either;
+        logic either_2;
+        either = code == 3'd5 || code == 3'd4 || code == 3'd6;
+        either_2 = either || code == 3'd2 || code == 3'd3 || code == 3'd1;
+        if (!legal || code != last) begin
+          if (either_2) begin
+            last <= code;
+            case (code)
+              3'd1: sector <= 3'd5;
+              3'd2: sector <= 3'd3;
+              3'd3: sector <= 3'd4;
+              3'd4: sector <= 3'd1;
+              3'd5: sector <= 3'd0;
+              default: sector <= 3'd2;
+            endcase
+            if (legal) begin
+              logic either_3;
+              either_3 = other == 3'd4 || sum_60[2:1] == 2'd0;
+              if (either_3) begin
+                logic choice_58;
+                logic both_61;
+                logic differ_62;
+                choice_58 =  // line 58
+                    (other == 3'd4) ? code[2] == code[1] :
+                    (other == 3'd2) ? code[1] ^ code[2] :
+                    code[0] == code[2];
+                both_61 = sure && (choice_58 ^ reverse);  // line 61
+                differ_62 = both_61 ^ back;  // line 62
+                moved <= !differ_62;
+                if (!differ_62) begin
+                  reverse <= choice_58;
+                end
+                back <= both_61 && !back;
               end else begin
-                reverse <= equal_55;
+                moved <= 1'b0;
+                back <= 1'b0;
               end
+              sure <= either_3;
+              jumped <= !either_3;
+            end else begin
+              moved <= 1'b0;
+              sure <= 1'b0;
+              back <= 1'b0;
+              jumped <= 1'b1;
             end
-            back <= both_58 && !back;
           end else begin
             moved <= 1'b0;
-            back <= 1'b0;
+            jumped <= 1'b0;
           end
-          sure <= choice || choice_61;
-          jumped <= !choice;
         end else begin
           moved <= 1'b0;
           jumped <= 1'b0;
         end
+        legal <= either_2;
       end else begin
         moved <= 1'b0;
         jumped <= 1'b0;
       end
-      legal <= either_2;
     end else begin
+      code <= 3'd0;
+      left <= 10'd0;
+      stood <= 1'b1;
+      last <= 3'd0;
+      sector <= 3'd0;
+      legal <= 1'b0;
       moved <= 1'b0;
+      reverse <= 1'b0;
+      sure <= 1'b0;
+      back <= 1'b0;
       jumped <= 1'b0;
     end
     if (rst) begin
@@ -129,5 +139,5 @@ module hall_decoder (
   assign jumped_o = jumped;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_57[0]};
+  wire unused = &{1'b0, sum_60[0]};
 endmodule

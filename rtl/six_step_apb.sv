@@ -1,7 +1,10 @@
 // six_step_apb: steplock::SixStepApb, printed by hlsgen from hls/bus/six_step_apb.hpp:19.
 // Do not edit: change the C++ and print again.
 
-module six_step_apb (
+module six_step_apb #(
+    parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_TELEMETRY = 1'b1  // its counters
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        pins_comparator_u_i,  // terminal U above the reference
@@ -66,7 +69,7 @@ module six_step_apb (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered drive (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),

@@ -1,7 +1,10 @@
 // six_step_axes: steplock::SixStepAxes<2>, printed by hlsgen from hls/bus/six_step_axes.hpp:26.
 // Do not edit: change the C++ and print again.
 
-module six_step_axes (
+module six_step_axes #(
+    parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_TELEMETRY = 1'b1  // its counters
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        pins_0_comparator_u_i,  // terminal U above the reference
@@ -108,7 +111,7 @@ module six_step_axes (
   wire [31:0] drives_0_data;
   wire drives_0_read_error;
   wire drives_0_write_error;
-  six_step_registered drives_0 (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_0 (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_0_comparator_u_i),
@@ -150,7 +153,7 @@ module six_step_axes (
   wire [31:0] drives_1_data;
   wire drives_1_read_error;
   wire drives_1_write_error;
-  six_step_registered drives_1 (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_1 (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_1_comparator_u_i),
@@ -180,14 +183,14 @@ module six_step_axes (
       .write_error_o(drives_1_write_error)
   );
 
-  wire either_71 =  // line 71
+  wire either_72 =  // line 72
       (write_axis == 2'd1 && drives_1_write_error) ||
       (write_axis == 2'd0 && drives_0_write_error) || write_hole;
-  wire [31:0] out_axi_rdata =  // line 72
+  wire [31:0] out_axi_rdata =  // line 73
       (read_axis != 2'd0 || read_hole) ? 32'd0 :
       read_capability ? (drives_0_data & 32'hfff8ffff) | 32'h20000 :
       drives_0_data;
-  wire both_72 = read_axis == 2'd0 && drives_0_read_error;  // line 72
+  wire both_73 = read_axis == 2'd0 && drives_0_read_error;  // line 73
 
   always_ff @(posedge clk) begin
     if (axi_request_write) begin
@@ -229,7 +232,7 @@ module six_step_axes (
   assign axi_awready_o = axi_awready;
   assign axi_wready_o = axi_wready;
   assign axi_bvalid_o = axi_bvalid;
-  assign axi_bresp_o = either_71 ? 2'd2 : 2'd0;
+  assign axi_bresp_o = either_72 ? 2'd2 : 2'd0;
   assign axi_arready_o = axi_arready;
   assign axi_rvalid_o = axi_rvalid;
   assign axi_rdata_o =
@@ -238,7 +241,7 @@ module six_step_axes (
       drives_1_data;
   assign axi_rresp_o =
       read_hole ? 2'd2 :
-      (read_axis == 2'd1) ? ((drives_1_read_error || both_72) ? 2'd2 : 2'd0) :
-      both_72 ? 2'd2 :
+      (read_axis == 2'd1) ? ((drives_1_read_error || both_73) ? 2'd2 : 2'd0) :
+      both_73 ? 2'd2 :
       2'd0;
 endmodule

@@ -1,7 +1,9 @@
 // six_step_bare: steplock::SixStepBare, printed by hlsgen from hls/six_step/six_step_bare.hpp:23.
 // Do not edit: change the C++ and print again.
 
-module six_step_bare (
+module six_step_bare #(
+    parameter logic WITH_HALL_DECODER = 1'b1
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        pins_comparator_u_i,  // terminal U above the reference
@@ -105,19 +107,19 @@ module six_step_bare (
   logic takes;  // the pins are taken in this clock
   logic [16:0] bounce;
 
-  wire [25:0] choice_85 =  // line 85
+  wire [25:0] choice_87 =  // line 87
       ({2'd0, words_speed_target_i[25:2]} < words_start_hand_over_i) ? words_start_hand_over_i :
       {2'd0, words_speed_target_i[25:2]};
-  wire [25:0] choice_85_2 =  // line 85
+  wire [25:0] choice_87_2 =  // line 87
       ({1'b0, words_speed_target_i[25:1]} < words_start_hand_over_i) ? words_start_hand_over_i :
       {1'b0, words_speed_target_i[25:1]};
   wire [25:0] part = {1'b0, words_speed_target_i[25:1]} + {2'd0, words_speed_target_i[25:2]};
 
-  logic [25:0] words_speed_target;  // line 47
+  logic [25:0] words_speed_target;  // line 48
   always_comb begin
     case (taken_speed)
-      2'd0: words_speed_target = choice_85;
-      2'd1: words_speed_target = choice_85_2;
+      2'd0: words_speed_target = choice_87;
+      2'd1: words_speed_target = choice_87_2;
       2'd2: words_speed_target = (part < words_start_hand_over_i) ? words_start_hand_over_i : part;
       default: words_speed_target =
           (words_speed_target_i < words_start_hand_over_i) ? words_start_hand_over_i :
@@ -153,7 +155,7 @@ module six_step_bare (
   wire [15:0] unused_drive_counts_freewheel_long;
   wire [15:0] unused_drive_counts_limit_hits;
   wire [15:0] unused_drive_counts_retries;
-  six_step_top drive (
+  six_step_top #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(1'b0)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -262,14 +264,14 @@ module six_step_bare (
     second_run <= first_run;
     second_reverse <= first_reverse;
     second_speed <= first_speed;
-    taken_run <= (takes ? second_run : taken_run) && second_run;  // line 57
+    taken_run <= (takes ? second_run : taken_run) && second_run;  // line 59
     if (takes) begin
       taken_reverse <= second_reverse;
       taken_speed <= second_speed;
     end
-    run <= taken_run && second_run;  // line 55
-    takes <= bounce == 17'd0;  // line 58
-    bounce <= bounce + 17'd1;  // line 59
+    run <= taken_run && second_run;  // line 57
+    takes <= bounce == 17'd0;  // line 60
+    bounce <= bounce + 17'd1;  // line 61
     if (rst) begin
       first_run <= 1'b0;
       first_reverse <= 1'b0;

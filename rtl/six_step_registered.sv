@@ -1,7 +1,10 @@
 // six_step_registered: steplock::SixStepRegistered, printed by hlsgen from hls/bus/six_step_registered.hpp:23.
 // Do not edit: change the C++ and print again.
 
-module six_step_registered (
+module six_step_registered #(
+    parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_TELEMETRY = 1'b1  // its counters
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        pins_comparator_u_i,  // terminal U above the reference
@@ -37,6 +40,7 @@ module six_step_registered (
   logic command_clear_fault;  // a rising edge re-arms, once `run` is low and the cause is gone
   logic stopped;
   logic boundary;
+  logic read_capability;
 
   wire [13:0] words_words_pwm_period;
   wire [13:0] words_words_pwm_minimum;
@@ -216,7 +220,7 @@ module six_step_registered (
   wire [15:0] drive_counts_freewheel_long;
   wire [15:0] drive_counts_limit_hits;
   wire [15:0] drive_counts_retries;
-  six_step_top drive (
+  six_step_top #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -366,14 +370,21 @@ module six_step_registered (
       .interrupt_o(registers_interrupt)
   );
 
+  wire [4:0] absent = (!read_capability || WITH_HALL_DECODER) ? 5'd0 : 5'd16;  // line 67
+  wire [6:0] absent_2 = (!read_capability || WITH_TELEMETRY) ? {2'd0, absent} : {2'd2, absent};
+  wire [7:0] inverse_79 = ~{1'b0, absent_2};  // line 79
+
   always_ff @(posedge clk) begin
     command_configured <= registers_command_configured;
     command_run <= registers_command_run;
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 66
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 72
     boundary <= pwm_start;
+    if (request_read_i) begin
+      read_capability <= request_index_i == 10'd2;
+    end
     if (rst) begin
       command_configured <= 1'b0;
       command_run <= 1'b0;
@@ -382,6 +393,7 @@ module six_step_registered (
       command_clear_fault <= 1'b0;
       stopped <= 1'b1;
       boundary <= 1'b0;
+      read_capability <= 1'b0;
     end
   end
 
@@ -394,7 +406,7 @@ module six_step_registered (
   assign interrupt_o = registers_interrupt;
   assign locked_o = drive_locked;
   assign fault_o = drive_state == 4'd10;
-  assign data_o = registers_data;
+  assign data_o = registers_data & {{24{inverse_79[7]}}, inverse_79};
   assign read_error_o = registers_read_error;
   assign write_error_o = registers_write_error;
 endmodule

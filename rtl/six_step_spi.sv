@@ -1,7 +1,10 @@
 // six_step_spi: steplock::SixStepSpi, printed by hlsgen from hls/bus/six_step_spi.hpp:20.
 // Do not edit: change the C++ and print again.
 
-module six_step_spi (
+module six_step_spi #(
+    parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_TELEMETRY = 1'b1  // its counters
+) (
     input  logic clk,
     input  logic rst,  // synchronous, active high
     input  logic pins_comparator_u_i,  // terminal U above the reference
@@ -70,7 +73,7 @@ module six_step_spi (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered drive (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -101,7 +104,7 @@ module six_step_spi (
   );
 
   always_ff @(posedge clk) begin
-    bit_ <= (drive_data & (32'd1 << bus_place)) != 32'd0;  // line 38
+    bit_ <= (drive_data & (32'd1 << bus_place)) != 32'd0;  // line 39
     if (bus_writing) begin
       error <= drive_write_error;
     end else begin

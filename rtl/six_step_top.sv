@@ -1,7 +1,10 @@
-// six_step_top: steplock::SixStepTop, printed by hlsgen from hls/six_step/six_step_top.hpp:39.
+// six_step_top: steplock::SixStepTop, printed by hlsgen from hls/six_step/six_step_top.hpp:42.
 // Do not edit: change the C++ and print again.
 
-module six_step_top (
+module six_step_top #(
+    parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_TELEMETRY = 1'b1  // its counters
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        pins_comparator_u_i,  // terminal U above the reference
@@ -126,6 +129,8 @@ module six_step_top (
   logic fatal;
   logic [3:0] cause;
 
+  wire both_77 = WITH_HALL_DECODER && words_source_i;  // line 77
+
   wire synchroniser_comparator_u;
   wire synchroniser_comparator_v;
   wire synchroniser_comparator_w;
@@ -155,17 +160,19 @@ module six_step_top (
       .hall_w_o(synchroniser_hall_w)
   );
 
+  wire both = command_configured_i && (WITH_HALL_DECODER || !words_source_i);
+
   wire [2:0] hall_sector;
   wire hall_legal;
   wire hall_moved;
   wire hall_reverse;
   wire hall_jumped;
-  hall_decoder hall (
+  hall_decoder #(.DECODES(WITH_HALL_DECODER)) hall (
       .clk(clk),
       .rst(rst),
-      .u_i(words_source_i ? synchroniser_hall_u : synchroniser_comparator_u),
-      .v_i(words_source_i ? synchroniser_hall_v : synchroniser_comparator_v),
-      .w_i(words_source_i ? synchroniser_hall_w : synchroniser_comparator_w),
+      .u_i(both_77 ? synchroniser_hall_u : synchroniser_comparator_u),
+      .v_i(both_77 ? synchroniser_hall_v : synchroniser_comparator_v),
+      .w_i(both_77 ? synchroniser_hall_w : synchroniser_comparator_w),
       .hold_i(words_bemf_blanking_i),
       .sector_o(hall_sector),
       .legal_o(hall_legal),
@@ -193,11 +200,11 @@ module six_step_top (
   wire [1:0] start_gentle;
   wire start_began;
   wire start_failed;
-  start_sequence start (
+  start_sequence #(.OBSERVES(WITH_HALL_DECODER)) start (
       .clk(clk),
       .rst(rst),
       .tick_i(tick),
-      .command_configured_i(command_configured_i),
+      .command_configured_i(both),
       .command_run_i(command_run_i),
       .command_reverse_i(command_reverse_i),
       .command_brake_to_stop_i(command_brake_to_stop_i),
@@ -248,7 +255,7 @@ module six_step_top (
   );
 
   wire [2:0] hall_step = start_reverse ? hall_sector + choice : hall_sector;
-  wire [2:0] step = words_source_i ? hall_step : divided_step;  // line 101
+  wire [2:0] step = both_77 ? hall_step : divided_step;  // line 109
 
   wire bemf_crossing;
   wire [15:0] bemf_crossing_phase;
@@ -304,7 +311,8 @@ module six_step_top (
       .hurries_o(detector_hurries)
   );
 
-  wire either_142 = start_load_step || (start_watch == 2'd2 && (hall_moved || hall_jumped));
+  wire both_103 = WITH_HALL_DECODER && start_watch == 2'd2;  // line 103
+  wire either_150 = start_load_step || (both_103 && (hall_moved || hall_jumped));  // line 150
 
   wire [25:0] filter_frequency;
   wire filter_fast;
@@ -341,7 +349,7 @@ module six_step_top (
       .clk(clk),
       .rst(rst),
       .enable_i(start_turn_vco),
-      .load_i(either_142),
+      .load_i(either_150),
       .half_i(start_load_step && words_loop_divide_i == 2'd0),
       .frequency_i(filter_frequency),
       .phase_o(vco_phase),
@@ -394,8 +402,8 @@ module six_step_top (
       .tick_o(pwm_tick)
   );
 
-  wire [2:0] sum_177 = hall_step - 3'd3;  // line 177
-  wire [2:0] sum_177_2 = hall_step - 3'd1;  // line 177
+  wire [2:0] sum_185 = hall_step - 3'd3;  // line 185
+  wire [2:0] sum_185_2 = hall_step - 3'd1;  // line 185
 
   wire limit_on;
   wire limit_hit;
@@ -420,12 +428,12 @@ module six_step_top (
   wire commutation_wl;
   commutation commutation (
       .pattern_bits_i(start_pattern_bits),
-      .legs_uh_i(words_source_i ? hall_step[2:1] == 2'd0 : legs_uh),
-      .legs_ul_i(words_source_i ? sum_177[2:1] == 2'd0 : legs_ul),
-      .legs_vh_i(words_source_i ? $signed(hall_step) > 3'sd1 : legs_vh),
-      .legs_vl_i(words_source_i ? hall_step == 3'd0 || hall_step == 3'd5 : legs_vl),
-      .legs_wh_i(words_source_i ? hall_step[2] && !hall_step[1] : legs_wh),
-      .legs_wl_i(words_source_i ? sum_177_2[2:1] == 2'd0 : legs_wl),
+      .legs_uh_i(both_77 ? hall_step[2:1] == 2'd0 : legs_uh),
+      .legs_ul_i(both_77 ? sum_185[2:1] == 2'd0 : legs_ul),
+      .legs_vh_i(both_77 ? $signed(hall_step) > 3'sd1 : legs_vh),
+      .legs_vl_i(both_77 ? hall_step == 3'd0 || hall_step == 3'd5 : legs_vl),
+      .legs_wh_i(both_77 ? hall_step[2] && !hall_step[1] : legs_wh),
+      .legs_wl_i(both_77 ? sum_185_2[2:1] == 2'd0 : legs_wl),
       .chop_i(limit_on),
       .complementary_i(words_pwm_complementary_i),
       .uh_o(commutation_uh),
@@ -452,10 +460,10 @@ module six_step_top (
       .lags_i(detector_error[15]),
       .slow_i(filter_slow),
       .slips_i(speed_slips),
-      .freewheel_i(words_source_i ? 16'd0 : bemf_freewheel),
+      .freewheel_i(both_77 ? 16'd0 : bemf_freewheel),
       .stuck_i(limit_stuck),
       .fault_pin_i(synchroniser_fault),
-      .hall_i(words_source_i),
+      .hall_i(both_77),
       .hall_illegal_i(!hall_legal),
       .words_misses_i(words_protection_misses_i),
       .words_stall_i(words_protection_stall_i),
@@ -484,7 +492,7 @@ module six_step_top (
       .request_vl_i(commutation_vl),
       .request_wh_i(commutation_wh),
       .request_wl_i(commutation_wl),
-      .enable_i(start_enable && command_configured_i),
+      .enable_i(start_enable && both),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_pwm_dead_time_i),
       .minimum_i((words_pwm_minimum_i[13:8] == 6'd0) ? words_pwm_minimum_i[7:0] : 8'd255),
@@ -501,7 +509,7 @@ module six_step_top (
   wire [15:0] telemetry_freewheel_long;
   wire [15:0] telemetry_limit_hits;
   wire [15:0] telemetry_retries;
-  telemetry telemetry (
+  telemetry #(.COUNTS(WITH_TELEMETRY)) telemetry (
       .clk(clk),
       .rst(rst),
       .clear_i(start_began),
@@ -529,8 +537,8 @@ module six_step_top (
       .phase_i(vco_phase),
       .divide_i(words_loop_divide_i),
       .reverse_i(start_reverse),
-      .hold_i(start_watch == 2'd2),
-      .load_i(either_142),
+      .hold_i(both_103),
+      .load_i(either_150),
       .step_i(start_load_step ? start_step : hall_step),
       .half_i(start_load_step),
       .step_o(divide_step),
@@ -540,9 +548,9 @@ module six_step_top (
       .turned_o(divide_turned)
   );
 
-  wire [2:0] choice_157 = start_load_step ? start_step : divide_turned;  // line 157
-  wire [2:0] sum_157 = choice_157 - 3'd3;  // line 157
-  wire [2:0] sum_157_2 = choice_157 - 3'd1;  // line 157
+  wire [2:0] choice_165 = start_load_step ? start_step : divide_turned;  // line 165
+  wire [2:0] sum_165 = choice_165 - 3'd3;  // line 165
+  wire [2:0] sum_165_2 = choice_165 - 3'd1;  // line 165
 
   always_ff @(posedge clk) begin
     tick <= pwm_tick;
@@ -552,16 +560,16 @@ module six_step_top (
     divided_phase <= divide_phase;
     divided_commutate <= divide_commutate;
     divided_elapsed <= divide_elapsed;
-    legs_uh <= choice_157[2:1] == 2'd0;  // line 157
-    legs_ul <= sum_157[2:1] == 2'd0;  // line 157
-    legs_vh <= $signed(choice_157) > 3'sd1;  // line 157
-    legs_vl <= choice_157 == 3'd0 || choice_157 == 3'd5;  // line 157
-    legs_wh <= choice_157[2] && !choice_157[1];  // line 157
-    legs_wl <= sum_157_2[2:1] == 2'd0;  // line 157
+    legs_uh <= choice_165[2:1] == 2'd0;  // line 165
+    legs_ul <= sum_165[2:1] == 2'd0;  // line 165
+    legs_vh <= $signed(choice_165) > 3'sd1;  // line 165
+    legs_vl <= choice_165 == 3'd0 || choice_165 == 3'd5;  // line 165
+    legs_wh <= choice_165[2] && !choice_165[1];  // line 165
+    legs_wl <= sum_165_2[2:1] == 2'd0;  // line 165
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 192
+    lags <= detector_error[15];  // line 200
     hurries <= detector_hurries;
     lost <= protection_lost;
     fatal <= protection_fatal;
@@ -621,5 +629,5 @@ module six_step_top (
   assign counts_retries_o = telemetry_retries;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_177[0], sum_177_2[0], sum_157[0], sum_157_2[0]};
+  wire unused = &{1'b0, sum_185[0], sum_185_2[0], sum_165[0], sum_165_2[0]};
 endmodule

@@ -1,7 +1,10 @@
 // six_step_wb: steplock::SixStepWb, printed by hlsgen from hls/bus/six_step_wb.hpp:19.
 // Do not edit: change the C++ and print again.
 
-module six_step_wb (
+module six_step_wb #(
+    parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_TELEMETRY = 1'b1  // its counters
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        pins_comparator_u_i,  // terminal U above the reference
@@ -69,7 +72,7 @@ module six_step_wb (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered drive (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -99,7 +102,7 @@ module six_step_wb (
       .write_error_o(drive_write_error)
   );
 
-  wire choice_41 = wb_we_i ? drive_write_error : drive_read_error;  // line 41
+  wire choice_42 = wb_we_i ? drive_write_error : drive_read_error;  // line 42
 
   assign gates_uh_o = drive_gates_uh;
   assign gates_ul_o = drive_gates_ul;
@@ -110,8 +113,8 @@ module six_step_wb (
   assign interrupt_o = drive_interrupt;
   assign locked_o = drive_locked;
   assign fault_o = drive_fault;
-  assign wb_ack_o = bus_ack && !choice_41;
-  assign wb_err_o = bus_ack && choice_41;
+  assign wb_ack_o = bus_ack && !choice_42;
+  assign wb_err_o = bus_ack && choice_42;
   assign wb_stall_o = bus_stall;
   assign wb_dat_o = drive_data;
 endmodule

@@ -1,7 +1,9 @@
-// telemetry: steplock::Telemetry, printed by hlsgen from hls/six_step/telemetry.hpp:15.
+// telemetry: steplock::Telemetry, printed by hlsgen from hls/six_step/telemetry.hpp:16.
 // Do not edit: change the C++ and print again.
 
-module telemetry (
+module telemetry #(
+    parameter logic COUNTS = 1'b1
+) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic        clear_i,  // wins over every event
@@ -23,7 +25,7 @@ module telemetry (
   logic [15:0] counts_retries;  // events, stops at 65535
 
   always_ff @(posedge clk) begin
-    if (clear_i) begin
+    if (clear_i || !COUNTS) begin
       counts_crossings <= 16'd0;
       counts_missed <= 16'd0;
       counts_freewheel_long <= 16'd0;

@@ -99,6 +99,7 @@ class Finder {
     }
     block.module = module_of(type);
     block.state = has_module ? lay_out(type) : flat_layout(type);
+    refuse_parameters(block.state);
     for (const auto& instance : block.state.instances) {
       add(instance.type, block.sample == nullptr);
     }
@@ -167,6 +168,15 @@ class Finder {
       if (ports->instances.empty()) continue;
       throw Refusal(ports->instances[0].source, "a block as a port",
                     "pass its Out, and keep the block as a member");
+    }
+    refuse_parameters(block.out);
+  }
+
+  static void refuse_parameters(const Layout& layout) {
+    for (const auto& place : layout.leaves) {
+      if (!place.leaf.parameter) continue;
+      throw Refusal(place.source, "parameter '" + place.leaf.name + "' is no member of an In",
+                    "make it a bool, and take parameters by In");
     }
   }
 

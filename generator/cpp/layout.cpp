@@ -147,7 +147,19 @@ class Walk {
       layout_.instances.push_back({name, offset, type->getSizeInBits() / 8, type, declared_});
       return;
     }
-    if (!place_number(type, name, offset)) members_of(type, name, offset);
+    if (place_parameter(type, name, offset) || place_number(type, name, offset)) return;
+    members_of(type, name, offset);
+  }
+
+  // hls/numeric/parameter.hpp
+  bool place_parameter(const llvm::DICompositeType* type, const std::string& name,
+                       std::uint64_t offset) {
+    if (!type->getName().startswith("Parameter<")) return false;
+    const auto* member = only_member(type);
+    if (member == nullptr) return false;
+    place_type(behind_typedefs(member->getBaseType()), name, offset);
+    layout_.leaves.back().leaf.parameter = first_value_argument(type) != 0;
+    return true;
   }
 
   // A class around one private _BitInt.

@@ -108,8 +108,10 @@ class Converter {
     for (std::size_t i = 0; i < step_.instances.size(); ++i) {
       const auto& instance = step_.instances[i];
       for (std::size_t k = 0; k < instance.inputs.size(); ++k) {
-        module_.instances[i].inputs.push_back(
-            sink(instance.inputs[k], instance.block->in.leaves[k]));
+        const LeafPlace& place = instance.block->in.leaves[k];
+        const NodeId node = sink(instance.inputs[k], place);
+        if (place.leaf.parameter) require_fixed(node, *instance.place, place);
+        module_.instances[i].inputs.push_back(node);
       }
     }
     for (std::size_t i = 0; i < step_.outputs.size(); ++i) {
@@ -119,6 +121,15 @@ class Converter {
     for (std::size_t i = 0; i < step_.nexts.size(); ++i) {
       module_.registers[i].next = sink(step_.nexts[i], block_.state.leaves[i]);
     }
+  }
+
+  void require_fixed(NodeId id, const InstancePlace& instance, const LeafPlace& place) const {
+    const Node& node = module_.nodes[id];
+    if (node.op == Op::kConstant) return;
+    if (node.op == Op::kInput && module_.inputs[node.index].parameter) return;
+    throw Refusal(instance.source,
+                  "parameter '" + place.leaf.name + "' of '" + instance.name + "' is computed",
+                  "give it a parameter of this block as it is, or a constant");
   }
 
   NodeId sink(const llvm::GlobalVariable* global, const LeafPlace& place) {

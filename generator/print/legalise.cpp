@@ -105,8 +105,11 @@ class Legaliser {
     text_.header.insert(text_.header.begin() + 1, m_.remarks.begin(), m_.remarks.end());
     text_.name = m_.name;
     text_.clocked = is_clocked(design_, m_);
-    for (std::size_t i = 0; i < m_.inputs.size(); ++i)
-      text_.inputs.push_back({names_.inputs[i], m_.inputs[i].width, m_.inputs[i].comment});
+    for (std::size_t i = 0; i < m_.inputs.size(); ++i) {
+      const Leaf& leaf = m_.inputs[i];
+      (leaf.parameter ? text_.parameters : text_.inputs)
+          .push_back({names_.inputs[i], leaf.width, leaf.comment, false, leaf.parameter.value_or(false)});
+    }
     for (std::size_t i = 0; i < m_.outputs.size(); ++i)
       text_.outputs.push_back(
           {names_.outputs[i], m_.outputs[i].leaf.width, m_.outputs[i].leaf.comment});
@@ -122,10 +125,11 @@ class Legaliser {
     const Instance& instance = m_.instances[index];
     const Module& child = module_of(design_, instance);
     const FixedNames ports(design_, child);
-    syntax::Cell cell{child.name, names_.instances[index], is_clocked(design_, child), {}, {}};
+    syntax::Cell cell{child.name, names_.instances[index], is_clocked(design_, child), {}, {}, {}};
     for (std::size_t i = 0; i < ports.inputs.size(); ++i)
-      cell.inputs.emplace_back(ports.inputs[i],
-                               expressions_.use(instance.inputs[i], child_enumeration(child, i)));
+      (child.inputs[i].parameter ? cell.parameters : cell.inputs)
+          .emplace_back(ports.inputs[i],
+                        expressions_.use(instance.inputs[i], child_enumeration(child, i)));
     for (std::size_t o = 0; o < ports.outputs.size(); ++o)
       cell.outputs.push_back(
           {ports.outputs[o], instance_outputs_[index][o], child.outputs[o].leaf.width});

@@ -26,7 +26,13 @@ class Plain {
   }
 
   std::string run() {
-    out_ += fmt::format("module {} (\n", m_.name);
+    std::string parameters;
+    for (std::size_t i = 0; i < m_.inputs.size(); ++i)
+      if (m_.inputs[i].parameter)
+        parameters += fmt::format("{}parameter {} = {:d}", parameters.empty() ? "" : ", ",
+                                  names_.inputs[i], *m_.inputs[i].parameter);
+    if (!parameters.empty()) parameters = "#(" + parameters + ") ";
+    out_ += fmt::format("module {} {}(\n", m_.name, parameters);
     std::string comma;
     const auto port = [&](const char* kind, unsigned width, const std::string& name) {
       out_ += fmt::format("{}  {} [{}:0] {}", comma, kind, width - 1, name);
@@ -38,7 +44,7 @@ class Plain {
       port("input", 1, "rst");
     }
     for (std::size_t i = 0; i < m_.inputs.size(); ++i)
-      port("input", m_.inputs[i].width, names_.inputs[i]);
+      if (!m_.inputs[i].parameter) port("input", m_.inputs[i].width, names_.inputs[i]);
     for (std::size_t i = 0; i < m_.outputs.size(); ++i)
       port("output", m_.outputs[i].leaf.width, names_.outputs[i]);
     out_ += "\n);\n";
@@ -142,8 +148,17 @@ class Plain {
     const auto pin = [&](const std::string& port, const std::string& signal) {
       pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", port, signal);
     };
-    for (std::size_t i = 0; i < ports.inputs.size(); ++i)
-      pin(ports.inputs[i], wire(instance.inputs[i]));
+    std::string parameters;
+    for (std::size_t i = 0; i < ports.inputs.size(); ++i) {
+      if (!child.inputs[i].parameter) {
+        pin(ports.inputs[i], wire(instance.inputs[i]));
+        continue;
+      }
+      // Not by way of a wire: a parameter wants what is known before there are any.
+      parameters += fmt::format("{}.{}({})", parameters.empty() ? "#(" : ", ", ports.inputs[i],
+                                value(m_.nodes[instance.inputs[i]]));
+    }
+    if (!parameters.empty()) parameters += ") ";
     std::vector<NodeId> first(ports.outputs.size(), kNone);
     for (NodeId id = 0; id < m_.nodes.size(); ++id) {
       const Node& n = m_.nodes[id];
@@ -155,7 +170,7 @@ class Plain {
         out_ += fmt::format("  assign {} = {};\n", wire(id), wire(first[n.port]));
       }
     }
-    out_ += fmt::format("  {} {} ({});\n", child.name, names_.instances[index], pins);
+    out_ += fmt::format("  {} {}{} ({});\n", child.name, parameters, names_.instances[index], pins);
   }
 
   const Design& design_;

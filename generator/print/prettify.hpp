@@ -29,8 +29,10 @@ void merge_cases(std::vector<syntax::Item>& items);
 template <class Item, class Visit>
 void for_each_in_item(Item& item, const Visit& visit) {
   if (auto* wire = std::get_if<syntax::Wire>(&item)) visit(wire->value);
-  if (auto* cell = std::get_if<syntax::Cell>(&item))
+  if (auto* cell = std::get_if<syntax::Cell>(&item)) {
+    for (auto& [parameter, value] : cell->parameters) visit(value);
     for (auto& [port, value] : cell->inputs) visit(value);
+  }
   if (auto* c = std::get_if<syntax::Case>(&item)) {
     visit(c->selector);
     for (auto& arm : c->arms) {

@@ -83,7 +83,7 @@ struct Cell {
   };
   std::string module, name;
   bool clocked = false;
-  std::vector<std::pair<std::string, Expr>> inputs;
+  std::vector<std::pair<std::string, Expr>> parameters, inputs;
   std::vector<Output> outputs;
 };
 
@@ -112,18 +112,19 @@ struct Statement {
   bool is_if() const { return target.empty() && arms.empty(); }
 };
 
-struct Signal {  // port or register
+struct Signal {  // parameter, port or register
   std::string name;
   unsigned width = 1;
   std::string comment;
   bool synchronises = false;
+  bool value = false;  // parameter: the default
 };
 
 struct Text {
   std::vector<std::string> header;  // comment lines
   std::string name;
   bool clocked = false;
-  std::vector<Signal> inputs, outputs, registers;
+  std::vector<Signal> parameters, inputs, outputs, registers;
   std::vector<std::pair<std::string, Expr>> constants;  // localparams
   std::vector<Item> items;                              // each after what it reads
   Block resets, updates;                                // of the one always_ff

@@ -57,6 +57,7 @@ class Readers {
 
 std::vector<Expr> find_unused(const syntax::Text& text) {
   Readers readers;
+  for (const syntax::Signal& s : text.parameters) readers.declare(s.name, s.width);
   for (const syntax::Signal& s : text.inputs) readers.declare(s.name, s.width);
   for (const syntax::Signal& s : text.registers) readers.declare(s.name, s.width);
   for (const syntax::Item& item : text.items) {

@@ -59,7 +59,16 @@ class Writer {
     std::size_t widest = 0;
     for (const Port& p : list) widest = std::max(widest, p.range.size());
 
-    out_ += "module " + t.name + " (\n";
+    out_ += "module " + t.name;
+    if (!t.parameters.empty()) {
+      out_ += " #(\n";
+      for (std::size_t i = 0; i < t.parameters.size(); ++i)
+        line(2, fmt::format("parameter logic {} = 1'b{:d}{}{}", t.parameters[i].name, t.parameters[i].value,
+                            i + 1 == t.parameters.size() ? "" : ",",
+                            write_comment(t.parameters[i].comment)));
+      out_ += ")";
+    }
+    out_ += " (\n";
     for (std::size_t i = 0; i < list.size(); ++i)
       line(2, fmt::format("{} logic {:<{}}{}{}{}", list[i].direction, list[i].range, widest,
                           list[i].name, i + 1 == list.size() ? "" : ",",
@@ -76,7 +85,11 @@ class Writer {
     out_ += "\n";
     for (const auto& o : c.outputs)
       line(1, fmt::format("wire {}{};", write_range(o.width), o.wire));
-    line(1, c.module + " " + c.name + " (");
+    std::string parameters;
+    for (const auto& [parameter, value] : c.parameters)
+      parameters += fmt::format("{}.{}({})", parameters.empty() ? "" : ", ", parameter, write_flat(value));
+    if (!parameters.empty()) parameters = "#(" + parameters + ") ";
+    line(1, c.module + " " + parameters + c.name + " (");
     std::vector<std::string> pins;
     if (c.clocked) {
       pins.push_back(fmt::format(".{0}({0})", kClockPort));

@@ -27,7 +27,7 @@
 namespace steplock {
 
 inline constexpr std::uint32_t kMapId = 0x53544c4b;  // "STLK"
-inline constexpr std::uint32_t kMapVersion = 0x000200;
+inline constexpr std::uint32_t kMapVersion = 0x000300;
 inline constexpr std::uint32_t kLockKey = 0xc0de;
 using WatchdogTicks = UInt<12>;
 
@@ -96,7 +96,8 @@ constexpr WordRow<At<First, Rest...>> word(const char* group, const char* name, 
 struct DriveKind {
   std::uint32_t kind = 0;
   const char* kind_prose = "";
-  std::uint32_t hall = 0;  // has a Hall decoder
+  std::uint32_t hall = 0;      // has a Hall decoder
+  std::uint32_t counters = 0;  // has telemetry that a synthesis may leave out
   const char* states = "";
   const char* reasons = "";
   const char* no_period = "";
@@ -113,6 +114,8 @@ consteval auto system_fields(const DriveKind& drive) {
     {"CAPABILITY", "kind", 0x08, 0, 4, Access::kReadOnly, drive.kind, "", drive.kind_prose},
     {"CAPABILITY", "hall", 0x08, 4, 1, Access::kReadOnly, drive.hall, "", "Has a Hall decoder."},
     {"CAPABILITY", "watchdog", 0x08, 5, 1, Access::kReadOnly, 1, "", "Has a heartbeat watchdog."},
+    {"CAPABILITY", "counters", 0x08, 6, 1, Access::kReadOnly, drive.counters, "",
+     "Counts crossings, misses, limits and tries; else these read 0."},
     {"CAPABILITY", "dead_time_floor", 0x08, 8, 8, Access::kReadOnly, kDeadTimeFloor, "clocks",
      "The least dead time, whatever PWM_LIMITS says."},
     {"CAPABILITY", "axes", 0x08, 16, 3, Access::kReadOnly, 1, "",

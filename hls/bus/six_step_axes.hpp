@@ -28,6 +28,7 @@ class SixStepAxes {
 
  public:
   struct In {
+    Parts with;  // of all axes
     std::array<Synchroniser::Pins, Axes> pins;  // asynchronous
     AxiLite::In axi;
   };
@@ -63,7 +64,7 @@ class SixStepAxes {
       own.write = request.write && here;
       own.read = request.read && here;
       own.index = UInt<10>(request.index.template slice<5, 0>());
-      const auto drive = drives_[k].tick({.pins = in.pins[k], .request = own});
+      const auto drive = drives_[k].tick({.with = in.with, .pins = in.pins[k], .request = own});
       out.axis[k] = {.gates = drive.gates,
                      .interrupt = drive.interrupt,
                      .locked = drive.locked,

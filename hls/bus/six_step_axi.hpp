@@ -19,6 +19,7 @@ namespace steplock {
 class SixStepAxi {
  public:
   struct In {
+    Parts with;
     Synchroniser::Pins pins;  // asynchronous
     AxiLite::In axi;
   };
@@ -33,7 +34,7 @@ class SixStepAxi {
 
   Out tick(const In& in) {
     const auto bus = axi_.tick(in.axi);
-    const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .request = bus.request});
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,
             .locked = drive.locked,

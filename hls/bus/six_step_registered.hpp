@@ -3,7 +3,7 @@
 //     request -> WordRegisters -> words -> SixStepTop -> gates
 //            \-> DriveRegisters <- status <-/
 //
-// The map is docs/registers.md.  A second PwmGenerator with the drive's own period runs in step
+// The map is docs/registers.md; CAPABILITY tells which parts are there.  A second PwmGenerator with the drive's own period runs in step
 // with that of the drive and tells its boundaries, so that the drive needs no further port.
 //
 //     request to its answer             1 clock, kept until the next request of its kind
@@ -23,6 +23,7 @@ namespace steplock {
 class SixStepRegistered {
  public:
   struct In {
+    Parts with;
     Synchroniser::Pins pins;  // asynchronous
     BusRequest request;
   };
@@ -45,7 +46,7 @@ class SixStepRegistered {
                                 .minimum = 0,
                                 .centred = false,
                                 .tick_periods = words.words.pwm.tick_periods});
-    const auto drive = drive_.tick({.pins = in.pins, .command = command_, .words = words.words});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .command = command_, .words = words.words});
     const auto registers = registers_.tick({.request = in.request,
                                             .word = words.data,
                                             .hole = words.hole,
@@ -62,6 +63,11 @@ class SixStepRegistered {
                                                       .phase_error = drive.phase_error,
                                                       .counts = drive.counts}});
 
+    UInt<32> absent = 0;
+    if (read_capability_ && !in.with.hall_decoder) absent = absent | UInt<32>::of(mask_of(field("CAPABILITY", "hall")));
+    if (read_capability_ && !in.with.telemetry) absent = absent | UInt<32>::of(mask_of(field("CAPABILITY", "counters")));
+    if (in.request.read) read_capability_ = in.request.index == UInt<10>(index_of("CAPABILITY"));
+
     // Both have to rest: what was told to run may have left idle since.
     stopped_ = registers.stopped && !command_.run && !registers.command.run;
     command_ = registers.command;
@@ -70,7 +76,7 @@ class SixStepRegistered {
             .interrupt = registers.interrupt,
             .locked = drive.locked,
             .fault = drive.state == State::kFault,
-            .data = registers.data,
+            .data = registers.data & ~absent,
             .read_error = registers.read_error,
             .write_error = registers.write_error};
   }
@@ -84,6 +90,7 @@ class SixStepRegistered {
   Command command_;
   bool stopped_ = true;
   bool boundary_ = false;
+  bool read_capability_ = false;
 };
 
 }  // namespace steplock

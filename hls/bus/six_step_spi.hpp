@@ -20,6 +20,7 @@ namespace steplock {
 class SixStepSpi {
  public:
   struct In {
+    Parts with;
     Synchroniser::Pins pins;  // asynchronous
     Spi::Pins spi;            // asynchronous
   };
@@ -34,7 +35,7 @@ class SixStepSpi {
 
   Out tick(const In& in) {
     const auto bus = bus_.tick({.pins = in.spi, .bit = bit_, .error = error_});
-    const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .request = bus.request});
     bit_ = drive.data.bit(int(bus.place.raw()));
     error_ = bus.writing ? drive.write_error : drive.read_error;
     return {.gates = drive.gates,

@@ -19,6 +19,7 @@ namespace steplock {
 class SixStepWb {
  public:
   struct In {
+    Parts with;
     Synchroniser::Pins pins;  // asynchronous
     Wishbone::In wb;
   };
@@ -33,7 +34,7 @@ class SixStepWb {
 
   Out tick(const In& in) {
     const auto bus = bus_.tick(in.wb);
-    const auto drive = drive_.tick({.pins = in.pins, .request = bus.request});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .request = bus.request});
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,
             .locked = drive.locked,

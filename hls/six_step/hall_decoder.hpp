@@ -12,6 +12,8 @@
 // tells the sector and nothing else.  An edge of a slow rotor chatters for longer than any hold: a
 // step back to the last sector and the return from there are no moves; a second step back is one.
 //
+// Left out by DECODES it says nothing: sector 0, not legal, no moves.
+//
 //     latency      hold + 2 clocks from the pins' synchronisers to the outputs
 //     registers    26 bits     multipliers  none
 //
@@ -27,6 +29,7 @@ namespace steplock {
 class HallDecoder {
  public:
   struct In {
+    Parameter<true> decodes;
     bool u = false;     // synchronised
     bool v = false;     // synchronised
     bool w = false;     // synchronised
@@ -78,6 +81,7 @@ class HallDecoder {
       left_ = wrap<UInt<10>>(left_ - 1);
     }
     code_ = code;
+    if (!in.decodes) *this = HallDecoder{};
     return out;
   }
 

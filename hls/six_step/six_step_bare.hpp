@@ -29,6 +29,7 @@ class SixStepBare {
   };
 
   struct In {
+    Parameter<true> with_hall_decoder;
     Synchroniser::Pins pins;  // asynchronous
     Controls controls;        // asynchronous too
     bool brake_to_stop = false;  // else coast; fixed at synthesis, as are the words
@@ -45,7 +46,8 @@ class SixStepBare {
   Out tick(const In& in) {
     Words words = in.words;
     words.speed.target = target(in.words);
-    const auto drive = drive_.tick({.pins = in.pins,
+    const auto drive = drive_.tick({.with = {.hall_decoder = in.with_hall_decoder, .telemetry = false},  // no port shows a count
+                                    .pins = in.pins,
                                     .command = {.configured = true,
                                                 .run = run_,
                                                 .reverse = taken_.reverse,

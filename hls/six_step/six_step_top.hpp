@@ -9,6 +9,9 @@
 // The blocks stand in a ring (the VCO's step selects the comparator that moves the VCO).  It is cut
 // behind the divider, whose outputs are a register here; a few strobes cross a clock as well.
 //
+// WITH_HALL_DECODER = 0 and WITH_TELEMETRY = 0 leave blocks out.  Without the decoder a start does not look whether
+// the rotor turns already, and words of Hall sensors leave the drive idle, gates off.
+//
 //     fault pin to all six gates off    3 clocks: two of the synchroniser, one of the gate guard
 //     comparator pin to its sample      2 clocks; limit pin to high side off 5 clocks
 //     VCO's pulse to the new step       1 clock
@@ -39,6 +42,7 @@ namespace steplock {
 class SixStepTop {
  public:
   struct In {
+    Parts with;
     Synchroniser::Pins pins;  // asynchronous
     Command command;
     Words words;
@@ -70,14 +74,18 @@ class SixStepTop {
   Out tick(const In& in) {
     const Words& words = in.words;
     const auto pins = synchroniser_.tick(in.pins);
-    const bool hall = words.source == Source::kHall;
-    const auto sectors = hall_.tick({.u = hall ? pins.hall_u : pins.comparator_u,
+    const bool hall = in.with.hall_decoder && words.source == Source::kHall;
+    Command command = in.command;
+    command.configured = in.command.configured && (in.with.hall_decoder || words.source != Source::kHall);
+    const auto sectors = hall_.tick({.decodes = in.with.hall_decoder,
+                                     .u = hall ? pins.hall_u : pins.comparator_u,
                                      .v = hall ? pins.hall_v : pins.comparator_v,
                                      .w = hall ? pins.hall_w : pins.comparator_w,
                                      .hold = words.bemf.blanking});
 
-    const auto start = start_.tick({.tick = tick_,
-                                    .command = in.command,
+    const auto start = start_.tick({.observes = in.with.hall_decoder,
+                                    .tick = tick_,
+                                    .command = command,
                                     .source = words.source,
                                     .words = words.start,
                                     .fast = fast_,
@@ -92,7 +100,7 @@ class SixStepTop {
                                     .cause = cause_});
 
     // With Hall sensors the sector is the step, in reverse with the current turned round.
-    const bool follow = start.watch == Evidence::kSectors;
+    const bool follow = in.with.hall_decoder && start.watch == Evidence::kSectors;
     const bool new_sector = follow && (sectors.moved || sectors.jumped);
     const Step hall_step = !start.reverse       ? sectors.sector
                            : sectors.sector < 3 ? wrap<Step>(sectors.sector + 3)
@@ -178,7 +186,7 @@ class SixStepTop {
                                             .chop = limit.on,
                                             .complementary = words.pwm.complementary});
     const auto gates = guard_.tick({.request = request,
-                                    .enable = start.enable && in.command.configured,
+                                    .enable = start.enable && command.configured,
                                     .fault = pins.fault,
                                     .dead_time = words.pwm.dead_time,
                                     .minimum = saturate<UInt<8>>(words.pwm.minimum)});
@@ -198,7 +206,8 @@ class SixStepTop {
                                               .hall = hall,
                                               .hall_illegal = !sectors.legal,
                                               .words = words.protection});
-    const auto counts = telemetry_.tick({.clear = start.began,
+    const auto counts = telemetry_.tick({.counts = in.with.telemetry,
+                                         .clear = start.began,
                                          .crossing = bemf.crossing,
                                          .missed = detector.missed,
                                          .freewheel_long = protection.freewheel_long,

@@ -38,6 +38,7 @@ namespace steplock {
 class StartSequence {
  public:
   struct In {
+    Parameter<true> observes;         // else kObserve is left out, as with words.observe = 0
     bool tick = false;                // the slow time base
     Command command;
     Source source = Source::kBemf;
@@ -111,7 +112,7 @@ class StartSequence {
   using States = OneHot<State, 11>;
 
   static bool looks(const In& in) {
-    return in.source == Source::kBemf && in.words.observe != 0;
+    return in.observes && in.source == Source::kBemf && in.words.observe != 0;
   }
 
   // What more than one state may want, and what counters have a say in.
@@ -171,7 +172,7 @@ class StartSequence {
     const auto to = [](State state, bool yes) { return States(state).when(yes); };
     const States wanted =
         to(State::kIdle, (missed && !in.command.run) || gives_up) |
-        to(State::kObserve, at_.holds(State::kObserve) && !enough_ && !over) |
+        to(State::kObserve, in.observes && at_.holds(State::kObserve) && !enough_ && !over) |
         to(State::kBrake, at_.holds(State::kBrake) && !over) |
         to(State::kSettle, (missed && in.command.run) || (at_.holds(State::kSettle) && !over)) |
         to(State::kReset, (at_.holds(State::kSettle) && over) || (at_.holds(State::kReset) && !over)) |

@@ -1,6 +1,6 @@
 // Telemetry: counts what happened since the drive was last told to run.
 //
-// Each counter stops at 65535 instead of wrapping: a large number stays large.
+// Each counter stops at 65535 instead of wrapping: a large number stays large.  Left out by COUNTS they are 0.
 //
 //     latency      1 clock     registers  80 bits     multipliers  none
 //
@@ -9,6 +9,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/parameter.hpp"
 
 namespace steplock {
 
@@ -17,6 +18,7 @@ class Telemetry {
   using Count = UInt<16>;
 
   struct In {
+    Parameter<true> counts;
     bool clear = false;           // wins over every event
     bool crossing = false;        // a zero crossing was found
     bool missed = false;          // a step ended without one
@@ -36,11 +38,12 @@ class Telemetry {
 
   Out tick(const In& in) {
     const Out out = counts_;
-    count(counts_.crossings, in.crossing, in.clear);
-    count(counts_.missed, in.missed, in.clear);
-    count(counts_.freewheel_long, in.freewheel_long, in.clear);
-    count(counts_.limit_hits, in.limit_hit, in.clear);
-    count(counts_.retries, in.retry, in.clear);
+    const bool clears = in.clear || !in.counts;
+    count(counts_.crossings, in.crossing, clears);
+    count(counts_.missed, in.missed, clears);
+    count(counts_.freewheel_long, in.freewheel_long, clears);
+    count(counts_.limit_hits, in.limit_hit, clears);
+    count(counts_.retries, in.retry, clears);
     return out;
   }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/parameter.hpp"
 
 namespace steplock {
 
@@ -110,6 +111,12 @@ struct Words {
   SpeedWords speed;
   ProtectionWords protection;
   Source source = Source::kBemf;
+};
+
+// What a synthesis may leave out: parameters of every top.
+struct Parts {
+  Parameter<true> hall_decoder;  // for Hall sensors, and to catch a rotor that turns
+  Parameter<true> telemetry;     // its counters
 };
 
 struct Command {

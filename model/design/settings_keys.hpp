@@ -199,7 +199,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("window_deg", t.window_deg, "deg", "a crossing closer to its place is good", 1, 29);
   k("good_crossings", t.good_crossings, "", "in a row, for lock", 1, 63);
   k("pull_in_s", t.pull_in_s, "s", "time limit from hand-over to lock; default 1 s", 1e-3, 4);
-  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it; default: enough", 0,
+  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it, and a board is made without Hall decoder; default: enough", 0,
     4);
   k("slow_down_s", t.slow_down_s, "s", "time limit before a reversal; default 2 s", 1e-3, 4);
   k("brake_s", t.brake_s, "s", "one braking interval", 1e-3, 4);

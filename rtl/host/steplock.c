@@ -44,6 +44,16 @@ static enum steplock_result need_stopped(const struct steplock_bus *bus) {
   return GET(STATUS_STOPPED, status) ? STEPLOCK_OK : STEPLOCK_NOT_STOPPED;
 }
 
+/* Words of Hall sensors for a drive that was synthesized without their decoder. */
+static int need_hall(const struct steplock_word *words, size_t count) {
+  size_t i;
+  int hall = 0;
+  for (i = 0; i < count; ++i) {
+    if (words[i].offset == STEPLOCK_LOOP) hall = GET(LOOP_SOURCE, words[i].value) != 0;
+  }
+  return hall;
+}
+
 static enum steplock_result write_words(const struct steplock_bus *bus,
                                         const struct steplock_word *words, size_t count) {
   size_t i;
@@ -59,12 +69,18 @@ static enum steplock_result write_words(const struct steplock_bus *bus,
 
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count) {
-  uint32_t id, version, status;
+  uint32_t id, version, capability, status;
   enum steplock_result result, closed;
   if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||
       get(bus, STEPLOCK_VERSION, &version) != STEPLOCK_OK ||
       GET(VERSION_MAJOR, version) != GET(VERSION_MAJOR, STEPLOCK_VERSION_RESET)) {
     return STEPLOCK_NO_DRIVE;
+  }
+  result = get(bus, STEPLOCK_CAPABILITY, &capability);
+  if (result != STEPLOCK_OK) return result;
+  if (!GET(CAPABILITY_HALL, capability) && GET(CAPABILITY_KIND, capability) == STEPLOCK_SIX_STEP &&
+      need_hall(words, count)) {
+    return STEPLOCK_NO_HALL;
   }
   result = need_stopped(bus);
   if (result != STEPLOCK_OK) return result;

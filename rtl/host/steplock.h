@@ -25,8 +25,11 @@ enum steplock_result {
   STEPLOCK_NOT_STOPPED, /* the drive has to be stopped for this */
   STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
   STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
-  STEPLOCK_NO_PERIOD     /* the words leave PWM.period 0, or too short: the bridge stays off */
+  STEPLOCK_NO_PERIOD,    /* the words leave PWM.period 0, or too short: the bridge stays off */
+  STEPLOCK_NO_HALL       /* the words ask for Hall sensors, whose decoder this drive was made without */
 };
+
+enum steplock_kind { STEPLOCK_SIX_STEP = 1, STEPLOCK_SINUSOIDAL = 2 };
 
 /* Offsets in bytes from the drive's base; 0 when the access was answered well. */
 struct steplock_bus {
@@ -59,7 +62,7 @@ struct steplock_bus steplock_memory_mapped(volatile uint32_t *base);
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count);
 
-/* 1: six-step, 2: sinusoidal; its words are of that kind. */
+/* One of enum steplock_kind; its words are of that kind. */
 enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned *kind);
 
 /* Drives on this bus, each 0x100 behind the one before. */

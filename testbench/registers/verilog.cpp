@@ -43,6 +43,10 @@ class FixedModule {
   void tie(const std::string& port, int width, std::uint64_t value) {
     wires_ += fmt::format(",\n      .{}({}'d{})", port, width, value);
   }
+  // A parameter of the drive inside.
+  void part(const char* parameter, bool there) {
+    parts_ += fmt::format("{}.{}({})", parts_.empty() ? "" : ", ", parameter, there ? 1 : 0);
+  }
   // What pins have in common in every drive without a host.
   void controls_and_gates() {
     port("input ", "", "controls_run_i");
@@ -58,12 +62,12 @@ class FixedModule {
         "// {0}_fixed: the drive {1} without a host, at a clock of {2:.0f} Hz.\n"
         "// Printed by `steplock design {1}.toml --verilog`; ports: docs/blocks/{0}_bare.md.\n\n"
         "module {0}_fixed (\n    input  logic clk,\n    input  logic rst{3}\n);\n"
-        "  {0}_bare drive (\n      .clk(clk),\n      .rst(rst){4}\n  );\nendmodule\n",
-        kind, name, clock_hz, ports_, wires_);
+        "  {0}_bare {5}drive (\n      .clk(clk),\n      .rst(rst){4}\n  );\nendmodule\n",
+        kind, name, clock_hz, ports_, wires_, parts_.empty() ? "" : fmt::format("#({}) ", parts_));
   }
 
  private:
-  std::string ports_, wires_;
+  std::string ports_, wires_, parts_;
 };
 
 // Every word of a drive, at the port that is called after it.
@@ -83,6 +87,8 @@ std::string words_verilog(const Words& words, const std::string& name, double cl
   FixedModule module;
   for (const char* pin : kPins) module.port("input ", "", fmt::format("pins_{}_i", pin));
   module.controls_and_gates();
+  // Without Hall sensors, and without a look for a rotor that turns, nothing asks the decoder.
+  module.part("WITH_HALL_DECODER", words.source == Source::kHall || words.start.observe != Ticks(0));
   tie_words<SixStep>(module, words);
   return module.text("six_step", name, clock_hz);
 }

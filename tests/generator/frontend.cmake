@@ -15,7 +15,8 @@ frontend_test(reach)
 frontend_test(layout)
 frontend_test(program)
 frontend_test(memory)
-compile_quickly(design refusal names reach layout program memory)
+frontend_test(parameter)
+compile_quickly(design refusal names reach layout program memory parameter)
 
 # Headers as the lockstep tests get them, for the test blocks.
 set(ports_list "")

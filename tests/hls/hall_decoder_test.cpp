@@ -161,5 +161,17 @@ RC_GTEST_PROP(HallDecoder, MovesAddUpToTheSectorButForOneOfPlay, ()) {
   }
 }
 
+TEST(HallDecoder, LeftOutItSaysNothing) {
+  HallDecoder dut;
+  for (int degrees = 0; degrees < 720; ++degrees) {
+    auto in = signs_at(degrees);
+    in.decodes = false;
+    const auto out = dut.tick(in);
+    EXPECT_FALSE(out.legal || out.moved || out.jumped || out.reverse);
+    EXPECT_EQ(out.sector, UInt<3>(0));
+    EXPECT_EQ(dut, HallDecoder{});
+  }
+}
+
 }  // namespace
 }  // namespace steplock

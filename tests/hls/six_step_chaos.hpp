@@ -1,6 +1,7 @@
 // Words with short times, and pins and a host that do anything: what the drive's tests share.
 #pragma once
 
+#include <optional>
 #include <random>
 
 #include "hls/six_step/six_step_top.hpp"
@@ -37,7 +38,9 @@ struct Chaos {
   bool once_in(unsigned n) { return random() % n == 0; }
   void flip(bool& pin, unsigned n) { pin ^= once_in(n); }
 
-  Gates clock() {
+  Gates clock() { return clock_of().gates; }
+  // All outputs; of one source, if it is given.
+  SixStepTop::Out clock_of(std::optional<Source> source = {}) {
     flip(in.pins.comparator_u, 150);
     flip(in.pins.comparator_v, 150);
     flip(in.pins.comparator_w, 150);
@@ -52,7 +55,8 @@ struct Chaos {
     if (once_in(3000)) in.words.pwm.complementary = random() % 2;
     if (once_in(3000)) in.words.pwm.centred = random() % 2;
     if (once_in(3000)) in.words.pwm.dead_time = random() % 40;
-    return top.tick(in).gates;
+    if (source) in.words.source = *source;
+    return top.tick(in);
   }
 };
 

@@ -36,6 +36,25 @@ TEST(SixStepRegistered, WhatWasWrittenIsReadBackInTheClockAfter) {
   EXPECT_EQ(dut.tick({}).data, UInt<32>(0x01000190));
 }
 
+TEST(SixStepRegistered, CapabilityTellsWhatIsLeftOut) {
+  constexpr int capability = address_of(index_of("CAPABILITY"));
+  for (const bool hall : {false, true}) {
+    for (const bool counters : {false, true}) {
+      SixStepRegistered dut;
+      const Parts with{.hall_decoder = hall, .telemetry = counters};
+      const auto read = [&](int address) {
+        dut.tick({.with = with, .pins = {}, .request = reading(address)});
+        return dut.tick({.with = with}).data;
+      };
+      std::uint32_t expected = reset_of("CAPABILITY");
+      if (!hall) expected &= ~mask_of(field("CAPABILITY", "hall"));
+      if (!counters) expected &= ~mask_of(field("CAPABILITY", "counters"));
+      EXPECT_EQ(read(capability), UInt<32>::of(expected));
+      EXPECT_EQ(read(0), UInt<32>(kMapId)) << "and nothing else is changed";
+    }
+  }
+}
+
 // Clocks in which each gate was on, in a run of half duty with a reset pattern that lasts, and what a leg shows.
 struct Life {
   int high = 0, low = 0, both = 0, shortest_gap = 1 << 30;

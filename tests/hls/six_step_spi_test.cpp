@@ -15,6 +15,16 @@ TEST(SixStepSpi, AWrongAnswerIsNoticed) { a_wrong_status_is_noticed<SixStepSpi, 
 TEST(SixStepSpi, TheCDriverTurnsTheBridgeOnAndOffAndClearsAFaultOverIt) {
   the_c_driver_turns_the_bridge_on_and_off_and_clears_a_fault<SixStepSpi, SixStep>();
 }
+TEST(SixStepSpi, TheCDriverRefusesHallWordsWithoutADecoder) {
+  for (const bool decoder : {false, true}) {
+    SpiBench<SixStepSpi, SixStep> b;
+    b.in.with.hall_decoder = decoder;
+    const steplock_bus bus = b.bus();
+    const steplock_word words[] = {{STEPLOCK_LOOP, STEPLOCK_LOOP_SOURCE_MASK}};
+    EXPECT_EQ(steplock_init(&bus, words, 1), decoder ? STEPLOCK_NO_PERIOD : STEPLOCK_NO_HALL);
+    EXPECT_EQ(b.init(), STEPLOCK_OK) << "words of a drive without sensors";
+  }
+}
 TEST(SixStepSpi, ACDriverThatFallsSilentTurnsTheBridgeOff) {
   a_c_driver_that_falls_silent_turns_the_bridge_off<SixStepSpi, SixStep>();
 }

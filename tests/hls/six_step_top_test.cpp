@@ -113,5 +113,55 @@ TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
   EXPECT_FALSE(top.tick(in).gates.uh);
 }
 
+// Without a decoder no start looks for a rotor that turns; all else stays, clock by clock.
+TEST(SixStepTop, WithoutTheHallDecoderItIsTheDriveThatDoesNotObserve) {
+  Chaos chaos;
+  chaos.in.words.start.observe = 0;
+  SixStepTop without;
+  unsigned states = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const auto with = chaos.clock_of(Source::kBemf);
+    auto in = chaos.in;
+    in.with.hall_decoder = false;
+    in.words.start.observe = 4;
+    const auto out = without.tick(in);
+    ASSERT_EQ(out, with) << i;
+    states |= 1u << unsigned(out.state);
+  }
+  EXPECT_EQ(states & 0x3FF, 0x3FDu) << "every state but observing";
+}
+
+TEST(SixStepTop, WithoutTheHallDecoderWordsOfHallSensorsLeaveItIdle) {
+  for (const bool decoder : {false, true}) {
+    SixStepTop dut;
+    SixStepTop::In in{.with = {.hall_decoder = decoder}, .command = {.configured = true, .run = true}, .words = quick_words()};
+    in.words.source = Source::kHall;
+    in.pins.hall_u = true;
+    int on = 0, idle = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const auto out = dut.tick(in);
+      on += any(out.gates);
+      idle += out.state == State::kIdle;
+    }
+    EXPECT_EQ(on > 0, decoder);
+    EXPECT_EQ(idle == 20000, !decoder);
+  }
+}
+
+TEST(SixStepTop, WithoutTelemetryOnlyTheCountsAreGone) {
+  Chaos chaos;
+  SixStepTop without;
+  Telemetry::Out most;
+  for (int i = 0; i < 300000; ++i) {
+    auto with = chaos.clock_of();
+    auto in = chaos.in;
+    in.with.telemetry = false;
+    most.crossings = std::max(most.crossings, with.counts.crossings);
+    with.counts = {};
+    ASSERT_EQ(without.tick(in), with) << i;
+  }
+  EXPECT_GT(most.crossings, Telemetry::Count(0));
+}
+
 }  // namespace
 }  // namespace steplock

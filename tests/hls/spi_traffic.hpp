@@ -95,12 +95,12 @@ class SpiBench {
     return steplock_init(&over, words.data(), words.size());
   }
 
+  typename Top::In in;
   typename Top::Out out;
   bool fault_pin = false;
 
  private:
   bool clock(const Spi::Pins& pins) {
-    typename Top::In in;
     in.spi = pins;
     Drive::pins(in, out, fault_pin);
     out = top_.tick(in);

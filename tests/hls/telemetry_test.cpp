@@ -38,5 +38,12 @@ TEST(Telemetry, ClearWinsOverAnEvent) {
   EXPECT_EQ(out.retries, Telemetry::Count(0));
 }
 
+TEST(Telemetry, LeftOutItCountsNothing) {
+  Telemetry dut;
+  for (int i = 0; i < 10; ++i) dut.tick({.counts = false, .crossing = true, .missed = true, .limit_hit = true});
+  EXPECT_EQ(dut.tick({.counts = false}), Telemetry::Out{});
+  EXPECT_EQ(dut, Telemetry{});
+}
+
 }  // namespace
 }  // namespace steplock

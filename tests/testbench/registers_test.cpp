@@ -127,6 +127,17 @@ TEST(Registers, TheConstantsAroundTheBareDriveAreItsWords) {
   EXPECT_NE(text.find("12000000 Hz"), std::string::npos);
 }
 
+TEST(Registers, ABareDriveThatNeverAsksTheHallDecoderIsPrintedWithoutIt) {
+  Words words;
+  const auto printed = [&] { return words_verilog(words, "drive", 12e6); };
+  EXPECT_NE(printed().find("six_step_bare #(.WITH_HALL_DECODER(0)) drive ("), std::string::npos);
+  words.start.observe = 1;
+  EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(1))"), std::string::npos) << "it looks for a rotor that turns";
+  words.start.observe = 0;
+  words.source = Source::kHall;
+  EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(1))"), std::string::npos) << "it has Hall sensors";
+}
+
 TEST(Registers, TheConstantsAroundTheSinusoidalBareDriveAreItsWords) {
   const design::Settings s = open_drive_file(STEPLOCK_DRIVES "/ipm_2k2.toml").settings;
   const auto quantised = design::sinusoidal::quantise(s);

@@ -8,6 +8,7 @@
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/memory.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
+#include "tests/generator/frontend/blocks/parameters.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
 #include "tests/generator/frontend/blocks/scheduled.hpp"
 
@@ -36,5 +37,6 @@ template struct Synthesize<test::ScheduledCascade>;
 template struct Synthesize<test::Sampled>;
 template struct Synthesize<test::Notebook>;
 template struct Synthesize<test::Elephant>;
+template struct Synthesize<test::PartedCounters>;
 
 }  // namespace steplock
