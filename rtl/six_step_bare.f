@@ -1,5 +1,7 @@
 rtl/synchroniser.sv
 rtl/hall_decoder.sv
+rtl/start_counters.sv
+rtl/open_loop_duty.sv
 rtl/start_sequence.sv
 rtl/divide_by_n.sv
 rtl/bemf_comparator.sv

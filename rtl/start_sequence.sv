@@ -1,4 +1,4 @@
-// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:38.
+// start_sequence: steplock::StartSequence, printed by hlsgen from hls/six_step/start_sequence.hpp:41.
 // Do not edit: change the C++ and print again.
 
 module start_sequence #(
@@ -75,183 +75,187 @@ module start_sequence #(
   logic drives;  // one of the states in which the bridge commutates
   logic enables;  // or one of the others in which gates may be on
   logic boosts;  // one of those whose duty comes above the back-EMF's
-  logic [15:0] duty;  // u1.15, of the state a clock ago; in kPullIn it fades
   logic entered;  // this is the first clock of the state
-  logic late;  // there was a tick in it
-  logic last;  // no ticks are left
-  logic tried;  // no more tries are left
   logic braking;  // a braking interval begins
-  logic braked;  // no more braking intervals are left
   logic [3:0] reason;
-  logic [14:0] ticks;  // left in this state
-  logic [5:0] good;  // good crossings in a row
-  logic nearly;  // one more is enough
-  logic enough;  // that one came in the last clock
-  logic [3:0] retries;  // failed tries
-  logic [7:0] brakes;  // braking intervals of this stop
-  logic faded;  // the duty is below the start's
   logic load_step;
   logic began;
   logic failed;
   logic reverse;  // direction of this try
-  logic turns_reverse;  // direction at the last update while observing
   logic clear_was;
 
-  wire [2:0] either_280 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
-  wire [1:0] choice_280 = at_bits[6] ? 2'd2 : 2'd0;  // line 280
-  wire [3:0] wide_280 =  // line 280
+  wire counters_over;
+  wire counters_enough;
+  wire counters_tried;
+  wire counters_braked;
+  wire counters_turns_reverse;
+  wire [1:0] counters_gentle;
+  wire counters_strong;
+  start_counters counters (
+      .clk(clk),
+      .rst(rst),
+      .tick_i(tick_i),
+      .state_bits_i(at_bits),
+      .entered_i(entered),
+      .failed_i(failed),
+      .braking_i(braking),
+      .update_i(update_i),
+      .good_i(good_i),
+      .turns_reverse_i(turns_reverse_i),
+      .words_settle_i(words_settle_i),
+      .words_reset_i(words_reset_i),
+      .words_reset_duty_i(words_reset_duty_i),
+      .words_start_duty_i(words_start_duty_i),
+      .words_ramp_i(words_ramp_i),
+      .words_hand_over_i(words_hand_over_i),
+      .words_window_i(words_window_i),
+      .words_good_crossings_i(words_good_crossings_i),
+      .words_pull_in_i(words_pull_in_i),
+      .words_observe_i(words_observe_i),
+      .words_slow_down_i(words_slow_down_i),
+      .words_brake_i(words_brake_i),
+      .words_brake_duty_i(words_brake_duty_i),
+      .words_rest_i(words_rest_i),
+      .words_retries_i(words_retries_i),
+      .over_o(counters_over),
+      .enough_o(counters_enough),
+      .tried_o(counters_tried),
+      .braked_o(counters_braked),
+      .turns_reverse_o(counters_turns_reverse),
+      .gentle_o(counters_gentle),
+      .strong_o(counters_strong)
+  );
+
+  wire [2:0] either_218 = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
+  wire [1:0] choice_218 = at_bits[6] ? 2'd2 : 2'd0;  // line 218
+  wire [3:0] wide_218 =  // line 218
       {1'b0,
-      either_280 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_280[1], choice_280} | {3{at_bits[7]}}};
-  wire [3:0] either_280_2 = wide_280 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 280
-  wire [4:0] either_296 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enables}} | {at_bits[2], 4'd0};
-  wire both_301 = at_bits[8:7] != 2'd0 && source_i;  // line 301
+      either_218 | (at_bits[5] ? 3'd5 : 3'd0) | {choice_218[1], choice_218} | {3{at_bits[7]}}};
+  wire [3:0] either_218_2 = wide_218 | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);  // line 218
+  wire [4:0] either_234 = {3'd0, (drives ? 2'd2 : 2'd0) | {1'b0, !enables}} | {at_bits[2], 4'd0};
+
+  wire [15:0] open_loop_duty;
+  open_loop_duty open_loop (
+      .clk(clk),
+      .rst(rst),
+      .state_bits_i(at_bits),
+      .strong_i(counters_strong),
+      .commutate_i(commutate_i),
+      .lags_i(lags_i),
+      .reset_duty_i(words_reset_duty_i),
+      .start_duty_i(words_start_duty_i),
+      .brake_duty_i(words_brake_duty_i),
+      .duty_o(open_loop_duty)
+  );
+
+  wire both_239 = at_bits[8:7] != 2'd0 && source_i;  // line 239
   wire either = at_bits[6] || (at_bits[8:7] != 2'd0 && !source_i);
-  wire inverse_320 = !reverse;  // line 320
-  wire [2:0] choice_321 = (sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0]) ? 3'd4 : 3'd0;
-  wire [1:0] choice_321_2 = (sector_i[0] ? sector_i[1] : sector_i[2]) ? 2'd2 : 2'd0;  // line 321
-  wire [2:0] either_321 = choice_321 | {1'b0, choice_321_2} | {2'd0, !sector_i[0]};  // line 321
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 316
-  wire both = tick_i && last && !entered;
-  wire either_144 = (at_bits[6] && both && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
-  wire either_81 = !(!at_bits[5] || fast_i || !both) || either_144;  // line 81
-  wire choice_131 =  // line 131
+  wire inverse_255 = !reverse;  // line 255
+  wire [2:0] choice_256 = (sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0]) ? 3'd4 : 3'd0;
+  wire [1:0] choice_256_2 = (sector_i[0] ? sector_i[1] : sector_i[2]) ? 2'd2 : 2'd0;  // line 256
+  wire [2:0] either_256 = choice_256 | {1'b0, choice_256_2} | {2'd0, !sector_i[0]};  // line 256
+  wire either_160 =  // line 160
+      (at_bits[6] && counters_over && !counters_enough) || (at_bits[8:7] != 2'd0 && lost_i);
+  wire either_99 = !(!at_bits[5] || fast_i || !counters_over) || either_160;  // line 99
+  wire choice_147 =  // line 147
       (!command_brake_to_stop_i || at_bits[8:7] != 2'd0) ? command_brake_to_stop_i :
       at_bits[2:1] != 2'd0;
-  wire either_133 = command_run_i || choice_131;  // line 133
-  wire both_136 = !fatal_i && either_133;  // line 136
-  wire either_136 = at_bits[10] || !command_configured_i;  // line 136
-  wire both_81 = !either_136 && both_136;  // line 81
-  wire failed_next = both_81 && either_81;  // line 81
-  wire [9:0] choice_172 = (failed_next && !tried) ? 10'd512 : 10'd0;  // line 172
-  wire differ_81 = command_reverse_i ^ reverse;  // line 81
-  wire either_160 = !command_run_i || differ_81;  // line 160
-  wire either_142 = !at_bits[8] || lost_i;  // line 142
-  wire both_81_2 = !either_142 && either_160 && (both || !fast_i);  // line 81
-  wire differ_81_2 = turns_reverse ^ reverse;  // line 81
-  wire both_141 = at_bits[1] && enough;  // line 141
-  wire choice_81 = both_141 ? !command_run_i || differ_81_2 || both_81_2 : both_81_2;  // line 81
-  wire braking_next = both_81 && choice_81;  // line 81
-  wire both_134 = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);  // line 134
-  wire both_135 = command_configured_i && fatal_i;  // line 135
-  wire choice_138 = at_bits[10] ? !both_134 : both_135;  // line 138
-  wire [10:0] choice =
-      (choice_138 || (braking_next && braked) || (failed_next && tried)) ? 11'd1024 : 11'd0;
-  wire both_140 = at_bits[9] && both;  // line 140
-  wire both_115 = OBSERVES && !source_i;  // line 115
-  wire both_115_2 = both_115 && words_observe_i != 12'd0;  // line 115
-  wire both_139 = at_bits[2] && both;  // line 139
-  wire choice_81_2 = both_139 ? command_run_i || both_115_2 || both_140 : both_140;  // line 81
-  wire either_81_2 = at_bits[0] || choice_81_2;  // line 81
-  wire both_81_3 = both_81 && either_81_2;  // line 81
-  wire [3:0] choice_172_2 = (both_81_3 && !(both_115_2 || source_i)) ? 4'd8 : 4'd0;  // line 172
-  wire [2:0] choice_172_3 = (braking_next && !braked) ? 3'd4 : 3'd0;  // line 172
-  wire [1:0] choice_172_4 = (both_81_3 && both_115 && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
-  wire choice_137 = either_136 ? !at_bits[10] || both_134 : !(either_133 || fatal_i);  // line 137
-  wire [7:0] choice_172_5 = (both_81_3 && !both_115_2 && source_i) ? 8'd128 : 8'd0;  // line 172
-  wire [7:0] wide_188 = {6'd0, choice_172_4 | {1'b0, choice_137}};  // line 188
-  wire inverse_82 = !(enough || both);  // line 82
-  wire [1:0] choice_172_6 = (OBSERVES && at_bits[1] && inverse_82) ? 2'd2 : 2'd0;  // line 172
-  wire both_167 = at_bits[1] && !enough && both;  // line 167
-  wire [2:0] choice_172_7 = (at_bits[2] && !both) ? 3'd4 : 3'd0;  // line 172
-  wire [2:0] wide_175 =  // line 175
-      {1'b0,
-      choice_172_6 |
-      {1'b0, (both_167 && !command_run_i) || (both_139 && !(command_run_i || both_115_2))}};
-  wire [3:0] choice_172_8 = ((both_167 && command_run_i) || (at_bits[3] && !both)) ? 4'd8 : 4'd0;
-  wire [4:0] choice_172_9 = (both ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 172
-  wire [4:0] wide_177 = {1'b0, {1'b0, wide_175 | choice_172_7} | choice_172_8};  // line 177
-  wire [5:0] choice_172_10 =  // line 172
-      ((at_bits[4] && both) || (at_bits[5] && !(fast_i || both))) ? 6'd32 : 6'd0;
-  wire both_181 = at_bits[5] && fast_i;  // line 181
-  wire [6:0] choice_172_11 = (both_181 || (at_bits[6] && inverse_82)) ? 7'd64 : 7'd0;  // line 172
-  wire [6:0] wide_180 = {1'b0, {1'b0, wide_177 | choice_172_9} | choice_172_10};  // line 180
-  wire either_183 = (both_141 && command_run_i && !differ_81_2) || (at_bits[6] && enough);
-  wire both_183 = command_run_i && !differ_81;  // line 183
-  wire both_170 = at_bits[8:7] != 2'd0 && !lost_i;  // line 170
-  wire [7:0] choice_172_12 = ((either_183 || !both_170) ? either_183 : both_183) ? 8'd128 : 8'd0;
-  wire [7:0] wide_182 = {1'b0, wide_180 | choice_172_11};  // line 182
-  wire [8:0] choice_172_13 =  // line 172
-      (both_170 && either_160 && (at_bits[7] || (!both && fast_i))) ? 9'd256 : 9'd0;
-  wire [8:0] wide_183 = {1'b0, wide_182 | choice_172_12};  // line 183
-  wire [9:0] choice_172_14 = (at_bits[9] && !both) ? 10'd512 : 10'd0;  // line 172
-  wire [9:0] wanted = {1'b0, wide_183 | choice_172_13} | choice_172_14;  // line 184
-  wire [9:0] choice_186 = (choice_137 || choice_138) ? 10'd0 : wanted;  // line 186
-  wire [9:0] either_188 = {2'd0, wide_188 | choice_172_5} | choice_186;  // line 188
-  wire [9:0] either_190 = {6'd0, choice_172_2 | {1'b0, choice_172_3}} | either_188;  // line 190
-  wire [10:0] at_bits_next = {1'b0, choice_172} | choice | {1'b0, either_190};  // line 192
-  wire either_103 = choice_186[6:5] != 2'd0 || either_188[7];  // line 103
-  wire [12:0] change = {lags_i ? {1'b0, duty[15:5]} : ~{1'b0, duty[15:5]}, 1'b0} | {12'd0, !lags_i};
-  wire [16:0] change_2 = {{4{change[12]}}, change};  // line 266
-  wire [16:0] sum_267 = {duty, 1'b1} + change_2;  // line 267
-  wire [15:0] choice_2 =
-      (retries[3:1] == 3'd0) ? words_start_duty_i :
-      words_start_duty_i[15] ? 16'd65535 :
-      {words_start_duty_i[14:0], 1'b0};
-  wire [6:0] sum_242 = {1'b0, good} + 7'd1;  // line 242
+  wire either_149 = command_run_i || choice_147;  // line 149
+  wire both_152 = !fatal_i && either_149;  // line 152
+  wire either_152 = at_bits[10] || !command_configured_i;  // line 152
+  wire both_99 = !either_152 && both_152;  // line 99
+  wire failed_next = both_99 && either_99;  // line 99
+  wire [9:0] choice_191 = (failed_next && !counters_tried) ? 10'd512 : 10'd0;  // line 191
+  wire both_150 = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);  // line 150
+  wire both_151 = command_configured_i && fatal_i;  // line 151
+  wire choice_154 = at_bits[10] ? !both_150 : both_151;  // line 154
+  wire differ_99 = command_reverse_i ^ reverse;  // line 99
+  wire either_176 = !command_run_i || differ_99;  // line 176
+  wire either_158 = !at_bits[8] || lost_i;  // line 158
+  wire both_99_2 = !either_158 && either_176 && (counters_over || !fast_i);  // line 99
+  wire differ_99_2 = counters_turns_reverse ^ reverse;  // line 99
+  wire both_157 = at_bits[1] && counters_enough;  // line 157
+  wire choice_99 = both_157 ? !command_run_i || differ_99_2 || both_99_2 : both_99_2;  // line 99
+  wire braking_next = both_99 && choice_99;  // line 99
+  wire [10:0] choice_191_2 =  // line 191
+      (choice_154 || (braking_next && counters_braked) || (failed_next && counters_tried)) ?
+      11'd1024 : 11'd0;
+  wire both_156 = at_bits[9] && counters_over;  // line 156
+  wire both_130 = OBSERVES && !source_i;  // line 130
+  wire both_130_2 = both_130 && words_observe_i != 12'd0;  // line 130
+  wire both_155 = at_bits[2] && counters_over;  // line 155
+  wire choice_99_2 = both_155 ? command_run_i || both_130_2 || both_156 : both_156;  // line 99
+  wire either_99_2 = at_bits[0] || choice_99_2;  // line 99
+  wire both_99_3 = both_99 && either_99_2;  // line 99
+  wire [3:0] choice_209 = (both_99_3 && !(both_130_2 || source_i)) ? 4'd8 : 4'd0;  // line 209
+  wire [2:0] choice_191_3 = (braking_next && !counters_braked) ? 3'd4 : 3'd0;  // line 191
+  wire [1:0] choice_191_4 = (both_99_3 && both_130 && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
+  wire choice_153 = either_152 ? !at_bits[10] || both_150 : !(either_149 || fatal_i);  // line 153
+  wire [7:0] choice_208 = (both_99_3 && !both_130_2 && source_i) ? 8'd128 : 8'd0;  // line 208
+  wire [7:0] wide_207 = {6'd0, choice_191_4 | {1'b0, choice_153}};  // line 207
+  wire inverse_194 = !(counters_enough || counters_over);  // line 194
+  wire [1:0] choice_194 = (OBSERVES && at_bits[1] && inverse_194) ? 2'd2 : 2'd0;  // line 194
+  wire both_186 = at_bits[1] && !counters_enough && counters_over;  // line 186
+  wire both_100 =  // line 100
+      !(!both_155 || command_run_i) && (!OBSERVES || source_i || words_observe_i == 12'd0);
+  wire [2:0] choice_191_5 = (at_bits[2] && !counters_over) ? 3'd4 : 3'd0;  // line 191
+  wire [2:0] wide_194 = {1'b0, choice_194 | {1'b0, (both_186 && !command_run_i) || both_100}};
+  wire [3:0] choice_191_6 =  // line 191
+      ((both_186 && command_run_i) || (at_bits[3] && !counters_over)) ? 4'd8 : 4'd0;
+  wire [4:0] choice_191_7 = (counters_over ? at_bits[3] : at_bits[4]) ? 5'd16 : 5'd0;  // line 191
+  wire [4:0] wide_196 = {1'b0, {1'b0, wide_194 | choice_191_5} | choice_191_6};  // line 196
+  wire [5:0] choice_198 =  // line 198
+      ((at_bits[4] && counters_over) || (at_bits[5] && !(fast_i || counters_over))) ? 6'd32 : 6'd0;
+  wire both_200 = at_bits[5] && fast_i;  // line 200
+  wire [6:0] choice_200 = (both_200 || (at_bits[6] && inverse_194)) ? 7'd64 : 7'd0;  // line 200
+  wire [6:0] wide_199 = {1'b0, {1'b0, wide_196 | choice_191_7} | choice_198};  // line 199
+  wire either_202 = (both_157 && command_run_i && !differ_99_2) || (at_bits[6] && counters_enough);
+  wire both_202 = command_run_i && !differ_99;  // line 202
+  wire both_189 = at_bits[8:7] != 2'd0 && !lost_i;  // line 189
+  wire [7:0] choice_191_8 = ((either_202 || !both_189) ? either_202 : both_202) ? 8'd128 : 8'd0;
+  wire [7:0] wide_201 = {1'b0, wide_199 | choice_200};  // line 201
+  wire [8:0] choice_203 =  // line 203
+      (both_189 && either_176 && (at_bits[7] || (!counters_over && fast_i))) ? 9'd256 : 9'd0;
+  wire [8:0] wide_202 = {1'b0, wide_201 | choice_191_8};  // line 202
+  wire [9:0] choice_191_9 = (at_bits[9] && !counters_over) ? 10'd512 : 10'd0;  // line 191
+  wire [9:0] wanted = {1'b0, wide_202 | choice_203} | choice_191_9;  // line 203
+  wire [9:0] choice_205 = (choice_153 || choice_154) ? 10'd0 : wanted;  // line 205
+  wire [9:0] either_207 = {2'd0, wide_207 | choice_208} | choice_205;  // line 207
+  wire [9:0] either_209 = {6'd0, choice_209 | {1'b0, choice_191_3}} | either_207;  // line 209
+  wire [10:0] at_bits_next = {1'b0, choice_191} | choice_191_2 | {1'b0, either_209};  // line 211
+  wire either_118 = choice_205[6:5] != 2'd0 || either_207[7];  // line 118
+  wire began_next = both_99_3 && at_bits[0];  // line 102
 
   always_ff @(posedge clk) begin
-    at_bits <= at_bits_next;  // line 192
-    drives <= either_103 || choice_186[8];
-    enables <= either_103 || choice_186[8] || either_190[3:2] != 2'd0 || choice_186[4];
-    boosts <= choice_186[6:5] != 2'd0;  // line 102
-    if (at_bits[6]) begin
-      if (commutate_i && !(lags_i && !faded)) begin
-        duty <= sum_267[16:1];
-      end
-    end else if (at_bits[5]) begin
-      duty <= choice_2;
-    end else if (at_bits[4:3] == 2'd0) begin
-      if (at_bits[2]) begin
-        duty <= words_brake_duty_i;
+    at_bits <= at_bits_next;  // line 211
+    drives <= either_118 || choice_205[8];
+    enables <= either_118 || choice_205[8] || either_209[3:2] != 2'd0 || choice_205[4];
+    boosts <= choice_205[6:5] != 2'd0;  // line 117
+    if (began_next) begin
+      entered <= 1'b1;
+      reason <= Reason_kNone;
+      reverse <= command_reverse_i;
+    end else begin
+      if (both_99) begin
+        logic choice_161;
+        logic choice_161_2;
+        logic either_161;
+        logic inverse_169;
+        choice_161 = either_158 ? at_bits[8] : both_202 || !fast_i;  // line 161
+        choice_161_2 =  // line 161
+            at_bits[7] ? lost_i || !command_run_i || differ_99 || choice_161 : choice_161;
+        either_161 = both_200 || choice_161_2;  // line 161
+        inverse_169 = !(!at_bits[0] && (!counters_over || (at_bits & 11'h481) != 11'd0));
+        entered <= inverse_169 || (counters_enough && (at_bits[6:1] & 6'h21) != 6'd0) || either_161;
       end else begin
-        duty <= 16'd0;
+        entered <=
+            (at_bits & 11'h401) == 11'd0 || (at_bits[0] && both_151) || (at_bits[10] && both_150);
       end
-    end else if (retries[3:1] == 3'd0) begin
-      duty <= words_reset_duty_i;
-    end else if (words_reset_duty_i[15]) begin
-      duty <= 16'd65535;
-    end else begin
-      duty <= {words_reset_duty_i[14:0], 1'b0};
-    end
-    if (both_81) begin
-      logic choice_145;
-      logic choice_145_2;
-      logic either_145;
-      logic inverse_153;
-      choice_145 = either_142 ? at_bits[8] : both_183 || !fast_i;  // line 145
-      choice_145_2 = at_bits[7] ? lost_i || !command_run_i || differ_81 || choice_145 : choice_145;
-      either_145 = both_181 || choice_145_2;  // line 145
-      inverse_153 = !(!at_bits[0] && (!both || (at_bits & 11'h481) != 11'd0));  // line 153
-      entered <= inverse_153 || (enough && (at_bits[6:1] & 6'h21) != 6'd0) || either_145;
-    end else begin
-      entered <=
-          (at_bits & 11'h401) == 11'd0 || (at_bits[0] && both_135) || (at_bits[10] && both_134);
-    end
-    late <= tick_i && entered;  // line 219
-    last <= !entered && ticks == 15'd0;  // line 220
-    tried <= (words_retries_i <= retries);  // line 226
-    if (at_bits[10]) begin
-      braking <= 1'b0;
-      began <= 1'b0;
-      failed <= 1'b0;
-    end else begin
-      logic both_81_4;
-      logic both_81_5;
-      logic both_81_6;
-      logic both_84;
-      logic both_81_7;
-      both_81_4 = command_configured_i && both_136;  // line 81
-      both_81_5 = both_81_4 && choice_81;  // line 81
-      both_81_6 = both_81_4 && either_81_2;  // line 81
-      both_84 = both_81_6 && at_bits[0];  // line 84
-      both_81_7 = both_81_4 && either_81;  // line 81
-      braking <= both_81_5;
-      if (both_84) begin
-        reason <= Reason_kNone;
-        reverse <= command_reverse_i;
-      end else begin
-        if (both_81_7 || at_bits_next[10]) begin
-          if (both_81_5) begin
+      if (!at_bits[10]) begin
+        logic both_99_4;
+        both_99_4 = command_configured_i && both_152;  // line 99
+        if ((both_99_4 && either_99) || at_bits_next[10]) begin
+          if (both_99_4 && choice_99) begin
             reason <= Reason_kCannotStop;
           end else if (fatal_i || lost_i) begin
             reason <= cause_i;
@@ -259,145 +263,66 @@ module start_sequence #(
             reason <= Reason_kNoLock;
           end
         end
-        if (both_81_6) begin
+        if (both_99_4 && either_99_2) begin
           reverse <= command_reverse_i;
         end
       end
-      began <= both_84;
-      failed <= both_81_7;
     end
-    braked <= brakes == 8'd255;  // line 232
-    if (entered) begin
-      logic [14:0] wide_206;
-      logic [14:0] once;
-      logic [14:0] then;
-      logic [14:0] once_2;
-      logic [14:0] then_2;
-      logic [14:0] either_207;
-      logic [14:0] either_209;
-      logic [14:0] either_210;
-      logic [12:0] once_3;
-      logic [14:0] then_3;
-      wide_206 =  // line 206
-          {3'd0, (at_bits[1] ? words_observe_i : 12'd0) | (at_bits[2] ? words_brake_i : 12'd0)};
-      once = {3'd0, words_settle_i} << gentle[0];  // line 200
-      then = gentle[1] ? {once[12:0], 2'd0} : once;  // line 201
-      once_2 = {3'd0, words_reset_i} << gentle[0];  // line 200
-      then_2 = gentle[1] ? {once_2[12:0], 2'd0} : once_2;  // line 201
-      either_207 = wide_206 | (at_bits[3] ? then : 15'd0) | (at_bits[4] ? then_2 : 15'd0);
-      either_209 =  // line 209
-          either_207 | {3'd0, at_bits[6] ? words_pull_in_i : 12'd0} |
-          {3'd0, at_bits[8] ? words_slow_down_i : 12'd0};
-      either_210 =  // line 210
-          either_209 | {3'd0, at_bits[9] ? words_rest_i : 12'd0} | {4'd0, at_bits[7], 10'd0};
-      once_3 = gentle[0] ? 13'd8190 : 13'd4095;  // line 200
-      then_3 = gentle[1] ? {once_3, 2'd0} : {2'd0, once_3};  // line 201
-      ticks <= either_210 | (at_bits[5] ? then_3 : 15'd0);
-      good <= 6'd0;
-      enough <= 1'b0;
-    end else begin
-      if ((tick_i || late) && ticks != 15'd0) begin
-        ticks <= ticks - 15'd1;
-      end
-      if (update_i) begin
-        if (at_bits[1] && (turns_reverse_i ^ turns_reverse)) begin
-          good <= 6'd0;
-          enough <= 1'b0;
-        end else begin
-          if (good_i) begin
-            good <= sum_242[5:0];
-          end else begin
-            good <= 6'd0;
-          end
-          enough <= good_i && nearly;
-        end
-        turns_reverse <= turns_reverse_i;
-      end else begin
-        enough <= 1'b0;
-      end
-    end
-    nearly <= ({1'b0, words_good_crossings_i} <= sum_242);  // line 242
-    if (at_bits[0] || (both && at_bits[7])) begin
-      retries <= 4'd0;
-    end else if (failed) begin
-      retries <= retries + 4'd1;
-    end
-    if ((at_bits[7:0] & 8'h81) == 8'd0) begin
-      if (braking) begin
-        brakes <= brakes + 8'd1;
-      end
-    end else begin
-      brakes <= 8'd0;
-    end
-    faded <= duty < choice_2;  // line 258
+    braking <= braking_next;  // line 99
     if (at_bits[5]) begin
-      load_step <= at_bits[1] && either_188[7];
-    end else if (choice_186[5] || !at_bits[1]) begin
-      load_step <= choice_186[5];
+      load_step <= at_bits[1] && either_207[7];
+    end else if (choice_205[5] || !at_bits[1]) begin
+      load_step <= choice_205[5];
     end else begin
-      load_step <= either_188[7];
+      load_step <= either_207[7];
     end
+    began <= began_next;  // line 102
+    failed <= failed_next;  // line 99
     clear_was <= command_clear_fault_i;
     if (rst) begin
       at_bits <= 11'd1;
       drives <= 1'b0;
       enables <= 1'b0;
       boosts <= 1'b0;
-      duty <= 16'd0;
       entered <= 1'b0;
-      late <= 1'b0;
-      last <= 1'b0;
-      tried <= 1'b0;
       braking <= 1'b0;
-      braked <= 1'b0;
       reason <= Reason_kNone;
-      ticks <= 15'd0;
-      good <= 6'd0;
-      nearly <= 1'b0;
-      enough <= 1'b0;
-      retries <= 4'd0;
-      brakes <= 8'd0;
-      faded <= 1'b0;
       load_step <= 1'b0;
       began <= 1'b0;
       failed <= 1'b0;
       reverse <= 1'b0;
-      turns_reverse <= 1'b0;
       clear_was <= 1'b0;
     end
   end
 
-  assign state_o = either_280_2 | (at_bits[10] ? 4'd10 : 4'd0);
+  assign state_o = either_218_2 | (at_bits[10] ? 4'd10 : 4'd0);
   assign reason_o = reason;
   assign enable_o = enables;
-  assign pattern_bits_o = either_296 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
+  assign pattern_bits_o = either_234 | {2'd0, at_bits[3], 2'd0} | {1'b0, at_bits[4], 3'd0};
   assign reverse_o = reverse;
   assign running_o = at_bits[8:7] != 2'd0;
   assign mode_o =
       (at_bits[8:7] == 2'd0) ? ((at_bits[1] || boosts) ? SpeedMode_kAboveBemf : SpeedMode_kFixed) :
       SpeedMode_kControl;
-  assign duty_o = duty;
+  assign duty_o = open_loop_duty;
   assign stop_o = at_bits[8];
   assign watch_o =
-      (at_bits[1] || both_301) ? Evidence_kSectors :
+      (at_bits[1] || both_239) ? Evidence_kSectors :
       either ? Evidence_kCrossings :
       Evidence_kNothing;
   assign loop_o =
       at_bits[1] ? Loop_kCatch :
-      both_301 ? Loop_kHall :
+      both_239 ? Loop_kHall :
       either ? Loop_kTrack :
       at_bits[5] ? Loop_kRamp :
       Loop_kStop;
   assign load_step_o = load_step;
   assign step_o =
-      at_bits[5] ? {1'b0, {2{inverse_320}}} :
+      at_bits[5] ? {1'b0, {2{inverse_255}}} :
       reverse ? sector_i :
-      either_321;
+      either_256;
   assign turn_vco_o = at_bits[1] || drives;
-  assign gentle_o = gentle;
+  assign gentle_o = counters_gentle;
   assign began_o = began;
   assign failed_o = failed;
-
-  // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_ramp_i, words_hand_over_i, words_window_i, sum_267[0]};
 endmodule

@@ -15,10 +15,11 @@
 //     kRest        gates off after a failed try
 //     kFault       latched; left by a rising edge of clear_fault with `run` down and the cause gone
 //
-// With Hall sensors kRun follows kIdle at once.
+// With Hall sensors kRun follows kIdle at once.  What ends a state in time, and how often, is counted by
+// StartCounters; the duty of the states without speed control is OpenLoopDuty's.
 //
 //     latency      1 clock: outputs follow the state
-//     registers    82 bits     multipliers  none
+//     registers    82 bits, 57 of them in the two     multipliers  none
 //
 // Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
@@ -29,8 +30,10 @@
 #include "hls/six_step/commutation.hpp"
 #include "hls/six_step/divide_by_n.hpp"
 #include "hls/six_step/loop_filter.hpp"
+#include "hls/six_step/open_loop_duty.hpp"
 #include "hls/six_step/phase_detector.hpp"
 #include "hls/six_step/speed_control.hpp"
+#include "hls/six_step/start_counters.hpp"
 #include "hls/six_step/words.hpp"
 
 namespace steplock {
@@ -76,13 +79,27 @@ class StartSequence {
   };
 
   Out tick(const In& in) {
-    const Out present = out(in);
-    const bool over = in.tick && last_ && !entered_;
-    const Moves moves = choose(in, over);
-    const States next = admit(in, moves, over);
+    const Counts counts = counters_.tick({.tick = in.tick,
+                                          .state = at_,
+                                          .entered = entered_,
+                                          .failed = failed_,
+                                          .braking = braking_,
+                                          .update = in.update,
+                                          .good = in.good,
+                                          .turns_reverse = in.turns_reverse,
+                                          .words = in.words});
+    const Duty duty = open_loop_.tick({.state = at_,
+                                       .strong = counts.strong,
+                                       .commutate = in.commutate,
+                                       .lags = in.lags,
+                                       .reset_duty = in.words.reset_duty,
+                                       .start_duty = in.words.start_duty,
+                                       .brake_duty = in.words.brake_duty}).duty;
+    const Out present = out(in, counts.gentle, duty);
+    const Moves moves = choose(in, counts);
+    const States next = admit(in, moves, counts);
 
     began_ = moves.tries && at_.holds(State::kIdle);
-    const bool failed = failed_;
     failed_ = moves.fails;
     load_step_ = (!at_.holds(State::kAccelerate) && next.holds(State::kAccelerate)) ||
                  (at_.holds(State::kObserve) && next.holds(State::kRun));
@@ -94,8 +111,6 @@ class StartSequence {
                 : in.fatal || in.lost ? in.cause
                                       : Reason::kNoLock;
     }
-    lead(in);
-    count(in, over, failed, braking_);
     braking_ = moves.brakes;
     clear_was_ = in.command.clear_fault;
     entered_ = moves.leaves;
@@ -109,7 +124,7 @@ class StartSequence {
   bool operator==(const StartSequence&) const = default;
 
  private:
-  using States = OneHot<State, 11>;
+  using Counts = StartCounters::Out;
 
   static bool looks(const In& in) {
     return in.observes && in.source == Source::kBemf && in.words.observe != 0;
@@ -125,7 +140,8 @@ class StartSequence {
     bool leaves = false;  // the state, by any of these or by itself
   };
 
-  Moves choose(const In& in, bool over) const {
+  Moves choose(const In& in, const Counts& counts) const {
+    const bool over = counts.over;
     const bool fault = at_.holds(State::kFault);
     const bool runs = at_.holds_one_of(State::kRun, State::kSlowDown);
     const bool brakes = in.command.brake_to_stop &&
@@ -138,48 +154,51 @@ class StartSequence {
             .trips = fault ? !rearm : trips,
             .tries = goes && (at_.holds(State::kIdle) || (at_.holds(State::kBrake) && over && looks_again(in)) ||
                               (at_.holds(State::kRest) && over)),
-            .brakes = goes && ((at_.holds(State::kObserve) && enough_ && !turns_on(in)) ||
+            .brakes = goes && ((at_.holds(State::kObserve) && counts.enough && !turns_on(in, counts)) ||
                                (at_.holds(State::kSlowDown) && !in.lost && turns_round(in) && (over || !in.fast))),
             .fails = goes && ((at_.holds(State::kAccelerate) && !in.fast && over) ||
-                              (at_.holds(State::kPullIn) && !enough_ && over) || (runs && in.lost)),
-            .leaves = goes ? leaves(in, over)
+                              (at_.holds(State::kPullIn) && !counts.enough && over) || (runs && in.lost)),
+            .leaves = goes ? leaves(in, counts)
                            : !at_.holds_one_of(State::kIdle, State::kFault) || (at_.holds(State::kIdle) && trips) ||
                                  (fault && rearm)};
   }
 
   // What ends the present state while the drive is told to go on.
-  bool leaves(const In& in, bool over) const {
+  bool leaves(const In& in, const Counts& counts) const {
     const bool timed = !at_.holds_one_of(State::kIdle, State::kRun, State::kFault);
-    return at_.holds(State::kIdle) || (over && timed) ||
-           (enough_ && at_.holds_one_of(State::kObserve, State::kPullIn)) ||
+    return at_.holds(State::kIdle) || (counts.over && timed) ||
+           (counts.enough && at_.holds_one_of(State::kObserve, State::kPullIn)) ||
            (in.fast && at_.holds(State::kAccelerate)) ||
            (at_.holds(State::kRun) && (in.lost || turns_round(in))) ||
            (at_.holds(State::kSlowDown) && (in.lost || !turns_round(in) || !in.fast));
   }
 
   bool turns_round(const In& in) const { return !in.command.run || in.command.reverse != reverse_; }
-  bool turns_on(const In& in) const { return in.command.run && turns_reverse_ == reverse_; }
+  bool turns_on(const In& in, const Counts& counts) const {
+    return in.command.run && counts.turns_reverse == reverse_;
+  }
   static bool looks_again(const In& in) { return in.command.run || looks(in); }
 
   // Every state with what leads to it, and what keeps the drive in it.
-  States admit(const In& in, const Moves& moves, bool over) const {
+  States admit(const In& in, const Moves& moves, const Counts& counts) const {
+    const bool over = counts.over, enough = counts.enough;
     const bool hall = in.source == Source::kHall;
-    const bool missed = at_.holds(State::kObserve) && !enough_ && over;
-    const bool caught = at_.holds(State::kObserve) && enough_ && turns_on(in);
-    const bool locks = at_.holds(State::kPullIn) && enough_;
+    const bool missed = at_.holds(State::kObserve) && !enough && over;
+    const bool caught = at_.holds(State::kObserve) && enough && turns_on(in, counts);
+    const bool locks = at_.holds(State::kPullIn) && enough;
     const bool on = at_.holds_one_of(State::kRun, State::kSlowDown) && !in.lost;
     const bool gives_up = at_.holds(State::kBrake) && over && !looks_again(in);
     const auto to = [](State state, bool yes) { return States(state).when(yes); };
     const States wanted =
         to(State::kIdle, (missed && !in.command.run) || gives_up) |
-        to(State::kObserve, in.observes && at_.holds(State::kObserve) && !enough_ && !over) |
+        to(State::kObserve, in.observes && at_.holds(State::kObserve) && !enough && !over) |
         to(State::kBrake, at_.holds(State::kBrake) && !over) |
         to(State::kSettle, (missed && in.command.run) || (at_.holds(State::kSettle) && !over)) |
         to(State::kReset, (at_.holds(State::kSettle) && over) || (at_.holds(State::kReset) && !over)) |
         to(State::kAccelerate, (at_.holds(State::kReset) && over) ||
                                    (at_.holds(State::kAccelerate) && !in.fast && !over)) |
         to(State::kPullIn, (at_.holds(State::kAccelerate) && in.fast) ||
-                               (at_.holds(State::kPullIn) && !enough_ && !over)) |
+                               (at_.holds(State::kPullIn) && !enough && !over)) |
         to(State::kRun, caught || locks || (on && !turns_round(in))) |
         to(State::kSlowDown, on && turns_round(in) && (at_.holds(State::kRun) || (!over && in.fast))) |
         to(State::kRest, at_.holds(State::kRest) && !over);
@@ -188,93 +207,12 @@ class StartSequence {
            to(State::kObserve, moves.tries && looks(in)) |
            to(State::kRun, moves.tries && !looks(in) && hall) |
            to(State::kSettle, moves.tries && !looks(in) && !hall) |
-           to(State::kBrake, moves.brakes && !braked_) |
-           to(State::kRest, moves.fails && !tried_) |
-           to(State::kFault, moves.trips || (moves.brakes && braked_) || (moves.fails && tried_));
+           to(State::kBrake, moves.brakes && !counts.braked) |
+           to(State::kRest, moves.fails && !counts.tried) |
+           to(State::kFault, moves.trips || (moves.brakes && counts.braked) || (moves.fails && counts.tried));
   }
 
-  using Length = UInt<15>;  // Ticks, doubled up to three times
-
-  static Length doubled(Ticks ticks, UInt<2> times) {
-    const Length wide = ticks;
-    const Length once = times.bit(0) ? wide << 1 : wide;
-    return times.bit(1) ? once << 2 : once;
-  }
-
-  Length length(const In& in, UInt<2> failed) const {
-    const auto when = [this](State state, Length then) { return at_.holds(state) ? then : Length(0); };
-    return when(State::kObserve, in.words.observe) | when(State::kBrake, in.words.brake) |
-           when(State::kSettle, doubled(in.words.settle, failed)) |
-           when(State::kReset, doubled(in.words.reset, failed)) |
-           when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
-           when(State::kRest, in.words.rest) |
-           when(State::kRun, 1024) |  // after that long earlier failures are forgotten
-           when(State::kAccelerate, doubled(Ticks::max(), failed));  // a ramp of 0 must end, too
-  }
-
-  // `failed` and `brakes` are of the clock before: nothing asks so soon.
-  void count(const In& in, bool over, bool failed, bool brakes) {
-    // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
-    const bool ticks = (in.tick || late_) && !entered_;
-    late_ = in.tick && entered_;
-    last_ = !entered_ && ticks_ == 0;
-    if (entered_) {
-      ticks_ = length(in, gentle());
-    } else if (ticks && ticks_ != 0) {
-      ticks_ = wrap<Length>(ticks_ - 1);
-    }
-    tried_ = retries_ >= in.words.retries;
-    if (at_.holds(State::kIdle) || (over && at_.holds(State::kRun))) {
-      retries_ = 0;
-    } else if (failed) {
-      retries_ = wrap<UInt<4>>(retries_ + 1);
-    }
-    braked_ = brakes_ == kMostBrakes;
-    if (at_.holds_one_of(State::kIdle, State::kRun)) {
-      brakes_ = 0;
-    } else if (brakes) {
-      brakes_ = wrap<UInt<8>>(brakes_ + 1);
-    }
-    // While observing, changes that go on in the direction of the last one.
-    const bool same = !at_.holds(State::kObserve) || in.turns_reverse == turns_reverse_;
-    const bool counts = in.good && same;
-    enough_ = in.update && counts && nearly_ && !entered_;
-    nearly_ = good_ + 1 >= in.words.good_crossings;
-    if (entered_) {
-      good_ = 0;
-    } else if (in.update) {
-      good_ = counts ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
-      turns_reverse_ = in.turns_reverse;
-    }
-  }
-
-  // Pulling in, the start's torque fades by 1/32 per step: with all of it the rotor would keep its
-  // lead on the VCO and run away from the loop.  A rotor that lags has too little torque and gets
-  // 1/32 more per step, up to the start's: a heavy load would stop it else.
-  // The failures counted are those before this clock: one that counts now ends the pulling in, and
-  // waiting for the verdict would make this the longest path of the drive.
-  void lead(const In& in) {
-    const Duty part = duty_ >> 5;
-    const bool faded = duty_ < stronger(in.words.start_duty);
-    if (!at_.holds(State::kPullIn)) {
-      duty_ = at_.holds(State::kAccelerate)                          ? stronger(in.words.start_duty)
-              : at_.holds_one_of(State::kSettle, State::kReset) ? stronger(in.words.reset_duty)
-              : at_.holds(State::kBrake)                        ? in.words.brake_duty
-                                                                : Duty(0);
-    } else if (in.commutate && (!in.lags || faded_)) {
-      // One adder for both directions: the 1 that the complement lacks is carried in from a bit below.
-      const UInt<17> change = UInt<17>(in.lags ? part : wrap<Duty>(~part)) << 1 | UInt<17>(!in.lags);
-      duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
-    }
-    faded_ = faded;
-  }
-
-  // Two failed tries: bus, flux or resistance may be weaker than the words' motor; the limit stands.
-  Duty stronger(Duty duty) const {
-    return retries_ > 1 ? saturate<Duty>(UInt<17>(duty) << 1) : duty;
-  }
-
-  Out out(const In& in) const {
+  Out out(const In& in, UInt<2> gentle, Duty duty) const {
     const bool hall = in.source == Source::kHall;
     Out out;
     out.state = at_.value();
@@ -286,7 +224,7 @@ class StartSequence {
     out.failed = failed_;
     out.stop = at_.holds(State::kSlowDown);
     // A load too heavy for the ramp fails; the next try takes a quarter of it.
-    out.gentle = gentle();
+    out.gentle = gentle;
 
     const bool observes = at_.holds(State::kObserve);
     out.running = at_.holds_one_of(State::kRun, State::kSlowDown);
@@ -308,12 +246,9 @@ class StartSequence {
     out.mode = out.running            ? SpeedMode::kControl
                : observes || boosts_ ? SpeedMode::kAboveBemf
                                      : SpeedMode::kFixed;
-    out.duty = duty_;
+    out.duty = duty;
     return out;
   }
-
-  // Tries that failed, as far as they make the next one gentler.
-  UInt<2> gentle() const { return retries_ > 3 ? UInt<2>(3) : wrap<UInt<2>>(retries_); }
 
   // With load_step: full torque from the reset position, or where a rotor that enters `sector` is.
   Step step(const In& in) const {
@@ -321,32 +256,20 @@ class StartSequence {
     return reverse_ ? in.sector : next_step(in.sector, true);
   }
 
-  static constexpr int kMostBrakes = 255;  // intervals before a rotor counts as unstoppable
+  StartCounters counters_;
+  OpenLoopDuty open_loop_;
 
   States at_ = State::kIdle;
   bool drives_ = false;         // one of the states in which the bridge commutates
   bool enables_ = false;        // or one of the others in which gates may be on
   bool boosts_ = false;         // one of those whose duty comes above the back-EMF's
-  Duty duty_ = 0;               // u1.15, of the state a clock ago; in kPullIn it fades
   bool entered_ = false;        // this is the first clock of the state
-  bool late_ = false;           // there was a tick in it
-  bool last_ = false;           // no ticks are left
-  bool tried_ = false;          // no more tries are left
   bool braking_ = false;        // a braking interval begins
-  bool braked_ = false;         // no more braking intervals are left
   Reason reason_ = Reason::kNone;
-  Length ticks_ = 0;            // left in this state
-  UInt<6> good_ = 0;            // good crossings in a row
-  bool nearly_ = false;         // one more is enough
-  bool enough_ = false;         // that one came in the last clock
-  UInt<4> retries_ = 0;         // failed tries
-  UInt<8> brakes_ = 0;          // braking intervals of this stop
-  bool faded_ = false;          // the duty is below the start's
   bool load_step_ = false;
   bool began_ = false;
   bool failed_ = false;
   bool reverse_ = false;        // direction of this try
-  bool turns_reverse_ = false;  // direction at the last update while observing
   bool clear_was_ = false;
 };
 

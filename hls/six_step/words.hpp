@@ -10,6 +10,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
+#include "hls/numeric/one_hot.hpp"
 #include "hls/numeric/parameter.hpp"
 
 namespace steplock {
@@ -130,6 +131,7 @@ struct Command {
 enum class State : std::uint8_t {
   kIdle, kObserve, kBrake, kSettle, kReset, kAccelerate, kPullIn, kRun, kSlowDown, kRest, kFault
 };
+using States = OneHot<State, 11>;  // how the blocks of the start hold and tell theirs
 
 enum class Reason : std::uint8_t {
   kNone, kFaultPin, kOverCurrent, kStepOut, kStall, kWrongLock, kNoLock, kCannotStop, kHallCode

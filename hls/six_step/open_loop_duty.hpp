@@ -1,0 +1,78 @@
+// Open-loop duty: the torque of a start, before speed control has a say.
+//
+//     kSettle, kReset    reset_duty        twice that with `strong`, up to 100 %
+//     kAccelerate        start_duty        likewise
+//     kPullIn            start_duty, which fades by 1/32 per step
+//     kBrake             brake_duty
+//     all others         0
+//
+// Pulling in, the start's torque fades: with all of it the rotor would keep its lead on the VCO and run
+// away from the loop.  A rotor that lags has too little torque and gets 1/32 more per step, up to the
+// start's: a heavy load would stop it else.
+//
+//     latency      1 clock from state to duty
+//     registers    17 bits     multipliers  none
+//
+// Doc: docs/blocks/open_loop_duty.md   Test: tests/hls/open_loop_duty_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/six_step/words.hpp"
+
+namespace steplock {
+
+class OpenLoopDuty {
+ public:
+  struct In {
+    States state = State::kIdle;
+    bool strong = false;     // two tries failed
+    bool commutate = false;  // strobe: a new step began
+    bool lags = false;       // the last error was negative: the rotor lags the VCO
+    Duty reset_duty = 0;     // u1.15
+    Duty start_duty = 0;     // u1.15
+    Duty brake_duty = 0;     // u1.15
+  };
+
+  struct Out {
+    Duty duty = 0;  // u1.15, of the state a clock ago
+  };
+
+  // `strong` leaves out a try that fails in this clock: that ends the pulling in, and waiting for the
+  // verdict would make this the longest path of the drive.
+  Out tick(const In& in) {
+    const Out out{.duty = duty_};
+    const Duty start = stronger(in.start_duty, in.strong);
+    const Duty part = duty_ >> 5;
+    const bool faded = duty_ < start;
+    if (!in.state.holds(State::kPullIn)) {
+      duty_ = in.state.holds(State::kAccelerate)                    ? start
+              : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
+              : in.state.holds(State::kBrake)                        ? in.brake_duty
+                                                                     : Duty(0);
+    } else if (in.commutate && (!in.lags || faded_)) {
+      // One adder for both directions: the 1 that the complement lacks is carried in from a bit below.
+      const UInt<17> change = UInt<17>(in.lags ? part : wrap<Duty>(~part)) << 1 | UInt<17>(!in.lags);
+      duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
+    }
+    faded_ = faded;
+    return out;
+  }
+
+  bool operator==(const OpenLoopDuty&) const = default;
+
+ private:
+  // Two failed tries: bus, flux or resistance may be weaker than the words' motor; the limit stands.  No bus
+  // has more than 100 %, and what a rotor that lags gets more than that does not pass the word's end.
+  static Duty stronger(Duty duty, bool strong) {
+    if (!strong) return duty;
+    return duty.bit(15) || duty.bit(14) ? kWhole : duty << 1;
+  }
+
+  static constexpr Duty kWhole = 0x8000;
+
+  Duty duty_ = 0;       // u1.15, of the state a clock ago; in kPullIn it fades
+  bool faded_ = false;  // it is below the start's
+};
+
+}  // namespace steplock

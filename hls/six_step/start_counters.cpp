@@ -1,0 +1,5 @@
+#include "hls/six_step/start_counters.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::StartCounters>;

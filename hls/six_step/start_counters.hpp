@@ -1,0 +1,142 @@
+// Start counters: what the start sequence counts, and what follows from it.
+//
+//     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
+//               kAccelerate last twice as long after each failed try, three times
+//     enough    `good_crossings` in a row; while observing, codes that went on in one direction
+//     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun
+//     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
+//
+// The state machine (start_sequence.hpp) tells the state, and when it is new.
+//
+//     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
+//                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
+//     registers    40 bits     multipliers  none
+//
+// Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/six_step/words.hpp"
+
+namespace steplock {
+
+class StartCounters {
+ public:
+  struct In {
+    bool tick = false;           // the slow time base
+    States state = State::kIdle;
+    bool entered = false;        // this is the first clock of the state
+    bool failed = false;         // strobe: a try failed
+    bool braking = false;        // strobe: a braking interval begins
+    bool update = false;         // strobe: the phase detector has a new error
+    bool good = false;           // with `update`: it is a small one
+    bool turns_reverse = false;  // while observing: the code last moved downwards
+    StartWords words;
+  };
+
+  struct Out {
+    bool over = false;           // with `tick`: the state's time
+    bool enough = false;         // good crossings in a row, the last one in the clock before
+    bool tried = false;          // no more tries are left
+    bool braked = false;         // no more braking intervals are left
+    bool turns_reverse = false;  // direction at the last update
+    UInt<2> gentle = 0;          // failed tries, as far as they make the next one gentler
+    bool strong = false;         // two or more of them
+  };
+
+  Out tick(const In& in) {
+    const Out out{.over = in.tick && last_ && !in.entered,
+                  .enough = enough_,
+                  .tried = tried_,
+                  .braked = braked_,
+                  .turns_reverse = turns_reverse_,
+                  .gentle = gentle(),
+                  .strong = retries_ > 1};
+    count_ticks(in);
+    count_tries(in, out.over);
+    count_crossings(in);
+    return out;
+  }
+
+  bool operator==(const StartCounters&) const = default;
+
+ private:
+  using Length = UInt<15>;  // Ticks, doubled up to three times
+
+  static Length doubled(Ticks ticks, UInt<2> times) {
+    const Length wide = ticks;
+    const Length once = times.bit(0) ? wide << 1 : wide;
+    return times.bit(1) ? once << 2 : once;
+  }
+
+  static Length length(const In& in, UInt<2> failed) {
+    const auto when = [&in](State state, Length then) { return in.state.holds(state) ? then : Length(0); };
+    return when(State::kObserve, in.words.observe) | when(State::kBrake, in.words.brake) |
+           when(State::kSettle, doubled(in.words.settle, failed)) |
+           when(State::kReset, doubled(in.words.reset, failed)) |
+           when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
+           when(State::kRest, in.words.rest) |
+           when(State::kRun, 1024) |  // after that long earlier failures are forgotten
+           when(State::kAccelerate, doubled(Ticks::max(), failed));  // a ramp of 0 must end, too
+  }
+
+  void count_ticks(const In& in) {
+    // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
+    const bool ticks = (in.tick || late_) && !in.entered;
+    late_ = in.tick && in.entered;
+    last_ = !in.entered && ticks_ == 0;
+    if (in.entered) {
+      ticks_ = length(in, gentle());
+    } else if (ticks && ticks_ != 0) {
+      ticks_ = wrap<Length>(ticks_ - 1);
+    }
+  }
+
+  void count_tries(const In& in, bool over) {
+    tried_ = retries_ >= in.words.retries;
+    if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
+      retries_ = 0;
+    } else if (in.failed) {
+      retries_ = wrap<UInt<4>>(retries_ + 1);
+    }
+    braked_ = brakes_ == kMostBrakes;
+    if (in.state.holds_one_of(State::kIdle, State::kRun)) {
+      brakes_ = 0;
+    } else if (in.braking) {
+      brakes_ = wrap<UInt<8>>(brakes_ + 1);
+    }
+  }
+
+  void count_crossings(const In& in) {
+    // While observing, changes that go on in the direction of the last one.
+    const bool same = !in.state.holds(State::kObserve) || in.turns_reverse == turns_reverse_;
+    const bool counts = in.good && same;
+    enough_ = in.update && counts && nearly_ && !in.entered;
+    nearly_ = good_ + 1 >= in.words.good_crossings;
+    if (in.entered) {
+      good_ = 0;
+    } else if (in.update) {
+      good_ = counts ? wrap<UInt<6>>(good_ + 1) : UInt<6>(0);
+      turns_reverse_ = in.turns_reverse;
+    }
+  }
+
+  UInt<2> gentle() const { return retries_ > 3 ? UInt<2>(3) : wrap<UInt<2>>(retries_); }
+
+  static constexpr int kMostBrakes = 255;
+
+  Length ticks_ = 0;            // left in this state
+  bool late_ = false;           // there was a tick in the state's first clock
+  bool last_ = false;           // no ticks are left
+  UInt<4> retries_ = 0;         // failed tries
+  bool tried_ = false;          // no more are left
+  UInt<8> brakes_ = 0;          // braking intervals of this stop
+  bool braked_ = false;         // no more are left
+  UInt<6> good_ = 0;            // good crossings in a row
+  bool nearly_ = false;         // one more is enough
+  bool enough_ = false;         // that one came in the last clock
+  bool turns_reverse_ = false;  // direction at the last update
+};
+
+}  // namespace steplock

@@ -1,0 +1,1 @@
+rtl/open_loop_duty.sv

@@ -1,0 +1,1 @@
+rtl/start_counters.sv

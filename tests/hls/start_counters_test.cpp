@@ -1,0 +1,236 @@
+#include "hls/six_step/start_counters.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplock {
+namespace {
+
+// A state machine that does as it is told, with a tick in every fifth clock.
+struct Bench {
+  StartCounters dut;
+  StartCounters::In in;
+  StartCounters::Out out;  // of the last clock
+
+  Bench() {
+    in.words = {.settle = 3,
+                .reset = 5,
+                .good_crossings = 4,
+                .pull_in = 20,
+                .observe = 10,
+                .slow_down = 30,
+                .brake = 7,
+                .rest = 6,
+                .retries = 2};
+  }
+
+  void clock() {
+    out = dut.tick(in);
+    in.tick = in.entered = in.failed = in.braking = in.update = false;
+  }
+  void clocks(int n) {
+    for (int i = 0; i < n; ++i) clock();
+  }
+  void enter(State state) {
+    in.state = state;
+    in.entered = true;
+    clocks(2);
+  }
+  // Whether the state is over with it.
+  bool tick() {
+    in.tick = true;
+    clock();
+    const bool over = out.over;
+    clocks(4);
+    return over;
+  }
+  // Ticks up to the one with which it is, 0 if there is none such in `most`.
+  int ticks_of(State state, int most = 100'000) {
+    enter(state);
+    for (int i = 1; i <= most; ++i) {
+      if (tick()) return i;
+    }
+    return 0;
+  }
+  void fail() {
+    in.failed = true;
+    clocks(4);
+  }
+  // Whether they are enough with this one: in the clock after it, and in no other.
+  bool crossing(bool good, bool turns_reverse = false) {
+    in.update = true;
+    in.good = good;
+    in.turns_reverse = turns_reverse;
+    clock();
+    EXPECT_FALSE(out.enough);
+    clock();
+    const bool enough = out.enough;
+    clock();
+    EXPECT_FALSE(out.enough);
+    return enough;
+  }
+  bool crossings(int n, bool good, bool turns_reverse = false) {
+    bool enough = false;
+    for (int i = 0; i < n; ++i) enough = crossing(good, turns_reverse);
+    return enough;
+  }
+};
+
+TEST(StartCounters, AStateLastsItsTicksAndWhatIsLeftOfTheOneBefore) {
+  Bench bench;
+  EXPECT_EQ(bench.ticks_of(State::kObserve), 10 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kBrake), 7 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kSettle), 3 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kReset), 5 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kAccelerate), 4095 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kPullIn), 20 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kSlowDown), 30 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kRest), 6 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kRun), 1024 + 1);
+}
+
+TEST(StartCounters, IsOverWithATickOnly) {
+  Bench bench;
+  bench.ticks_of(State::kRest);
+  for (int i = 0; i < 100; ++i) {
+    bench.clock();
+    ASSERT_FALSE(bench.out.over);
+  }
+  EXPECT_TRUE(bench.tick());
+}
+
+TEST(StartCounters, ATickInTheStatesFirstClockCountsAndEndsNothing) {
+  Bench bench;
+  bench.ticks_of(State::kRest);  // is over with every tick from here on
+  bench.in.state = State::kSettle;
+  bench.in.entered = bench.in.tick = true;
+  bench.clock();
+  EXPECT_FALSE(bench.out.over);
+  bench.clocks(4);
+  EXPECT_FALSE(bench.tick());
+  EXPECT_FALSE(bench.tick());
+  EXPECT_TRUE(bench.tick());
+}
+
+TEST(StartCounters, ATickBehindTheStatesFirstClockFindsTheNewTime) {
+  Bench bench;
+  bench.ticks_of(State::kRest);
+  bench.in.state = State::kSettle;
+  bench.in.entered = true;
+  bench.clock();
+  EXPECT_FALSE(bench.tick());
+}
+
+TEST(StartCounters, FailedTriesDoubleSettleResetAndAccelerateThreeTimesAndNothingElse) {
+  Bench bench;
+  for (const int factor : {1, 2, 4, 8, 8}) {
+    EXPECT_EQ(bench.ticks_of(State::kSettle), 3 * factor + 1);
+    EXPECT_EQ(bench.ticks_of(State::kReset), 5 * factor + 1);
+    EXPECT_EQ(bench.ticks_of(State::kAccelerate), 4095 * factor + 1);
+    EXPECT_EQ(bench.ticks_of(State::kPullIn), 20 + 1);
+    EXPECT_EQ(bench.ticks_of(State::kRest), 6 + 1);
+    bench.fail();
+  }
+}
+
+TEST(StartCounters, TellsFailedTriesUpToThree) {
+  Bench bench;
+  bench.enter(State::kRest);
+  for (const int gentle : {0, 1, 2, 3, 3, 3}) {
+    bench.clock();
+    EXPECT_EQ(bench.out.gentle, UInt<2>(gentle));
+    EXPECT_EQ(bench.out.strong, gentle > 1);
+    bench.fail();
+  }
+}
+
+TEST(StartCounters, NoTriesAreLeftAfterAsManyFailuresAsTheWordSays) {
+  for (const int retries : {0, 1, 2, 15}) {
+    Bench bench;
+    bench.in.words.retries = UInt<4>(retries);
+    bench.enter(State::kRest);
+    for (int i = 0; i < retries; ++i) {
+      EXPECT_FALSE(bench.out.tried);
+      bench.fail();
+    }
+    bench.clock();
+    EXPECT_TRUE(bench.out.tried);
+  }
+}
+
+TEST(StartCounters, StandstillAndALongRunForgetFailures) {
+  Bench bench;
+  bench.enter(State::kRest);
+  bench.fail();
+  bench.fail();
+  bench.enter(State::kRun);
+  for (int i = 0; i < 1024; ++i) bench.tick();
+  EXPECT_EQ(bench.out.gentle, UInt<2>(2));
+  EXPECT_TRUE(bench.out.tried);
+  bench.tick();
+  EXPECT_EQ(bench.out.gentle, UInt<2>(0));
+  EXPECT_FALSE(bench.out.tried);
+
+  bench.enter(State::kRest);
+  bench.fail();
+  bench.fail();
+  bench.enter(State::kIdle);
+  EXPECT_EQ(bench.out.gentle, UInt<2>(0));
+}
+
+TEST(StartCounters, ARotorIsUnstoppableAfter255BrakingIntervalsSinceALockOrStandstill) {
+  for (const State forgets : {State::kRun, State::kIdle}) {
+    Bench bench;
+    const auto brake = [&] {
+      bench.enter(State::kObserve);
+      bench.in.braking = true;
+      bench.enter(State::kBrake);
+      bench.clocks(2);
+      return bench.out.braked;
+    };
+    for (int i = 0; i < 100; ++i) ASSERT_FALSE(brake());
+    bench.enter(forgets);
+    for (int i = 0; i < 254; ++i) ASSERT_FALSE(brake()) << i;
+    EXPECT_TRUE(brake());
+  }
+}
+
+TEST(StartCounters, AsManyGoodCrossingsInARowAsTheWordSaysAreEnough) {
+  for (const int needed : {1, 4, 63}) {
+    Bench bench;
+    bench.in.words.good_crossings = UInt<6>(needed);
+    bench.enter(State::kPullIn);
+    for (int i = 0; i < needed - 1; ++i) ASSERT_FALSE(bench.crossing(true)) << i;
+    EXPECT_TRUE(bench.crossing(true));
+  }
+}
+
+TEST(StartCounters, ABadCrossingOrANewStateBeginsTheCountAgain) {
+  Bench bench;
+  bench.enter(State::kPullIn);
+  EXPECT_FALSE(bench.crossings(3, true));
+  EXPECT_FALSE(bench.crossing(false));
+  EXPECT_FALSE(bench.crossings(3, true));
+  bench.enter(State::kPullIn);
+  EXPECT_FALSE(bench.crossings(3, true));
+  bench.in.entered = true;  // in the clock of what would have been the fourth
+  EXPECT_FALSE(bench.crossing(true));
+  EXPECT_FALSE(bench.crossings(3, true));
+  EXPECT_TRUE(bench.crossing(true));
+}
+
+TEST(StartCounters, WhileObservingAChangeOfDirectionBeginsTheCountAgain) {
+  Bench bench;
+  bench.enter(State::kObserve);
+  EXPECT_FALSE(bench.crossings(3, true, false));
+  EXPECT_FALSE(bench.crossing(true, true));
+  EXPECT_TRUE(bench.out.turns_reverse);
+  EXPECT_FALSE(bench.crossings(3, true, true));
+  EXPECT_TRUE(bench.crossing(true, true));
+
+  bench.enter(State::kPullIn);  // where the decoder's direction means nothing
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(bench.crossing(true, i % 2 == 0));
+  EXPECT_TRUE(bench.crossing(true, true));
+}
+
+}  // namespace
+}  // namespace steplock
