@@ -86,6 +86,18 @@ class FixedEngine {
     tick();
     return 1;
   }
+  // The same in two parts, for one who looks at each of the clocks: a tick and how many more are quiet, at
+  // most `most`; and then these.  In the n-th of them, from 1, the output is that of the tick, but for
+  // step_phase, which is shows(n).
+  [[gnu::flatten]] std::uint64_t tick_and_foresee(std::uint64_t most) {
+    if (ticked_) return top_.tick_and_foresee(in_, out_, most);
+    tick();
+    return 0;
+  }
+  Phase shows(std::uint64_t n) const { return top_.shows(in_, out_, n); }
+  [[gnu::flatten]] void take(std::uint64_t clocks) {
+    if (clocks > 0) out_.step_phase = top_.skip(in_, out_, clocks);
+  }
   // For two engines that must stop at the same clocks.
   std::uint64_t quiet() const { return ticked_ ? top_.quiet(in_, out_) : 0; }
   void skip(std::uint64_t clocks) {

@@ -26,12 +26,12 @@ class SkippingTop : public SixStepTop {
   }
   // That many at once; step_phase as the last of them shows it.
   Phase skip(const In& in, const Out& last, std::uint64_t clocks) {
-    const auto vco = turning(last);
-    const Phase shown = clocks == 1 ? divided_.phase : step_phase(in, vco_.shown(vco, clocks - 1));
+    const Phase shown = shows(in, last, clocks);
     if (const auto sampled = bemf_.skip(sensed(in, last), clocks); sampled != 0) {
-      bemf_.remember(sampled == 1 ? divided_.phase : step_phase(in, vco_.shown(vco, sampled - 1)));
+      bemf_.remember(shows(in, last, sampled));
     }
-    divided_.phase = step_phase(in, vco_.shown(vco, clocks));
+    divided_.phase = shows(in, last, clocks + 1);
+    const auto vco = turning(last);
     vco_.skip(vco, clocks);
     hall_.skip(clocks);
     filter_.skip(clocks);
@@ -41,17 +41,23 @@ class SkippingTop : public SixStepTop {
     guard_.skip(clocks);
     return shown;
   }
-  // From 1 to `most` ticks, as many as are quiet, and `out`, which was that of the last one, becomes
-  // that of the last of them: the same as tick() so often.
+  // What step_phase shows in the n-th of them, from 1: alone of all outputs it counts as well.
+  Phase shows(const In& in, const Out& last, std::uint64_t n) const {
+    if (n == 1) return divided_.phase;
+    return divide_.step_phase(vco_.shown(turning(last), n - 1), in.words.loop.divide);
+  }
+  // A tick; `out`, which was that of the last one, becomes its.  How many more, at most `most`, are quiet.
+  std::uint64_t tick_and_foresee(const In& in, Out& out, std::uint64_t most) {
+    const std::uint64_t clocks = std::min(to_event(in, out), most + 1);
+    if (clocks >= kWorthwhile) return counts(in, out) ? clocks - 1 : 0;
+    out = tick(in);
+    return 0;
+  }
+  // From 1 to `most` ticks, as many as are quiet: the same as tick() so often.
   std::uint64_t advance(const In& in, Out& out, std::uint64_t most) {
-    const std::uint64_t clocks = std::min(to_event(in, out), most);
-    if (clocks < kWorthwhile) {
-      out = tick(in);
-      return 1;
-    }
-    if (!counts(in, out)) return 1;
-    out.step_phase = skip(in, out, clocks - 1);
-    return clocks;
+    const std::uint64_t more = tick_and_foresee(in, out, most - 1);
+    if (more > 0) out.step_phase = skip(in, out, more);
+    return 1 + more;
   }
   bool operator==(const SkippingTop&) const = default;
 
@@ -82,9 +88,6 @@ class SkippingTop : public SixStepTop {
     return same;
   }
 
-  Phase step_phase(const In& in, Phase vco) const {
-    return divide_.step_phase(vco, in.words.loop.divide);
-  }
   VcoCounter::In turning(const Out& last) const {
     const bool held = last.state == State::kIdle || last.state == State::kBrake ||
                       last.state == State::kSettle || last.state == State::kReset ||

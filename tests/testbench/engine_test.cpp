@@ -1,11 +1,18 @@
-// The engines' interface: packing of the watched word, words, and the skipping of quiet clocks.
+// The engines' interface: packing of the watched word, words, and the skipping of quiet clocks, alone and
+// beside the RTL.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
 
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "testbench/engine/fixed.hpp"
+#include "testbench/engine/lockstep_engine.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/drive_loop.hpp"
+#include "tests/hls/six_step_chaos.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {
@@ -67,6 +74,83 @@ TEST(FixedEngine, SkippingQuietClocksEndsInTheSamePlaceAsTicking) {
     ASSERT_EQ(a.overview[i].drive.step_phase_deg, b.overview[i].drive.step_phase_deg);
   }
   EXPECT_EQ(a.peak_current, b.peak_current);
+}
+
+// A lockstep engine and what it sees for 400,000 clocks: a host that starts it, and pins that flicker.
+struct Chase {
+  struct Run { std::uint64_t begin, clocks; };
+  LockstepEngine engine;
+  std::vector<Run> runs = {};
+
+  static Words words() {
+    Words w = quick_words();
+    w.pwm.period = 4000;
+    return w;
+  }
+  Chase() : engine(words(), 12e6) {}
+
+  // Not more than `most` clocks at once.
+  Lockstep chase(std::uint64_t most) {
+    std::mt19937 random{1};
+    engine.set_command({.run = true});
+    for (std::uint64_t clock = 0; clock < 400'000;) {
+      engine.set_pins({.comparator = {random() % 2 == 0, random() % 2 == 0, random() % 2 == 0}});
+      for (const std::uint64_t end = clock + 1 + random() % 3000; clock < end;) {
+        const std::uint64_t taken = engine.run(std::min(most, end - clock));
+        runs.push_back({clock, taken});
+        clock += taken;
+      }
+    }
+    return engine.found();
+  }
+  static constexpr std::uint64_t kAny = 1 << 20;
+};
+
+std::vector<Chase::Run> long_runs() {
+  Chase chase;
+  EXPECT_TRUE(chase.chase(Chase::kAny).equal());
+  EXPECT_LT(chase.runs.size(), chase.engine.found().clocks / 4);
+  std::erase_if(chase.runs, [](const Chase::Run& r) { return r.clocks < 40; });
+  return chase.runs;
+}
+
+// Skipping by the blocks must be invisible in what is found: the same clocks differ, and the same is first.
+TEST(LockstepEngine, FindsWhatTickingFindsFromTheMidstOfQuietClocksToTheMidstOfOthers) {
+  const std::vector<Chase::Run> runs = long_runs();
+  ASSERT_GT(runs.size(), 400u);
+  std::uint64_t inside = 0;
+  for (std::size_t i = 1; i < 8; ++i) {
+    const Chase::Run& first = runs[i * runs.size() / 8];
+    const Chase::Run& last = runs[i * runs.size() / 8 + 3 * (i % 3)];
+    const std::uint64_t from = first.begin + first.clocks / 3, to = last.begin + last.clocks * 2 / 3;
+    Chase skipping, ticking;
+    for (Chase* chase : {&skipping, &ticking}) chase->engine.invert_comparators(from, to);
+    const Lockstep found = skipping.chase(Chase::kAny), expected = ticking.chase(1);
+    EXPECT_EQ(found.clocks, expected.clocks);
+    EXPECT_EQ(found.differing_clocks, expected.differing_clocks) << "from " << from << " to " << to;
+    EXPECT_EQ(found.first_clock, expected.first_clock) << "from " << from << " to " << to;
+    EXPECT_EQ(found.first_port, expected.first_port);
+    if (found.equal()) continue;
+    EXPECT_GE(found.first_clock, from);
+    inside += std::ranges::any_of(skipping.runs, [&](const Chase::Run& r) {
+      return r.begin < found.first_clock && found.first_clock < r.begin + r.clocks;
+    });
+  }
+  EXPECT_GT(inside, 0u);  // a clock that the blocks skipped
+}
+
+TEST(LockstepEngine, ComparesTheStepPhaseInEveryClockOfAQuietStretch) {
+  const std::vector<Chase::Run> runs = long_runs();
+  const Chase::Run& run = runs[runs.size() / 2];
+  for (const std::uint64_t clock : {run.begin, run.begin + 1, run.begin + 2, run.begin + run.clocks / 2,
+                                    run.begin + run.clocks - 1}) {
+    Chase chase;
+    chase.engine.spoil_step_phase(clock);
+    const Lockstep found = chase.chase(Chase::kAny);
+    EXPECT_EQ(found.differing_clocks, 1u);
+    EXPECT_EQ(found.first_clock, clock);
+    EXPECT_EQ(found.first_port, "step_phase_o");
+  }
 }
 
 }  // namespace
