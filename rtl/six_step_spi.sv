@@ -30,8 +30,8 @@ module six_step_spi #(
     output logic spi_miso_o,
     output logic spi_selected_o  // drive miso now, where several slaves share it
 );
-  logic bit_;  // of the answer, in the clock before
-  logic error;
+  logic reply_bit;  // at `place` of the read's answer
+  logic reply_error;  // of the present frame's answer
 
   wire bus_miso;
   wire bus_selected;
@@ -48,8 +48,8 @@ module six_step_spi #(
       .pins_cs_n_i(spi_cs_n_i),
       .pins_sclk_i(spi_sclk_i),
       .pins_mosi_i(spi_mosi_i),
-      .bit_i(bit_),
-      .error_i(error),
+      .reply_bit_i(reply_bit),
+      .reply_error_i(reply_error),
       .miso_o(bus_miso),
       .selected_o(bus_selected),
       .writing_o(bus_writing),
@@ -104,15 +104,15 @@ module six_step_spi #(
   );
 
   always_ff @(posedge clk) begin
-    bit_ <= (drive_data & (32'd1 << bus_place)) != 32'd0;  // line 39
+    reply_bit <= (drive_data & (32'd1 << bus_place)) != 32'd0;  // line 39
     if (bus_writing) begin
-      error <= drive_write_error;
+      reply_error <= drive_write_error;
     end else begin
-      error <= drive_read_error;
+      reply_error <= drive_read_error;
     end
     if (rst) begin
-      bit_ <= 1'b0;
-      error <= 1'b0;
+      reply_bit <= 1'b0;
+      reply_error <= 1'b0;
     end
   end
 

@@ -7,8 +7,8 @@ module spi (
     input  logic        pins_cs_n_i,
     input  logic        pins_sclk_i,
     input  logic        pins_mosi_i,
-    input  logic        bit_i,  // at `place` of the read's answer, of the clock before
-    input  logic        error_i,  // of the present frame's answer
+    input  logic        reply_bit_i,  // at `place` of the read's answer
+    input  logic        reply_error_i,  // of the present frame's answer
     output logic        miso_o,  // pin
     output logic        selected_o,  // miso is to be driven, where several slaves share it
     output logic        writing_o,  // the present frame is a write
@@ -56,14 +56,14 @@ module spi (
       if (was_high) begin
         headed <= 1'b0;
         if (!second_sclk) begin
-          logic choice_64;
-          choice_64 = headed ? shift[15] : write;  // line 64
-          if ((choice_64 ? 3'd6 : 3'd2) == bits[5:3]) begin
+          logic choice_69;
+          choice_69 = headed ? shift[15] : write;  // line 69
+          if ((choice_69 ? 3'd6 : 3'd2) == bits[5:3]) begin
             logic either;
             either = bits[2:0] == 3'd1 || bits[2:0] == 3'd3 || bits[2:0] == 3'd4;
-            miso <= either || bits[2:0] == 3'd6 || (bits[2:0] == 3'd5 && error_i);
+            miso <= either || bits[2:0] == 3'd6 || (bits[2:0] == 3'd5 && reply_error_i);
           end else begin
-            miso <= !choice_64 && bits[5:3] > 3'd2 && bits != 6'd56 && bit_i;
+            miso <= !choice_69 && bits[5:3] > 3'd2 && bits != 6'd56 && reply_bit_i;
           end
         end
       end else begin

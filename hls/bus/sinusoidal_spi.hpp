@@ -35,23 +35,21 @@ class SinusoidalSpi {
   };
 
   Out tick(const In& in) {
-    const auto bus = bus_.tick({.pins = in.spi, .bit = bit_, .error = error_});
+    const auto bus = bus_.tick({.pins = in.spi, .reply = reply_});
     const auto drive = drive_.tick({.fault = in.fault, .codes = in.codes, .request = bus.request});
-    bit_ = drive.data.bit(int(bus.place.raw()));
-    error_ = bus.writing ? drive.write_error : drive.read_error;
+    reply_ = spi_reply(bus, drive);
     return {.gates = drive.gates,
             .sample = drive.sample,
             .interrupt = drive.interrupt,
             .locked = drive.locked,
             .fault = drive.fault,
-            .spi = {.miso = bus.miso, .selected = bus.selected}};
+            .spi = spi_answers(bus)};
   }
 
  private:
   Spi bus_;
   SinusoidalRegistered drive_;
-  bool bit_ = false;    // of the answer, in the clock before
-  bool error_ = false;
+  Spi::Reply reply_;
 };
 
 }  // namespace steplock

@@ -31,10 +31,15 @@ class Spi {
     bool mosi = false;
   };
 
-  struct In {
-    Pins pins;           // asynchronous
-    bool bit = false;    // at `place` of the read's answer, of the clock before
+  // What the registers answered, a clock ago: in a register of the top, which cuts the way through both.
+  struct Reply {
+    bool bit = false;    // at `place` of the read's answer
     bool error = false;  // of the present frame's answer
+  };
+
+  struct In {
+    Pins pins;  // asynchronous
+    Reply reply;
   };
 
   struct Out {
@@ -70,7 +75,7 @@ class Spi {
     if (!selected) {
       miso_ = false;
     } else if (falls) {
-      miso_ = shows_status() ? status(in.error) : !write_ && shows_data() && in.bit;
+      miso_ = shows_status() ? status(in.reply.error) : !write_ && shows_data() && in.reply.bit;
     }
     if (rises) shift_ = (shift_ << 1) | UInt<32>(second_.mosi ? 1 : 0);
     if (!selected) {
@@ -120,10 +125,20 @@ class Spi {
   bool miso_ = false;
 };
 
+// What is to be replied in the next clock.
+template <class Registered>
+Spi::Reply spi_reply(const Spi::Out& bus, const Registered& drive) {
+  return {.bit = drive.data.bit(int(bus.place.raw())),
+          .error = bus.writing ? drive.write_error : drive.read_error};
+}
+
 // What a top shows of the bus.
 struct SpiAnswers {
   bool miso = false;
   bool selected = false;  // drive miso now, where several slaves share it
 };
+inline SpiAnswers spi_answers(const Spi::Out& bus) {
+  return {.miso = bus.miso, .selected = bus.selected};
+}
 
 }  // namespace steplock

@@ -16,7 +16,7 @@ namespace {
 // The slave and registers that answer in the clock after the request: each word is its index times 3.
 struct Bench {
   Spi::Out clock(const Spi::Pins& pins) {
-    const auto out = dut.tick({.pins = pins, .bit = bit, .error = error});
+    const auto out = dut.tick({.pins = pins, .reply = {.bit = bit, .error = error}});
     bit = (data >> int(out.place.raw()) & 1) != 0;
     error = out.writing ? write_error : read_error;
     const BusRequest& r = out.request;

@@ -31,7 +31,7 @@ module spi_proof (
 
   spi dut (
       .clk(clk), .rst(rst),
-      .pins_cs_n_i(cs_n), .pins_sclk_i(sclk), .pins_mosi_i(mosi), .bit_i(data_bit), .error_i(error),
+      .pins_cs_n_i(cs_n), .pins_sclk_i(sclk), .pins_mosi_i(mosi), .reply_bit_i(data_bit), .reply_error_i(error),
       .miso_o(miso), .selected_o(selected), .writing_o(is_writing), .place_o(place),
       .request_write_o(write), .request_read_o(read), .request_index_o(index),
       .request_data_o(data), .request_strobes_o(strobes)
