@@ -4,6 +4,7 @@ unit_test(clocked_print hlsgen_lib)
 unit_test(backend_pass hlsgen_lib)
 unit_test(schedule hlsgen_lib)
 unit_test(machine hlsgen_lib)
+compile_quickly(backend_print clocked_print)
 
 # Every printed module is proved equal to its plain print, and is lint-clean.
 include(${PROJECT_SOURCE_DIR}/generator/prove.cmake)
