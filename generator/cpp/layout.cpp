@@ -151,13 +151,16 @@ class Walk {
     members_of(type, name, offset);
   }
 
-  // hls/numeric/parameter.hpp
+  // hls/numeric/parameter.hpp, and no other class of that name.
   bool place_parameter(const llvm::DICompositeType* type, const std::string& name,
                        std::uint64_t offset) {
     if (!type->getName().startswith("Parameter<")) return false;
     const auto* member = only_member(type);
     if (member == nullptr) return false;
-    place_type(behind_typedefs(member->getBaseType()), name, offset);
+    const auto* basic =
+        llvm::dyn_cast_or_null<llvm::DIBasicType>(behind_typedefs(member->getBaseType()));
+    if (basic == nullptr || basic->getEncoding() != dwarf::DW_ATE_boolean) return false;
+    place_basic(basic, name, offset);
     layout_.leaves.back().leaf.parameter = first_value_argument(type) != 0;
     return true;
   }

@@ -3,7 +3,7 @@
 //     request -> WordRegisters -> words -> SixStepTop -> gates
 //            \-> DriveRegisters <- status <-/
 //
-// The map is docs/registers.md; CAPABILITY tells which parts are there.  A second PwmGenerator with the drive's own period runs in step
+// The map is docs/registers.md.  A second PwmGenerator with the drive's own period runs in step
 // with that of the drive and tells its boundaries, so that the drive needs no further port.
 //
 //     request to its answer             1 clock, kept until the next request of its kind

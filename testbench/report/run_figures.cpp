@@ -62,15 +62,20 @@ Panel currents(const Samples& samples, double scale, double origin) {
 }
 
 Panel phase_errors(const Samples& samples, double scale, double origin) {
-  return {.label = "degrees",
-          .curves = {{"phase detector", palette::kDrive,
-                      points(samples, scale, origin,
-                             [](const Sample& s) { return s.drive.phase_error_deg; }),
-                      1.2, true},
-                     {"commutation late", palette::kTrue,
-                      points(samples, scale, origin,
-                             [](const Sample& s) { return s.commutation_error_deg; }),
-                      1.2, true}}};
+  Panel panel{.label = "degrees",
+              .curves = {{"phase detector", palette::kDrive,
+                          points(samples, scale, origin,
+                                 [](const Sample& s) { return s.drive.phase_error_deg; }),
+                          1.2, true}}};
+  // Judged from the first commutation behind the lock: before it there is no error, not one of 0.
+  const auto lock = std::ranges::find_if(samples, [](const Sample& s) { return s.watch.locked(); });
+  const auto first = std::find_if(lock, samples.end(), [&](const Sample& s) { return s.watch.step() != lock->watch.step(); });
+  if (const Samples judged(first, samples.end()); !judged.empty()) {
+    panel.curves.push_back({"commutation late", palette::kTrue,
+                            points(judged, scale, origin, [](const Sample& s) { return s.commutation_error_deg; }),
+                            1.2, true});
+  }
+  return panel;
 }
 
 Figure whole_run(const design::Settings& s, const Record& record) {

@@ -38,5 +38,6 @@ template struct Synthesize<test::Sampled>;
 template struct Synthesize<test::Notebook>;
 template struct Synthesize<test::Elephant>;
 template struct Synthesize<test::PartedCounters>;
+template struct Synthesize<test::OwnParameter<3>>;
 
 }  // namespace steplock

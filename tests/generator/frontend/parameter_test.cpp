@@ -51,6 +51,15 @@ TEST(Parameter, ThePlainPrintHasTheSame) {
   EXPECT_PRINTS(text, "  counted #(.COUNTS(1'b1), .DOUBLES(1'b1)) second (");
 }
 
+TEST(Parameter, AnotherClassOfThatNameIsPorts) {
+  expect_equal_to_native<steplock::test::OwnParameter<3>>("own_parameter_3");
+  const auto design = design_of("own_parameter_3");
+  const auto& gain = design.modules.back().inputs.front();
+  EXPECT_FALSE(gain.parameter);
+  EXPECT_EQ(gain.name, "gain.value");
+  EXPECT_EQ(gain.width, 8U);
+}
+
 // The Verilated model has no port for it.
 TEST(Parameter, LockstepLeavesItAsItIs) {
   const auto design = parted();

@@ -65,4 +65,31 @@ class PartedCounters {
   Counted first_, second_;
 };
 
+// Somebody's own class of that name is numbers like any other.
+template <int Start>
+struct OwnParameter {
+  template <int Value>
+  struct Parameter {
+    UInt<8> value = Value;
+  };
+  struct In {
+    Parameter<Start> gain;
+    template <class F>
+    void each(F f) { f(gain.value); }
+  };
+  struct Out {
+    UInt<8> sum = 0;
+    template <class F>
+    void each(F f) { f(sum); }
+  };
+  Out tick(const In& in) {
+    const Out out{sum_};
+    sum_ = wrap<UInt<8>>(sum_ + in.gain.value);
+    return out;
+  }
+
+ private:
+  UInt<8> sum_ = 0;
+};
+
 }  // namespace steplock::test
