@@ -57,6 +57,8 @@ struct Node {
   unsigned port = 0;        // kInstanceOutput
   unsigned low = 0;         // kSlice
   std::string name;         // C++ variable, or empty
+  std::string function;     // C++ function that made it, other than tick, or empty
+  bool returned = false;    // it is what that function returned
   SourceLine source;
 };
 

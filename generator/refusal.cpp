@@ -14,10 +14,14 @@ std::string in_words(const SourceLine& where) {
   return where.file + ":" + std::to_string(where.line);
 }
 
+}  // namespace
+
 // Headers that came with the compiler are found by absolute paths outside the tree.
 bool is_system_header(const SourceLine& where) { return llvm::sys::path::is_absolute(where.file); }
 
-}  // namespace
+bool is_number_library(const SourceLine& where) {
+  return llvm::sys::path::filename(llvm::sys::path::parent_path(where.file)) == "numeric";
+}
 
 Refusal::Refusal(const SourceLine& where, const std::string& what, const std::string& mend)
     : std::runtime_error(in_words(where) + ": error: " + what + "; " + mend) {}
@@ -48,12 +52,12 @@ SourceLine source_of(const llvm::Instruction& instruction) {
   return found.file.empty() ? source_of(*instruction.getFunction()) : found;
 }
 
-SourceLine source_within(const llvm::DILocation* location, const std::string& file) {
+SourceLine source_of_equation(const llvm::DILocation* location) {
   SourceLine found;
   for (; location != nullptr; location = location->getInlinedAt()) {
     if (location->getLine() == 0) continue;
     found = source_line(location->getFile(), location->getLine());
-    if (found.file == file) break;
+    if (!is_system_header(found) && !is_number_library(found)) break;
   }
   return found;
 }

@@ -28,9 +28,13 @@ SourceLine source_line(const llvm::DIFile* file, unsigned line);
 // own headers (an index that leaves a std::array is reported where the brackets are).
 SourceLine source_of(const llvm::Instruction& instruction);
 
-// The same for the printed module: the innermost frame within `file`, the header of the block, so
-// that the line of an addition is the block's line and not that of the number class.
-SourceLine source_within(const llvm::DILocation* location, const std::string& file);
+// The same for the generated module: the innermost frame outside the number library, so that the line
+// of an addition is that of the equation and not that of the number class.
+SourceLine source_of_equation(const llvm::DILocation* location);
+
+bool is_system_header(const SourceLine& where);
+// hls/numeric, or another folder of that name.
+bool is_number_library(const SourceLine& where);
 
 // Any line of the function that a caller would recognise, for instructions without one.
 SourceLine source_of(const llvm::Function& function);

@@ -93,7 +93,9 @@ class Walk {
         const std::string name = reserved         ? prefix
                                  : prefix.empty() ? member->getName().str()
                                                   : prefix + "." + member->getName().str();
-        if (!reserved) declared_ = at_;
+        // What the number library says of its own member says nothing of this one.
+        const bool inner = !prefix.empty() && is_number_library(at_);
+        if (!reserved && !inner) declared_ = at_;
         place_type(behind_typedefs(member->getBaseType()), name, place);
       }
     }

@@ -31,7 +31,8 @@ class Converter {
         opaque_(opaque),
         nodes_(module_.nodes),
         control_(*step.function, nodes_, [this](const llvm::Value* v) { return value(v); }),
-        names_(variable_names(*step.function, block.source.file)) {}
+        variables_(variable_names(*step.function)),
+        parameters_(parameter_names(*step.function)) {}
 
   Module run() {
     module_.name = block_.module;
@@ -157,9 +158,20 @@ class Converter {
     }
     const NodeId node = convert(*at);
     values_[v] = node;
-    const auto name = names_.find(v);
-    if (node != kNone && name != names_.end()) nodes_.name(node, flat_name(name->second));
+    if (node != kNone) give_name(node, *at);
     return node;
+  }
+
+  void give_name(NodeId node, const llvm::Instruction& at) {
+    const auto variable = variables_.find(&at);
+    const auto parameter = parameters_.find(&at);
+    if (variable != variables_.end()) {
+      nodes_.name(node, flat_name(variable->second));
+    } else if (is_returned(at)) {
+      nodes_.returned(node, function_of(at));
+    } else if (parameter != parameters_.end()) {
+      nodes_.name(node, flat_name(parameter->second));
+    }
   }
 
   NodeId convert(const llvm::Instruction& at) {
@@ -261,15 +273,14 @@ class Converter {
   // Nodes made while it lives carry the instruction's line.
   struct Located {
     Located(Converter& converter, const llvm::Instruction& at)
-        : nodes(converter.nodes_), before(nodes.source()) {
+        : nodes(converter.nodes_), before(nodes.source()), function(nodes.function()) {
       const auto* line = at.getDebugLoc().get();
-      if (line != nullptr) {
-        nodes.set_source(source_within(line, converter.block_.source.file));
-      }
+      if (line != nullptr) nodes.set_source(source_of_equation(line), function_of(at));
     }
-    ~Located() { nodes.set_source(before); }
+    ~Located() { nodes.set_source(before, function); }
     NodeBuilder& nodes;
     SourceLine before;
+    std::string function;
   };
 
   struct Source {
@@ -284,7 +295,8 @@ class Converter {
   Module module_;
   NodeBuilder nodes_;
   Control control_;
-  std::map<const llvm::Value*, std::string> names_;
+  ValueNames variables_;
+  ValueNames parameters_;
   std::map<const llvm::GlobalVariable*, Source> sources_;
   std::map<const llvm::Value*, NodeId> values_;
   std::vector<unsigned> tables_;

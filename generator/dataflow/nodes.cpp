@@ -13,6 +13,12 @@ void NodeBuilder::name(NodeId node, const std::string& name) {
   if (!has_own && nodes_[node].name.empty()) nodes_[node].name = name;
 }
 
+void NodeBuilder::returned(NodeId node, const std::string& function) {
+  if (nodes_[node].returned) return;
+  nodes_[node].function = function;
+  nodes_[node].returned = true;
+}
+
 NodeId NodeBuilder::add(Op op, unsigned width, std::vector<NodeId> in, unsigned index,
                         unsigned port, unsigned low) {
   const auto [entry, is_new] =
@@ -26,6 +32,7 @@ NodeId NodeBuilder::add(Op op, unsigned width, std::vector<NodeId> in, unsigned 
     node.port = port;
     node.low = low;
     node.source = source_;
+    node.function = function_;
     nodes_.push_back(std::move(node));
   }
   return entry->second;

@@ -20,11 +20,17 @@ class NodeBuilder {
  public:
   explicit NodeBuilder(std::vector<Node>& nodes) : nodes_(nodes) {}
 
-  // The line that new nodes get.
-  void set_source(SourceLine source) { source_ = std::move(source); }
+  // The line and the function that new nodes get.
+  void set_source(SourceLine source, std::string function = {}) {
+    source_ = std::move(source);
+    function_ = std::move(function);
+  }
   const SourceLine& source() const { return source_; }
+  const std::string& function() const { return function_; }
   // A name for a node that has none; sources (ports, registers) keep theirs.
   void name(NodeId node, const std::string& name);
+  // It is what a C++ function returned.
+  void returned(NodeId node, const std::string& function);
 
   NodeId constant(const llvm::APInt& value);
   NodeId constant(unsigned width, std::uint64_t value) { return constant({width, value}); }
@@ -61,6 +67,7 @@ class NodeBuilder {
   std::map<Key, NodeId> known_;
   std::map<std::pair<unsigned, std::string>, NodeId> constants_;
   SourceLine source_;
+  std::string function_;
 };
 
 }  // namespace hlsgen

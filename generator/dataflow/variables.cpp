@@ -48,23 +48,103 @@ std::string name_of(const llvm::DbgVariableIntrinsic& at) {
   return variable->getName().str() + member_at(variable->getType(), bit);
 }
 
-}  // namespace
+// Whether the variable holds the value itself, or a part of a variable: clang keeps a bool in a byte,
+// so that after optimisation one bit is converted to it.
+bool is_the_value(const llvm::DIExpression& expression) {
+  std::uint64_t width = 0;
+  for (const auto& operand : expression.expr_ops()) {
+    switch (operand.getOp()) {
+      case llvm::dwarf::DW_OP_LLVM_convert:
+        if (operand.getArg(0) < width) return false;
+        width = operand.getArg(0);
+        break;
+      case llvm::dwarf::DW_OP_LLVM_fragment:
+      case llvm::dwarf::DW_OP_stack_value:
+        break;
+      default:
+        return false;
+    }
+  }
+  return true;
+}
 
-std::map<const llvm::Value*, std::string> variable_names(llvm::Function& function,
-                                                         const std::string& file) {
-  std::map<const llvm::Value*, std::string> names;
+// A lambda, or an operator of a class of the block's own.
+bool is_lambda(const llvm::DISubprogram* function) {
+  return function != nullptr && function->getName().startswith("operator");
+}
+
+// A call that was inlined: which function, and where.
+using Frame = std::pair<const llvm::DISubprogram*, const llvm::DILocation*>;
+
+// The innermost one outside the number library.
+Frame frame_of(const llvm::DILocation* at) {
+  for (; at != nullptr; at = at->getInlinedAt()) {
+    const auto* function = at->getScope()->getSubprogram();
+    const auto where = source_line(function->getFile(), function->getLine());
+    if (!is_system_header(where) && !is_number_library(where)) return {function, at->getInlinedAt()};
+  }
+  return {};
+}
+
+Frame frame_of(const llvm::Instruction& value) {
+  if (value.getDebugLoc()) return frame_of(value.getDebugLoc().get());
+  const auto* phi = llvm::dyn_cast<llvm::PHINode>(&value);
+  if (phi == nullptr) return {};
+  for (const auto* block : phi->blocks()) {
+    if (const auto& at = block->getTerminator()->getDebugLoc()) return frame_of(at.get());
+  }
+  return {};
+}
+
+bool is_within(const llvm::Instruction& user, const Frame& frame) {
+  for (const llvm::DILocation* at = user.getDebugLoc(); at != nullptr; at = at->getInlinedAt()) {
+    if (at->getInlinedAt() == frame.second) return true;
+  }
+  return false;
+}
+
+bool names_something(const llvm::DISubprogram& function) {
+  return !is_lambda(&function) && function.getName() != "tick";
+}
+
+ValueNames names_in(llvm::Function& function, bool parameters) {
+  ValueNames names;
   for (const auto& instruction : llvm::instructions(function)) {
     const auto* at = llvm::dyn_cast<llvm::DbgValueInst>(&instruction);
     if (at == nullptr || at->hasArgList() || at->getVariable()->isArtificial()) continue;
-    const auto* expression = at->getExpression();
-    const unsigned own = expression->getFragmentInfo() ? 3 : 0;  // the fragment's own operands
-    if (expression->getNumElements() != own) continue;
+    const auto* variable = at->getVariable();
+    if ((variable->getArg() > 0) != parameters || !is_the_value(*at->getExpression())) continue;
+    if (parameters && is_lambda(variable->getScope()->getSubprogram())) continue;
     const auto* value = at->getValue(0);
     if (value == nullptr || !llvm::isa<llvm::Instruction>(value)) continue;
-    if (source_line(at->getVariable()->getFile(), 1).file != file) continue;
+    const auto where = source_line(variable->getFile(), variable->getLine());
+    if (is_system_header(where) || is_number_library(where)) continue;
     names.try_emplace(value, name_of(*at));
   }
   return names;
+}
+
+}  // namespace
+
+ValueNames variable_names(llvm::Function& function) { return names_in(function, false); }
+ValueNames parameter_names(llvm::Function& function) { return names_in(function, true); }
+
+std::string function_of(const llvm::Instruction& instruction) {
+  const Frame frame = frame_of(instruction);
+  if (frame.second == nullptr || !names_something(*frame.first)) return {};
+  const auto name = frame.first->getName();  // observe<steplock::CurrentModel::In>
+  return name.take_until([](char c) { return c == '<'; }).str();
+}
+
+bool is_returned(const llvm::Instruction& instruction) {
+  const Frame frame = frame_of(instruction);
+  if (frame.second == nullptr || !names_something(*frame.first)) return false;
+  const auto types = frame.first->getType()->getTypeArray();
+  if (types.size() == 0 || types[0] == nullptr) return false;  // void
+  return llvm::any_of(instruction.users(), [&](const llvm::User* user) {
+    const auto* reader = llvm::dyn_cast<llvm::Instruction>(user);
+    return reader != nullptr && reader->getDebugLoc() && !is_within(*reader, frame);
+  });
 }
 
 }  // namespace hlsgen

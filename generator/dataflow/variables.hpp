@@ -1,9 +1,10 @@
-// C++ variables' names for values, from the debug information.
+// C++ names for values, from the debug information.
 //
-//     const auto sum = phase + in.step;     ->     the addition is called "sum"
+//     const auto sum = phase + in.step;        ->  the addition is called "sum"
+//     Frequency limit() const { return ... }   ->  what it returns is of "limit"
 //
-// Variables of the block's own header come first; parameters of helpers in other headers say little
-// where they were inlined, and are left out.
+// A variable's name comes first, a parameter's last.  The number library and lambdas give none: their
+// parameters say nothing where they were inlined.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 
@@ -16,7 +17,15 @@
 
 namespace hlsgen {
 
-std::map<const llvm::Value*, std::string> variable_names(llvm::Function& function,
-                                                         const std::string& file);
+using ValueNames = std::map<const llvm::Value*, std::string>;
+
+ValueNames variable_names(llvm::Function& function);
+ValueNames parameter_names(llvm::Function& function);
+
+// The function that an instruction was inlined from; empty for tick itself.
+std::string function_of(const llvm::Instruction& instruction);
+
+// Whether the value is read outside of that function.
+bool is_returned(const llvm::Instruction& instruction);
 
 }  // namespace hlsgen

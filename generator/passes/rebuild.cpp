@@ -103,10 +103,14 @@ bool rewrite(Module& module, const Rule& rule) {
       Node& r = b.nodes_[replacement];
       if (replacement >= made && r.name.empty() && r.op != Op::kConstant) {
         r.name = n.name;
-        if (r.source.line == 0) r.source = n.source;
+        if (n.returned) r.function = n.function;
+        r.returned = n.returned;
       }
       for (NodeId i = made; i < b.nodes_.size(); ++i)
-        if (b.nodes_[i].source.line == 0) b.nodes_[i].source = n.source;
+        if (b.nodes_[i].source.line == 0) {
+          b.nodes_[i].source = n.source;
+          b.nodes_[i].function = n.function;
+        }
     }
     b.uses_[replacement] += uses[id];
     new_id[id] = replacement;

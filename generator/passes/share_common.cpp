@@ -29,8 +29,16 @@ bool share_common(Module& module) {
         Key(n.op, n.width, std::move(in), std::move(words), n.index, n.port, n.low),
         static_cast<NodeId>(nodes.size()));
     new_id[id] = at->second;
-    if (fresh) nodes.push_back(std::move(n));
-    else if (nodes[at->second].name.empty()) nodes[at->second].name = n.name;
+    if (fresh) {
+      nodes.push_back(std::move(n));
+      continue;
+    }
+    Node& first = nodes[at->second];
+    if (first.name.empty()) first.name = n.name;
+    if (n.returned && !first.returned) {
+      first.function = n.function;
+      first.returned = true;
+    }
   }
   const bool changed = nodes.size() != module.nodes.size();
   module.nodes = std::move(nodes);

@@ -1,5 +1,7 @@
 #include "generator/print/wire_names.hpp"
 
+#include <optional>
+
 #include "generator/names.hpp"
 
 namespace hlsgen {
@@ -28,15 +30,50 @@ std::string noun(Op op) {
   }
 }
 
+// The one named thing that a value is for, of all that read it; empty where there are several.
+class Purposes {
+ public:
+  Purposes(const Module& m, const std::vector<std::string>& own) : own_(own), of_(m.nodes.size()) {
+    for (const Register& r : m.registers) reads(r.next, flat_name(r.leaf.name));
+    for (const Output& o : m.outputs) reads(o.value, flat_name(o.leaf.name));
+    for (const Instance& i : m.instances)
+      for (const NodeId input : i.inputs) reads(input, flat_name(i.name));
+    for (NodeId id = static_cast<NodeId>(m.nodes.size()); id-- > 0;) {
+      const std::string& name = own_[id].empty() ? of_[id].value_or("") : own_[id];
+      if (own_[id].empty() && !of_[id]) continue;  // nobody reads it
+      for (const NodeId operand : m.nodes[id].in) reads(operand, name);
+    }
+  }
+
+  std::string of(NodeId id) const { return of_[id].value_or(""); }
+
+ private:
+  void reads(NodeId id, const std::string& purpose) {
+    if (!of_[id]) of_[id] = purpose;
+    else if (*of_[id] != purpose) of_[id] = "";
+  }
+
+  const std::vector<std::string>& own_;
+  std::vector<std::optional<std::string>> of_;
+};
+
+// What is extended or inverted has a name.
+std::string operand_name(const Module& m, const std::vector<std::string>& wanted, NodeId id) {
+  const Node& n = m.nodes[id];
+  if (n.op != Op::kZext && n.op != Op::kSext && n.op != Op::kNot) return {};
+  const Node& operand = m.nodes[n.in[0]];
+  if (operand.op == Op::kInput) return flat_name(m.inputs[operand.index].name);
+  if (operand.op == Op::kRegister) return flat_name(m.registers[operand.index].leaf.name);
+  return wanted[n.in[0]];
+}
+
 }  // namespace
 
 std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedNames& names) {
   std::vector<std::string> wanted(m.nodes.size());
   for (NodeId id = 0; id < m.nodes.size(); ++id) {
     const Node& n = m.nodes[id];
-    wanted[id] = !n.name.empty() ? n.name
-                 : n.source.line == 0 ? noun(n.op)
-                                      : noun(n.op) + "_" + std::to_string(n.source.line);
+    wanted[id] = !n.name.empty() ? n.name : n.returned ? n.function : "";
   }
   for (std::size_t o = m.outputs.size(); o-- > 0;) {
     const std::string name = flat_name(m.outputs[o].leaf.name);
@@ -45,10 +82,22 @@ std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedName
   }
   for (std::size_t r = m.registers.size(); r-- > 0;)
     wanted[m.registers[r].next] = names.registers[r] + "_next";
+  const Purposes purposes(m, wanted);
 
   std::vector<std::string> result(m.nodes.size());
-  for (NodeId id = 0; id < m.nodes.size(); ++id)
-    if (plan.wire[id] && plan.uses[id] > 0) result[id] = names.pool.take(wanted[id]);
+  for (NodeId id = 0; id < m.nodes.size(); ++id) {
+    if (!plan.wire[id] || plan.uses[id] == 0) continue;
+    const Node& n = m.nodes[id];
+    if (wanted[id].empty()) {
+      std::string of = operand_name(m, wanted, id);
+      if (of.empty()) of = purposes.of(id);
+      if (of.empty()) of = n.function;
+      wanted[id] = !of.empty()          ? of + "_" + noun(n.op)
+                   : n.source.line == 0 ? noun(n.op)
+                                        : noun(n.op) + "_" + std::to_string(n.source.line);
+    }
+    result[id] = names.pool.take(wanted[id]);
+  }
   return result;
 }
 

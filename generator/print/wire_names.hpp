@@ -1,9 +1,13 @@
 // Names for the values that become wires.
 //
-//     what a register takes at the next clock  ->  <register>_next
-//     a C++ variable                           ->  its name
-//     what an output shows                     ->  the output's name, if it is free
-//     anything else                            ->  operator_line, as sum_42
+//     what a register takes at the next clock     ->  <register>_next
+//     a C++ variable                              ->  its name
+//     what an output shows                        ->  the output's name, if it is free
+//     what a C++ function returned                ->  the function's name
+//     one of these, extended or inverted          ->  <its name>_wide, <its name>_inverse
+//     what only one of these is made from         ->  <its name>_operator, as limit_choice
+//     what such a function works with             ->  <function>_operator, as limit_sum
+//     anything else                               ->  operator_line, as sum_42
 //
 // Test: tests/generator/backend_print_test.cpp
 

@@ -81,7 +81,20 @@ class Builder {
     steps_.count_in(present(step_));
     for (const Shared& shared : b_.registers)
       kept_.push_back(
-          new_register(fmt::format("kept_{}", kept_.size()), shared.width, times_of(shared)));
+          new_register(name_of(shared), shared.width, times_of(shared)));
+  }
+
+  // After what it holds longest of what has a name.
+  std::string name_of(const Shared& shared) const {
+    std::string name;
+    unsigned longest = 0;
+    for (const NodeId id : shared.values) {
+      const unsigned steps = k_.until[id] - k_.from[id] + 1;
+      if (old_.nodes[id].name.empty() || steps <= longest) continue;
+      name = old_.nodes[id].name + ".";
+      longest = steps;
+    }
+    return fmt::format("{}kept.{}", name, kept_.size());
   }
 
   // "steps 3-7 error, 9-12"
@@ -143,7 +156,7 @@ class Builder {
     const Node& n = old_.nodes[id];
     const bool is_source = n.op == Op::kConstant || n.op == Op::kInput || n.op == Op::kRegister;
     if (!ops_.lives[id] || (!is_source && k_.times[id].none())) return;
-    nodes_.set_source(n.source);
+    nodes_.set_source(n.source, n.function);
     if (ops_.is_unit(id)) {
       make_unit_value(id);
     } else if (n.op == Op::kConstant) {

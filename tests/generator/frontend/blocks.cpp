@@ -7,6 +7,7 @@
 #include "tests/generator/frontend/blocks/control.hpp"
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/memory.hpp"
+#include "tests/generator/frontend/blocks/named.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
 #include "tests/generator/frontend/blocks/parameters.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
@@ -35,6 +36,7 @@ template struct Synthesize<test::LimitedIndex>;
 template struct Synthesize<test::ScheduledFilter>;
 template struct Synthesize<test::ScheduledCascade>;
 template struct Synthesize<test::Sampled>;
+template struct Synthesize<test::Named>;
 template struct Synthesize<test::Notebook>;
 template struct Synthesize<test::Elephant>;
 template struct Synthesize<test::PartedCounters>;

@@ -4,6 +4,7 @@
 #include "tests/generator/frontend/blocks/calls.hpp"
 #include "tests/generator/frontend/blocks/control.hpp"
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
+#include "tests/generator/frontend/blocks/named.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
 #include "tests/generator/frontend/blocks/scheduled.hpp"
@@ -30,6 +31,7 @@ TEST(Design, ArithmeticEqualsItsCpp) { expect_equal_to_native<Arithmetic>("arith
 TEST(Design, NumbersUpTo128BitsEqualTheirCpp) { expect_equal_to_native<Wide>("wide"); }
 TEST(Design, PlainIntegersKeepTheirPromotions) { expect_equal_to_native<Plain>("plain"); }
 TEST(Design, HelpersAndReferencesEqualTheirCpp) { expect_equal_to_native<Calls>("calls"); }
+TEST(Design, NamesChangeNothing) { expect_equal_to_native<Named>("named"); }
 TEST(Design, BlocksWithinBlocksEqualTheirCpp) { expect_equal_to_native<Hierarchy>("hierarchy"); }
 
 // In every clock: starts while busy, ignored or not, and results that stand still.

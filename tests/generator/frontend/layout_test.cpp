@@ -122,5 +122,36 @@ TEST(Layout, ProductsKeepTheirNarrowOperands) {
   EXPECT_TRUE(found);
 }
 
+// What the generated module shows of block Named.
+std::string module_of_named() {
+  auto design = design_of("named");
+  optimise(design);
+  return print_module(design, design.modules.back());
+}
+
+TEST(Names, ABoolKeepsItsName) {
+  EXPECT_NE(module_of_named().find("wire starts = go_i && !hold_i;"), std::string::npos);
+}
+
+TEST(Names, AVariableOfAnotherHeaderKeepsItsNameAndItsLine) {
+  const auto text = module_of_named();
+  const auto steep = text.find(" steep = ");
+  ASSERT_NE(steep, std::string::npos) << text;
+  EXPECT_EQ(text.substr(text.find("//", steep), 17), "// named_law.hpp:") << text;
+}
+
+TEST(Names, WhatAFunctionReturnsIsNamedAfterIt) {
+  EXPECT_NE(module_of_named().find(" limit = "), std::string::npos) << module_of_named();
+}
+
+TEST(Names, AParameterOfALambdaNamesNothing) {
+  EXPECT_EQ(module_of_named().find("yes"), std::string::npos) << module_of_named();
+}
+
+TEST(Names, WhatHasNoneIsNamedAfterWhatItIsFor) {
+  const auto text = module_of_named();
+  EXPECT_NE(text.find(" count_next_both = "), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace hlsgen::test

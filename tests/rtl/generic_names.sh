@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Of the wires and registers that generated modules declare, how many have a name that says nothing: only an operator
+# and a number, as `choice_149_4`.  Fails above 5 in 100, and where hardly anything is declared.
+#   generic_names.sh FILE.sv...
+# A name counts as generic even where the C++ chose it (`sum`), so the count errs on the strict side.
+# Test: tests/rtl/CMakeLists.txt, which also gives it a module whose names were taken away
+set -euo pipefail
+awk '
+  /^ *(wire|logic) / {
+    name = $0
+    sub(/^ *(wire|logic) +(\[[^]]*\] +)?/, "", name)
+    sub(/[^A-Za-z0-9_].*/, "", name)
+    ++declared
+    if (name ~ /^(sum|difference|product|both|either|differ|inverse|shifted|equal|unequal|below|at_most|choice|part|joined|wide|entry|value)(_[0-9]+)*$/) {
+      ++generic
+      ++of[FILENAME]
+    }
+  }
+  END {
+    for (file in of) printf "%4d %s\n", of[file], file | "sort -rn"
+    close("sort -rn")
+    printf "%d of %d declared names are generic: %.1f %%, at most 5 %%\n", generic, declared, 100 * generic / declared
+    exit declared < 50 || 100 * generic > 5 * declared
+  }' "$@"
