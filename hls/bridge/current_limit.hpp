@@ -14,8 +14,8 @@
 
 #pragma once
 
+#include "hls/bridge/bridge.hpp"
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
 
 namespace steplock {
 

@@ -19,9 +19,9 @@
 
 #pragma once
 
+#include "hls/bridge/bridge.hpp"
 #include "hls/bridge/guarded_leg.hpp"
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/commutation.hpp"
 
 namespace steplock {
 

@@ -20,8 +20,8 @@
 
 #pragma once
 
+#include "hls/bridge/bridge.hpp"
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
 
 namespace steplock {
 

@@ -18,10 +18,10 @@
 
 #include <array>
 
+#include "hls/bridge/bridge.hpp"
 #include "hls/bus/bus.hpp"
 #include "hls/bus/register_map.hpp"
 #include "hls/numeric/memory.hpp"
-#include "hls/six_step/words.hpp"
 
 namespace steplock {
 

@@ -18,7 +18,7 @@
 
 #pragma once
 
-#include "hls/six_step/words.hpp"
+#include "hls/bridge/bridge.hpp"
 #include "hls/sinusoidal/words.hpp"
 
 namespace steplock {

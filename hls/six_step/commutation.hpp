@@ -14,23 +14,13 @@
 
 #pragma once
 
+#include "hls/bridge/bridge.hpp"
 #include "hls/numeric/bits.hpp"
 #include "hls/numeric/one_hot.hpp"
 
 namespace steplock {
 
 enum class Pattern : std::uint8_t { kOff, kDrive, kSettle, kReset, kBrake };
-
-// Six switches, or the wish that they be closed.
-struct Gates {
-  bool uh = false;  // phase U, high side
-  bool ul = false;  // phase U, low side
-  bool vh = false;  // phase V, high side
-  bool vl = false;  // phase V, low side
-  bool wh = false;  // phase W, high side
-  bool wl = false;  // phase W, low side
-  bool operator==(const Gates&) const = default;
-};
 
 class Commutation {
  public:

@@ -3,43 +3,27 @@
 // Every word is an input of the top and may change at any clock; where a change takes effect later,
 // its comment says when.  Formats: u0.16 is an unsigned fraction with 16 bits behind the point.
 // "Turn" alone is a turn of the VCO: one commutation step, 60 electrical degrees, when divide = 0.
-// A "tick" is `tick_periods` PWM periods, about a millisecond: the time base of everything slow.
+// What both drives share stands in hls/bridge/bridge.hpp.
 //
 // Doc: docs/theory.md
 
 #pragma once
 
+#include "hls/bridge/bridge.hpp"
 #include "hls/numeric/bits.hpp"
 #include "hls/numeric/one_hot.hpp"
 #include "hls/numeric/parameter.hpp"
 
 namespace steplock {
 
-using Clocks = UInt<14>;     // durations up to a PWM period
 using Frequency = UInt<26>;  // u0.32, VCO turns per clock, below 2^-6
 using Phase = UInt<16>;      // u0.16, turns of one commutation step
 using PhaseError = Int<16>;  // s0.16, turns of one step: +-30 electrical degrees
-using Duty = UInt<16>;       // u1.15, 0x8000 is 100 %
-using Ticks = UInt<12>;      // about milliseconds
 
 enum class Sampling : std::uint8_t { kOnTime, kOffTime, kBoth };
 enum class Detector : std::uint8_t { kOncePerTurn, kEveryStep };
 enum class Bandwidth : std::uint8_t { kPerSecond, kPerStep };
 enum class Source : std::uint8_t { kBemf, kHall };
-
-struct PwmWords {
-  Clocks period = 0;             // clocks; 0 keeps the high sides off; taken at the period's start
-  Clocks minimum = 0;            // clocks; shorter on or off times become 0 % or 100 %
-  bool centred = false;          // pulses centred in the period instead of at its start
-  bool complementary = false;    // the chopped leg's low side conducts in the off-time
-  UInt<8> dead_time = 0;         // clocks; the floor fixed at synthesis wins
-  UInt<8> tick_periods = 1;      // PWM periods per tick; 0 counts as 1
-};
-
-struct LimitWords {
-  UInt<8> blanking = 0;          // clocks after switch-on in which the comparator is not believed
-  UInt<12> off_time = 0;         // clocks; 0 disables the current limit
-};
 
 struct BemfWords {
   Sampling sampling = Sampling::kBoth;
@@ -118,14 +102,6 @@ struct Words {
 struct Parts {
   Parameter<true> hall_decoder;  // for Hall sensors, and to catch a rotor that turns
   Parameter<true> telemetry;     // its counters
-};
-
-struct Command {
-  bool configured = false;       // the words are valid; until then all six gates are off
-  bool run = false;
-  bool reverse = false;
-  bool brake_to_stop = false;    // else coast
-  bool clear_fault = false;      // a rising edge re-arms, once `run` is low and the cause is gone
 };
 
 enum class State : std::uint8_t {
