@@ -67,28 +67,9 @@ class CurrentModel {
     CurrentModelWords words;
   };
 
-  struct Out {
-    Angle angle = 0;    // u0.24, at this sample
-    Turn step = 0;      // s-4.23, until the next
-    Turn emf_step = 0;  // s-4.23, the EMF's part of it
-    Int<16> error = 0;  // s-1.16, Delta i_gamma: zero in step
-  };
+  using Out = Estimate;
 
-  Out tick(const In& in) {
-    const auto seen = observer_.observe(in);
-    const Turned turned = emf_.follow(seen, in.words);
-    const Turn step = observer_.step(turned, in.edge);
-    observer_.remember(in);
-    if (!in.enable) {
-      observer_.rest(in.initial);
-      emf_.rest();
-      return {.angle = in.initial};
-    }
-    return {.angle = observer_.go_on(step),
-            .step = step,
-            .emf_step = turned.emf_step,
-            .error = seen.gamma};
-  }
+  Out tick(const In& in) { return observer_.sample(in, emf_); }
 
  private:
   Observer observer_;

@@ -33,6 +33,24 @@ struct EstimatorWords {
   UInt<15> k_si = 0;     // u-8.23, turns per current
 };
 
+// Both laws, side by side.
+class EitherLaw {
+ public:
+  Turned follow(const Observer::Seen& seen, const EstimatorWords& words) {
+    const Turned by_current = emf_.follow(seen, words);
+    const Turned by_voltage = speed_.follow(seen, words);
+    return words.voltage ? by_voltage : by_current;
+  }
+  void rest() {
+    emf_.rest();
+    speed_.rest();
+  }
+
+ private:
+  FollowedEmf emf_;
+  CorrectedSpeed speed_;
+};
+
 class Estimator {
  public:
   struct In {
@@ -46,31 +64,13 @@ class Estimator {
     EstimatorWords words;
   };
 
-  using Out = CurrentModel::Out;
+  using Out = Estimate;
 
-  Out tick(const In& in) {
-    const auto seen = observer_.observe(in);
-    const Turned by_current = emf_.follow(seen, in.words);
-    const Turned by_voltage = speed_.correct(seen, in.words);
-    const Turned turned = in.words.voltage ? by_voltage : by_current;
-    const Turn step = observer_.step(turned, in.edge);
-    observer_.remember(in);
-    if (!in.enable) {
-      observer_.rest(in.initial);
-      emf_.rest();
-      speed_.rest();
-      return {.angle = in.initial};
-    }
-    return {.angle = observer_.go_on(step),
-            .step = step,
-            .emf_step = turned.emf_step,
-            .error = seen.gamma};
-  }
+  Out tick(const In& in) { return observer_.sample(in, laws_); }
 
  private:
   Observer observer_;
-  FollowedEmf emf_;
-  CorrectedSpeed speed_;
+  EitherLaw laws_;
 };
 
 // One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.

@@ -36,6 +36,14 @@ struct Turned {
   Int<26> pull = 0;    // s2.23
 };
 
+// What an estimator tells at each sample.
+struct Estimate {
+  Angle angle = 0;    // u0.24, at this sample
+  Turn step = 0;      // s-4.23, until the next
+  Turn emf_step = 0;  // s-4.23, the EMF's part of it: of the voltage model, the hypothetical speed
+  Int<16> error = 0;  // s-1.16, Delta i_gamma: zero in step
+};
+
 class Observer {
  public:
   struct Seen {
@@ -43,6 +51,23 @@ class Observer {
     MovedCurrent delta = 0;  // s-1.16
   };
 
+  // One sample: what is seen, how the model's law turns the estimate, and on; without `enable` both
+  // rest at `initial`.
+  template <class In, class Law>
+  Estimate sample(const In& in, Law& law) {
+    const Seen seen = observe(in);
+    const Turned turned = law.follow(seen, in.words);
+    const Turn turn = step(turned, in.edge);
+    remember(in);
+    if (!in.enable) {
+      rest(in.initial);
+      law.rest();
+      return {.angle = in.initial};
+    }
+    return {.angle = go_on(turn), .step = turn, .emf_step = turned.emf_step, .error = seen.gamma};
+  }
+
+ private:
   template <class In>
   Seen observe(const In& in) const {
     const auto sum_u = in.i_u + last_u_, sum_v = in.i_v + last_v_;
@@ -98,7 +123,6 @@ class Observer {
     return before_;
   }
 
- private:
   static constexpr Int<16> kInverseRoot3 = 18919;  // s0.15
 
   // What the current would have moved without any voltage, taken back: s1.16.

@@ -42,7 +42,7 @@ struct VoltageModelWords {
 class CorrectedSpeed {
  public:
   template <class Words>
-  Turned correct(const Observer::Seen& seen, const Words& words) {
+  Turned follow(const Observer::Seen& seen, const Words& words) {
     sum_ = wrap<Sum>(sum_ - recent_[kSamples - 1] + seen.delta);
     for (std::size_t n = kSamples - 1; n > 0; --n) recent_[n] = recent_[n - 1];
     recent_[0] = seen.delta;
@@ -82,28 +82,9 @@ class VoltageModel {
     VoltageModelWords words;
   };
 
-  struct Out {
-    Angle angle = 0;    // u0.24, at this sample
-    Turn step = 0;      // s-4.23, until the next
-    Turn emf_step = 0;  // s-4.23, the hypothetical speed
-    Int<16> error = 0;  // s-1.16, Delta i_gamma: zero in step
-  };
+  using Out = Estimate;
 
-  Out tick(const In& in) {
-    const auto seen = observer_.observe(in);
-    const Turned turned = speed_.correct(seen, in.words);
-    const Turn step = observer_.step(turned, in.edge);
-    observer_.remember(in);
-    if (!in.enable) {
-      observer_.rest(in.initial);
-      speed_.rest();
-      return {.angle = in.initial};
-    }
-    return {.angle = observer_.go_on(step),
-            .step = step,
-            .emf_step = turned.emf_step,
-            .error = seen.gamma};
-  }
+  Out tick(const In& in) { return observer_.sample(in, speed_); }
 
  private:
   Observer observer_;
