@@ -14,11 +14,13 @@ add_custom_target(hls_rtl ALL)
 add_custom_target(print_rtl DEPENDS hls_rtl
   COMMAND ${CMAKE_COMMAND} -D MODE=copy -D PRINTED=${PROJECT_BINARY_DIR}/rtl
           -D COMMITTED=${PROJECT_SOURCE_DIR}/rtl "-DTOPS=$<TARGET_PROPERTY:hls_rtl,TOPS>"
+          "-DHEADERS=six_step_top_ports.hpp;sinusoidal_top_ports.hpp"
           -P ${HLSGEN_DIRECTORY}/rtl_files.cmake
   VERBATIM)
 add_test(NAME rtl_is_what_hls_prints
   COMMAND ${CMAKE_COMMAND} -D MODE=compare -D PRINTED=${PROJECT_BINARY_DIR}/rtl
           -D COMMITTED=${PROJECT_SOURCE_DIR}/rtl "-DTOPS=$<TARGET_PROPERTY:hls_rtl,TOPS>"
+          "-DHEADERS=six_step_top_ports.hpp;sinusoidal_top_ports.hpp"
           -P ${HLSGEN_DIRECTORY}/rtl_files.cmake)
 
 function(hls_top name source)

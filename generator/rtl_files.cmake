@@ -1,24 +1,31 @@
-# cmake -D MODE=copy|compare -D PRINTED=DIR -D COMMITTED=DIR -D TOPS=a;b -P rtl_files.cmake
+# cmake -D MODE=copy|compare -D PRINTED=DIR -D COMMITTED=DIR -D TOPS=a;b -D HEADERS=c.hpp;d.hpp -P rtl_files.cmake
 #
 # PRINTED holds what the tops' lists name, and perhaps leftovers of older builds; COMMITTED shall hold
-# exactly what the lists name (subfolders are hand-written and not looked at).
+# exactly what the lists name (subfolders are hand-written and not looked at, but ports/: the headers that the
+# command needs, in HEADERS).
 
 set(wanted "")
 foreach(top IN LISTS TOPS)
   if(NOT EXISTS ${PRINTED}/${top}.f)
-    message(FATAL_ERROR "${top} has not been printed; build the target hls_rtl")
+    message(FATAL_ERROR "${top} has not been generated; build the target hls_rtl")
   endif()
   file(STRINGS ${PRINTED}/${top}.f lines)
   list(TRANSFORM lines REPLACE "^rtl/" "")
   list(APPEND wanted ${top}.f ${lines})
 endforeach()
+list(TRANSFORM HEADERS PREPEND ports/)
+list(APPEND wanted ${HEADERS})
 list(REMOVE_DUPLICATES wanted)
 list(SORT wanted)
 file(GLOB present RELATIVE ${COMMITTED} ${COMMITTED}/*.sv ${COMMITTED}/*.f)
 
 set(differing "")
 foreach(file IN LISTS wanted)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${PRINTED}/${file} ${COMMITTED}/${file}
+  set(made ${PRINTED}/${file})
+  if(file MATCHES "^ports/")
+    set(made ${PRINTED}/../${file})  # beside rtl/ in the build
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${made} ${COMMITTED}/${file}
                   RESULT_VARIABLE differs OUTPUT_QUIET ERROR_QUIET)
   if(differs)
     list(APPEND differing ${file})
@@ -29,8 +36,12 @@ list(REMOVE_ITEM extra ${wanted})
 
 if(MODE STREQUAL "copy")
   foreach(file IN LISTS differing)
-    configure_file(${PRINTED}/${file} ${COMMITTED}/${file} COPYONLY)
-    message(STATUS "rtl/${file}: printed")
+    set(made ${PRINTED}/${file})
+    if(file MATCHES "^ports/")
+      set(made ${PRINTED}/../${file})
+    endif()
+    configure_file(${made} ${COMMITTED}/${file} COPYONLY)
+    message(STATUS "rtl/${file}: generated")
   endforeach()
   foreach(file IN LISTS extra)
     file(REMOVE ${COMMITTED}/${file})
@@ -39,6 +50,6 @@ if(MODE STREQUAL "copy")
 elseif(differing OR extra)
   list(JOIN differing " " differing)
   list(JOIN extra " " extra)
-  message(FATAL_ERROR "rtl/ is not what hls/ prints; run `cmake --build . -t print_rtl`\n"
+  message(FATAL_ERROR "rtl/ is not what hls/ generates; run `cmake --build . -t print_rtl`\n"
                       "  differing: ${differing}\n  without a block: ${extra}")
 endif()
