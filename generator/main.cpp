@@ -32,6 +32,7 @@ Options parse(int argc, char** argv) {
   CLI::App app{
       "C++ blocks in, SystemVerilog out.\n"
       "Example: hlsgen hls/six_step/vco_counter.cpp -o build/rtl --ports build/ports"};
+  app.set_version_flag("--version", "hlsgen " STEPLOCK_VERSION, "Print the version");
   auto& compile = options.front_end.compile;
   app.add_option("source", compile.source,
                  "C++ source with one line `template struct steplock::Synthesize<Class>;`")

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
       "3 something broke, 130 interrupted."};
   app.name("steplock");
   app.footer("Example: steplock run drives/amano2003.toml --engine rtl --out report");
+  app.set_version_flag("--version", "steplock " STEPLOCK_VERSION, "Print the version");
   app.require_subcommand(1);
   int exit_code = kWell;
   add_run_command(app, exit_code);
