@@ -26,7 +26,7 @@ module current_model (
     input  logic        start_i,  // begins a sample, unless busy
     output logic [23:0] angle_o,  // u0.24, at this sample
     output logic [19:0] step_o,  // s-4.23, until the next
-    output logic [19:0] emf_step_o,  // s-4.23, the EMF's part of it
+    output logic [19:0] emf_step_o,  // s-4.23, the EMF's part of it: of the voltage model, the hypothetical speed
     output logic [15:0] error_o,  // s-1.16, Delta i_gamma: zero in step
     output logic        done_o,  // one clock: the results are new
     output logic        busy_o,  // a start would be ignored
@@ -60,7 +60,7 @@ module current_model (
   logic [7:0] kept_16;  // in steps 1-1, 15-20
   logic [6:0] from_middle_kept_17;  // in steps 1-18 from_middle, 34-35, 40-40
   logic kept_18;  // in steps 1-1
-  logic [21:0] free_u_kept_19;  // in steps 1-3, 4-4 v, 5-5, 7-9, 10-10, 11-25 free_u, 38-38, 40-40 step, 41-41
+  logic [21:0] free_u_kept_19;  // in steps 1-3, 4-4 v, 5-5, 7-9, 10-10, 11-25 free_u, 38-38, 40-40 turn, 41-41
   logic above_kept_20;  // in steps 1-3 above
   logic [5:0] kept_21;  // in steps 1-3, 6-17, 18-19
   logic switches_kept_22;  // in steps 1-5 switches
@@ -82,24 +82,24 @@ module current_model (
   logic done;
   logic missed;
 
-  wire [23:0] observer_step_wide = {{4{observer_step[19]}}, observer_step};  // observer.hpp:61
-  wire [23:0] observe = observer_before + observer_step_wide;  // observer.hpp:61
-  wire [16:0] i_u_wide = {i_u_i[15], i_u_i};  // observer.hpp:48
-  wire [16:0] observer_last_u_wide = {observer_last_u[15], observer_last_u};  // observer.hpp:48
-  wire [16:0] sum_u = i_u_wide + observer_last_u_wide;  // observer.hpp:48
+  wire [23:0] observer_step_wide = {{4{observer_step[19]}}, observer_step};  // observer.hpp:86
+  wire [23:0] observe = observer_before + observer_step_wide;  // observer.hpp:86
+  wire [16:0] i_u_wide = {i_u_i[15], i_u_i};  // observer.hpp:73
+  wire [16:0] observer_last_u_wide = {observer_last_u[15], observer_last_u};  // observer.hpp:73
+  wire [16:0] sum_u = i_u_wide + observer_last_u_wide;  // observer.hpp:73
   wire [31:0] free_u_kept_19_next_joined = {{2'd0, free_u_kept_19[14:0]} + product[16:0], kept_26};
-  wire [32:0] free_u_kept_19_next_sum =  // observer.hpp:106
+  wire [32:0] free_u_kept_19_next_sum =  // observer.hpp:130
       {free_u_kept_19_next_joined[31], free_u_kept_19_next_joined} + 33'd16384;
-  wire [18:0] free_wide = {free_u_kept_19[17], free_u_kept_19[17:0]};  // observer.hpp:106
-  wire [16:0] i_v_wide = {i_v_i[15], i_v_i};  // observer.hpp:48
-  wire [16:0] observer_last_v_wide = {observer_last_v[15], observer_last_v};  // observer.hpp:48
-  wire [16:0] sum_v = i_v_wide + observer_last_v_wide;  // observer.hpp:48
+  wire [18:0] free_wide = {free_u_kept_19[17], free_u_kept_19[17:0]};  // observer.hpp:130
+  wire [16:0] i_v_wide = {i_v_i[15], i_v_i};  // observer.hpp:73
+  wire [16:0] observer_last_v_wide = {observer_last_v[15], observer_last_v};  // observer.hpp:73
+  wire [16:0] sum_v = i_v_wide + observer_last_v_wide;  // observer.hpp:73
   wire [31:0] moved_kept_3_next_joined = {{2'd0, kept_26} + product[16:0], kept_27};
-  wire [32:0] moved_kept_3_next_sum =  // observer.hpp:106
+  wire [32:0] moved_kept_3_next_sum =  // observer.hpp:130
       {moved_kept_3_next_joined[31], moved_kept_3_next_joined} + 33'd16384;
-  wire [18:0] moved_kept_3_wide = {moved_kept_3[17], moved_kept_3};  // observer.hpp:106
+  wire [18:0] moved_kept_3_wide = {moved_kept_3[17], moved_kept_3};  // observer.hpp:130
   wire [33:0] turned_emf_step_kept_13_next_joined = {{4'd0, kept_7} + product[18:0], kept_26};
-  wire [34:0] turned_emf_step_kept_13_next_sum =  // observer.hpp:57
+  wire [34:0] turned_emf_step_kept_13_next_sum =  // observer.hpp:82
       {turned_emf_step_kept_13_next_joined[33], turned_emf_step_kept_13_next_joined} + 35'd16384;
   wire [16:0] sine_kept_9_next_sum = sum_v - 17'd34;  // applied_voltage.hpp:32
   wire [17:0] sign_sum = turned_emf_step_kept_13[17:0] - 18'd33;  // applied_voltage.hpp:32
@@ -114,13 +114,13 @@ module current_model (
   wire [31:0] driven_wide = {product[30], product[30:0]};  // observer.hpp:29
   wire [31:0] driven = driven_wide + 32'd2048;  // observer.hpp:29
   wire [20:0] turned_emf_step_kept_13_wide = {turned_emf_step_kept_13[19], turned_emf_step_kept_13};
-  wire [20:0] observe_wide = {driven[31], driven[31:12]};  // observer.hpp:57
+  wire [20:0] observe_wide = {driven[31], driven[31:12]};  // observer.hpp:82
   wire [9:0] sine_cosine_sum = observe[23:14] + 10'd256;  // sine.hpp:50
   wire [15:0] from_middle_kept_17_wide = {{9{from_middle_kept_17[6]}}, from_middle_kept_17};
   wire [32:0] product_wide = {product[31], product};  // sine.hpp:55
   wire [32:0] sine_cosine_sum_2 = product_wide + 33'd4194304;  // sine.hpp:55
   wire [16:0] sine_cosine_wide = {{7{sine_cosine_sum_2[32]}}, sine_cosine_sum_2[32:23]};
-  wire [32:0] kept_30_wide = {kept_30[31], kept_30};  // observer.hpp:64
+  wire [32:0] kept_30_wide = {kept_30[31], kept_30};  // observer.hpp:89
   wire [16:0] free_u_kept_19_next_sum_2 = sum_u - 17'd34;  // applied_voltage.hpp:32
   wire [15:0] kept_21_wide = {{10{kept_21[5]}}, kept_21};  // applied_voltage.hpp:66
   wire [5:0] applied_voltage_sum_7 = kept_21 + product[5:0];  // applied_voltage.hpp:66
@@ -412,10 +412,10 @@ module current_model (
         logic [16:0] moved_2;
         logic [12:0] twice_dc;
         backward = $signed(observer_way[24:9]) < $signed(observer_against ? 16'd0 : edge_i);
-        step_equal = edge_i[15] == backward;  // observer.hpp:74
-        moved = i_u_wide - observer_last_u_wide;  // observer.hpp:53
-        moved_2 = i_v_wide - observer_last_v_wide;  // observer.hpp:54
-        twice_dc = {1'b0, v_dc_i} + {1'b0, observer_last_dc};  // observer.hpp:50
+        step_equal = edge_i[15] == backward;  // observer.hpp:99
+        moved = i_u_wide - observer_last_u_wide;  // observer.hpp:78
+        moved_2 = i_v_wide - observer_last_v_wide;  // observer.hpp:79
+        twice_dc = {1'b0, v_dc_i} + {1'b0, observer_last_dc};  // observer.hpp:75
         step <= {5'd0, start_i};
         if (enable_i) begin
           kept_0 <= observe + observer_step_wide;
@@ -569,9 +569,9 @@ module current_model (
         logic [17:0] free_u_joined;
         logic [18:0] free_u_sum;
         logic [17:0] free_u;
-        free_u_joined = {moved_kept_3[16:0], 1'b0};  // observer.hpp:106
-        free_u_sum = {free_u_joined[17], free_u_joined} + free_wide;  // observer.hpp:106
-        free_u =  // observer.hpp:106
+        free_u_joined = {moved_kept_3[16:0], 1'b0};  // observer.hpp:130
+        free_u_sum = {free_u_joined[17], free_u_joined} + free_wide;  // observer.hpp:130
+        free_u =  // observer.hpp:130
             free_u_sum[18] ? ((free_u_sum[18:17] == 2'd3) ? free_u_sum[17:0] : 18'd131072) :
             (free_u_sum[18:17] == 2'd0) ? free_u_sum[17:0] :
             18'd131071;
@@ -591,8 +591,8 @@ module current_model (
       6'd12: begin
         logic [17:0] free_v_joined;
         logic [18:0] free_v_sum;
-        free_v_joined = {moved_kept_6[16:0], 1'b0};  // observer.hpp:106
-        free_v_sum = {free_v_joined[17], free_v_joined} + moved_kept_3_wide;  // observer.hpp:106
+        free_v_joined = {moved_kept_6[16:0], 1'b0};  // observer.hpp:130
+        free_v_sum = {free_v_joined[17], free_v_joined} + moved_kept_3_wide;  // observer.hpp:130
         step <= step + 6'd1;
         if (free_v_sum[18]) begin
           if (free_v_sum[18:17] == 2'd3) begin
@@ -615,9 +615,9 @@ module current_model (
         logic [18:0] observe_sum;
         logic [19:0] observe_sum_2;
         logic [2:0] observe_part;
-        observe_sum = free_wide + moved_kept_3_wide;  // observer.hpp:55
+        observe_sum = free_wide + moved_kept_3_wide;  // observer.hpp:80
         observe_sum_2 = {observe_sum[18], observe_sum} + {{2{moved_kept_3[17]}}, moved_kept_3};
-        observe_part = observe_sum_2[19:17];  // observer.hpp:55
+        observe_part = observe_sum_2[19:17];  // observer.hpp:80
         step <= step + 6'd1;
         case (observe_part)
           3'd0: begin
@@ -640,7 +640,7 @@ module current_model (
       end
       6'd14: begin
         logic [17:0] twice;
-        twice = switches_kept_12 ? moved_kept_3 : moved_kept_6;  // observer.hpp:55
+        twice = switches_kept_12 ? moved_kept_3 : moved_kept_6;  // observer.hpp:80
         step <= step + 6'd1;
         kept_7 <= twice[14:0];
         kept_8 <= product[14:13];
@@ -732,7 +732,7 @@ module current_model (
       end
       6'd23: begin
         logic [20:0] observe_difference;
-        observe_difference = turned_emf_step_kept_13_wide - observe_wide;  // observer.hpp:57
+        observe_difference = turned_emf_step_kept_13_wide - observe_wide;  // observer.hpp:82
         step <= step + 6'd1;
         seen_gamma_kept_4 <= observe_difference[15:0];
         above_kept_10 <= observe_difference[20];
@@ -765,7 +765,7 @@ module current_model (
             switches_kept_14 ? (above_kept_10 ? cosine_kept_25 : 16'd32768) :
             switches_kept_12 ? cosine_kept_25 :
             16'd32767;
-        _cosine_wide = {{16{_cosine[15]}}, _cosine};  // observer.hpp:63
+        _cosine_wide = {{16{_cosine[15]}}, _cosine};  // observer.hpp:88
         case (step)
           6'd25: begin
             logic [20:0] observe_difference_2;
@@ -837,7 +837,7 @@ module current_model (
       end
       6'd29: begin
         logic [32:0] product_2;
-        product_2 = kept_30_wide - product_wide;  // observer.hpp:64
+        product_2 = kept_30_wide - product_wide;  // observer.hpp:89
         step <= step + 6'd1;
         above_kept_10 <= product_2[32] && product_2[31:14] != 18'd262143;
         product_kept_29 <= product_2;
@@ -863,7 +863,7 @@ module current_model (
         logic [20:0] delta_sum;
         logic [32:0] product_3;
         delta_sum = {{5{seen_gamma_kept_4[15]}}, seen_gamma_kept_4} + turned_emf_step_kept_13_wide;
-        product_3 = kept_30_wide + product_wide;  // observer.hpp:63
+        product_3 = kept_30_wide + product_wide;  // observer.hpp:88
         step <= step + 6'd1;
         above_kept_10 <= product_3[32] && product_3[31:14] != 18'd262143;
         product_kept_29 <= product_3;
@@ -959,11 +959,11 @@ module current_model (
         logic [25:0] emf_step_wide;
         logic [25:0] step_wide;
         logic [25:0] step_choice;
-        emf_step =  // observer.hpp:75
+        emf_step =  // observer.hpp:100
             (kept_2 || turned_emf_step_kept_13[19] == backward_kept_1) ? turned_emf_step_kept_13 :
             20'd0;
-        emf_step_wide = {{6{emf_step[19]}}, emf_step};  // observer.hpp:77
-        step_wide = {kept_30[24], kept_30[24:0]};  // observer.hpp:77
+        emf_step_wide = {{6{emf_step[19]}}, emf_step};  // observer.hpp:102
+        step_wide = {kept_30[24], kept_30[24:0]};  // observer.hpp:102
         step_choice = backward_kept_1 ? emf_step_wide - step_wide : emf_step_wide + step_wide;
         step <= step + 6'd1;
         backward_kept_1 <= step_choice[25];
@@ -972,14 +972,14 @@ module current_model (
       end
       6'd40: begin
         if (enable_i) begin
-          logic [19:0] step_2;
-          step_2 =  // observer.hpp:77
+          logic [19:0] turn;
+          turn =  // observer.hpp:102
               backward_kept_1 ?
               ((from_middle_kept_17 == 7'd127) ? free_u_kept_19[19:0] : 20'd524288) :
               (from_middle_kept_17 == 7'd0) ? free_u_kept_19[19:0] :
               20'd524287;
-          observer_way <= kept_23 + {{5{step_2[19]}}, step_2};
-          free_u_kept_19 <= {2'd0, step_2};
+          observer_way <= kept_23 + {{5{turn[19]}}, turn};
+          free_u_kept_19 <= {2'd0, turn};
         end else begin
           observer_way <= 25'd0;
           free_u_kept_19 <= 22'd0;

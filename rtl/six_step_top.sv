@@ -403,8 +403,8 @@ module six_step_top #(
       .tick_o(pwm_tick)
   );
 
-  wire [2:0] commutation_sum = hall_step - 3'd3;  // commutation.hpp:49
-  wire [2:0] commutation_sum_2 = hall_step - 3'd1;  // commutation.hpp:53
+  wire [2:0] commutation_sum = hall_step - 3'd3;  // commutation.hpp:39
+  wire [2:0] commutation_sum_2 = hall_step - 3'd1;  // commutation.hpp:43
 
   wire limit_on;
   wire limit_hit;
@@ -550,8 +550,8 @@ module six_step_top #(
   );
 
   wire [2:0] step_2 = start_load_step ? start_step : divide_turned;
-  wire [2:0] legs_ul_next_sum = step_2 - 3'd3;  // commutation.hpp:49
-  wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:53
+  wire [2:0] legs_ul_next_sum = step_2 - 3'd3;  // commutation.hpp:39
+  wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
     tick <= pwm_tick;
@@ -561,12 +561,12 @@ module six_step_top #(
     divided_phase <= divide_phase;
     divided_commutate <= divide_commutate;
     divided_elapsed <= divide_elapsed;
-    legs_uh <= step_2[2:1] == 2'd0;  // commutation.hpp:48
-    legs_ul <= legs_ul_next_sum[2:1] == 2'd0;  // commutation.hpp:49
-    legs_vh <= $signed(step_2) > 3'sd1;  // commutation.hpp:50
-    legs_vl <= step_2 == 3'd0 || step_2 == 3'd5;  // commutation.hpp:51
-    legs_wh <= step_2[2] && !step_2[1];  // commutation.hpp:52
-    legs_wl <= legs_wl_next_sum[2:1] == 2'd0;  // commutation.hpp:53
+    legs_uh <= step_2[2:1] == 2'd0;  // commutation.hpp:38
+    legs_ul <= legs_ul_next_sum[2:1] == 2'd0;  // commutation.hpp:39
+    legs_vh <= $signed(step_2) > 3'sd1;  // commutation.hpp:40
+    legs_vl <= step_2 == 3'd0 || step_2 == 3'd5;  // commutation.hpp:41
+    legs_wh <= step_2[2] && !step_2[1];  // commutation.hpp:42
+    legs_wl <= legs_wl_next_sum[2:1] == 2'd0;  // commutation.hpp:43
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;

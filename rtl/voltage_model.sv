@@ -27,7 +27,7 @@ module voltage_model (
     input  logic        start_i,  // begins a sample, unless busy
     output logic [23:0] angle_o,  // u0.24, at this sample
     output logic [19:0] step_o,  // s-4.23, until the next
-    output logic [19:0] emf_step_o,  // s-4.23, the hypothetical speed
+    output logic [19:0] emf_step_o,  // s-4.23, the EMF's part of it: of the voltage model, the hypothetical speed
     output logic [15:0] error_o,  // s-1.16, Delta i_gamma: zero in step
     output logic        done_o,  // one clock: the results are new
     output logic        busy_o,  // a start would be ignored
@@ -94,25 +94,25 @@ module voltage_model (
   logic done;
   logic missed;
 
-  wire [23:0] observer_step_wide = {{4{observer_step[19]}}, observer_step};  // observer.hpp:61
-  wire [23:0] observe = observer_before + observer_step_wide;  // observer.hpp:61
-  wire [16:0] i_u_wide = {i_u_i[15], i_u_i};  // observer.hpp:48
-  wire [16:0] observer_last_u_wide = {observer_last_u[15], observer_last_u};  // observer.hpp:48
-  wire [16:0] sum_u = i_u_wide + observer_last_u_wide;  // observer.hpp:48
+  wire [23:0] observer_step_wide = {{4{observer_step[19]}}, observer_step};  // observer.hpp:86
+  wire [23:0] observe = observer_before + observer_step_wide;  // observer.hpp:86
+  wire [16:0] i_u_wide = {i_u_i[15], i_u_i};  // observer.hpp:73
+  wire [16:0] observer_last_u_wide = {observer_last_u[15], observer_last_u};  // observer.hpp:73
+  wire [16:0] sum_u = i_u_wide + observer_last_u_wide;  // observer.hpp:73
   wire [31:0] free_u_kept_20_next_joined = {{2'd0, free_u_kept_20[14:0]} + product[16:0], kept_28};
-  wire [32:0] free_u_kept_20_next_sum =  // observer.hpp:106
+  wire [32:0] free_u_kept_20_next_sum =  // observer.hpp:130
       {free_u_kept_20_next_joined[31], free_u_kept_20_next_joined} + 33'd16384;
-  wire [18:0] free_wide = {free_u_kept_20[17], free_u_kept_20[17:0]};  // observer.hpp:106
-  wire [16:0] i_v_wide = {i_v_i[15], i_v_i};  // observer.hpp:48
-  wire [16:0] observer_last_v_wide = {observer_last_v[15], observer_last_v};  // observer.hpp:48
-  wire [16:0] sum_v = i_v_wide + observer_last_v_wide;  // observer.hpp:48
+  wire [18:0] free_wide = {free_u_kept_20[17], free_u_kept_20[17:0]};  // observer.hpp:130
+  wire [16:0] i_v_wide = {i_v_i[15], i_v_i};  // observer.hpp:73
+  wire [16:0] observer_last_v_wide = {observer_last_v[15], observer_last_v};  // observer.hpp:73
+  wire [16:0] sum_v = i_v_wide + observer_last_v_wide;  // observer.hpp:73
   wire [31:0] moved_kept_4_next_joined = {{2'd0, kept_28} + product[16:0], kept_29};
-  wire [32:0] moved_kept_4_next_sum =  // observer.hpp:106
+  wire [32:0] moved_kept_4_next_sum =  // observer.hpp:130
       {moved_kept_4_next_joined[31], moved_kept_4_next_joined} + 33'd16384;
-  wire [18:0] moved_kept_4_wide = {moved_kept_4[17], moved_kept_4};  // observer.hpp:106
-  wire [33:0] observe_joined = {{4'd0, kept_8} + product[18:0], kept_28};  // observer.hpp:57
-  wire [34:0] observe_joined_wide = {observe_joined[33], observe_joined};  // observer.hpp:57
-  wire [34:0] kept_14_next_sum = observe_joined_wide + 35'd16384;  // observer.hpp:57
+  wire [18:0] moved_kept_4_wide = {moved_kept_4[17], moved_kept_4};  // observer.hpp:130
+  wire [33:0] observe_joined = {{4'd0, kept_8} + product[18:0], kept_28};  // observer.hpp:82
+  wire [34:0] observe_joined_wide = {observe_joined[33], observe_joined};  // observer.hpp:82
+  wire [34:0] kept_14_next_sum = observe_joined_wide + 35'd16384;  // observer.hpp:82
   wire [16:0] sine_kept_10_next_sum = sum_v - 17'd34;  // applied_voltage.hpp:32
   wire [17:0] sign_sum = kept_14[17:0] - 18'd33;  // applied_voltage.hpp:32
   wire [17:0] applied_voltage_difference = -kept_14[17:0];  // applied_voltage.hpp:60
@@ -125,7 +125,7 @@ module voltage_model (
       {applied_voltage_joined[35], applied_voltage_joined} + 37'd8192;
   wire [31:0] driven_wide = {product[30], product[30:0]};  // observer.hpp:29
   wire [31:0] driven = driven_wide + 32'd2048;  // observer.hpp:29
-  wire [20:0] observe_wide = {driven[31], driven[31:12]};  // observer.hpp:57
+  wire [20:0] observe_wide = {driven[31], driven[31:12]};  // observer.hpp:82
   wire [9:0] sine_cosine_sum = observe[23:14] + 10'd256;  // sine.hpp:50
   wire [32:0] product_wide = {product[31], product};  // sine.hpp:55
   wire [32:0] sine_cosine_sum_2 = product_wide + 33'd4194304;  // sine.hpp:55
@@ -137,11 +137,11 @@ module voltage_model (
   wire [36:0] applied_voltage_sum_8 =  // applied_voltage.hpp:66
       {applied_voltage_joined_2[35], applied_voltage_joined_2} + 37'd8192;
   wire [33:0] seen_delta_sum = {product_kept_31[32], product_kept_31} + 34'd16384;
-  wire [34:0] correct_difference = 35'd1024 - observe_joined_wide;  // line 53
+  wire [34:0] follow_difference = 35'd1024 - observe_joined_wide;  // line 53
   wire [31:0] kept_32_next_sum = driven_wide + 32'd64;  // line 52
   wire [31:0] kept_32_next_sum_2 = driven_wide + 32'd128;  // line 50
   wire [28:0] moved_3 = {speed_integral[27], speed_integral} + {{5{kept_32[23]}}, kept_32[23:0]};
-  wire [27:0] correct_2 =  // line 51
+  wire [27:0] follow_2 =  // line 51
       moved_3[28] ? ((moved_3[28:27] == 2'd3) ? moved_3[27:0] : 28'd134217728) :
       (moved_3[28:27] == 2'd0) ? moved_3[27:0] :
       28'd134217727;
@@ -420,10 +420,10 @@ module voltage_model (
         logic [16:0] moved_2;
         logic [12:0] twice_dc;
         backward = $signed(observer_way[24:9]) < $signed(observer_against ? 16'd0 : edge_i);
-        step_equal = edge_i[15] == backward;  // observer.hpp:74
-        moved = i_u_wide - observer_last_u_wide;  // observer.hpp:53
-        moved_2 = i_v_wide - observer_last_v_wide;  // observer.hpp:54
-        twice_dc = {1'b0, v_dc_i} + {1'b0, observer_last_dc};  // observer.hpp:50
+        step_equal = edge_i[15] == backward;  // observer.hpp:99
+        moved = i_u_wide - observer_last_u_wide;  // observer.hpp:78
+        moved_2 = i_v_wide - observer_last_v_wide;  // observer.hpp:79
+        twice_dc = {1'b0, v_dc_i} + {1'b0, observer_last_dc};  // observer.hpp:75
         step <= {5'd0, start_i};
         if (enable_i) begin
           kept_0 <= observe + observer_step_wide;
@@ -580,9 +580,9 @@ module voltage_model (
         logic [17:0] free_u_joined;
         logic [18:0] free_u_sum;
         logic [17:0] free_u;
-        free_u_joined = {moved_kept_4[16:0], 1'b0};  // observer.hpp:106
-        free_u_sum = {free_u_joined[17], free_u_joined} + free_wide;  // observer.hpp:106
-        free_u =  // observer.hpp:106
+        free_u_joined = {moved_kept_4[16:0], 1'b0};  // observer.hpp:130
+        free_u_sum = {free_u_joined[17], free_u_joined} + free_wide;  // observer.hpp:130
+        free_u =  // observer.hpp:130
             free_u_sum[18] ? ((free_u_sum[18:17] == 2'd3) ? free_u_sum[17:0] : 18'd131072) :
             (free_u_sum[18:17] == 2'd0) ? free_u_sum[17:0] :
             18'd131071;
@@ -602,8 +602,8 @@ module voltage_model (
       6'd12: begin
         logic [17:0] free_v_joined;
         logic [18:0] free_v_sum;
-        free_v_joined = {moved_kept_7[16:0], 1'b0};  // observer.hpp:106
-        free_v_sum = {free_v_joined[17], free_v_joined} + moved_kept_4_wide;  // observer.hpp:106
+        free_v_joined = {moved_kept_7[16:0], 1'b0};  // observer.hpp:130
+        free_v_sum = {free_v_joined[17], free_v_joined} + moved_kept_4_wide;  // observer.hpp:130
         step <= step + 6'd1;
         if (free_v_sum[18]) begin
           if (free_v_sum[18:17] == 2'd3) begin
@@ -626,9 +626,9 @@ module voltage_model (
         logic [18:0] observe_sum;
         logic [19:0] observe_sum_2;
         logic [2:0] observe_part;
-        observe_sum = free_wide + moved_kept_4_wide;  // observer.hpp:55
+        observe_sum = free_wide + moved_kept_4_wide;  // observer.hpp:80
         observe_sum_2 = {observe_sum[18], observe_sum} + {{2{moved_kept_4[17]}}, moved_kept_4};
-        observe_part = observe_sum_2[19:17];  // observer.hpp:55
+        observe_part = observe_sum_2[19:17];  // observer.hpp:80
         step <= step + 6'd1;
         case (observe_part)
           3'd0: begin
@@ -651,7 +651,7 @@ module voltage_model (
       end
       6'd14: begin
         logic [17:0] twice;
-        twice = switches_kept_13 ? moved_kept_4 : moved_kept_7;  // observer.hpp:55
+        twice = switches_kept_13 ? moved_kept_4 : moved_kept_7;  // observer.hpp:80
         step <= step + 6'd1;
         kept_8 <= twice[14:0];
         kept_9 <= product[14:13];
@@ -743,7 +743,7 @@ module voltage_model (
       end
       6'd23: begin
         logic [20:0] observe_difference;
-        observe_difference = {kept_14[19], kept_14} - observe_wide;  // observer.hpp:57
+        observe_difference = {kept_14[19], kept_14} - observe_wide;  // observer.hpp:82
         step <= step + 6'd1;
         seen_gamma_kept_5 <= observe_difference[15:0];
         above_kept_11 <= observe_difference[20];
@@ -805,7 +805,7 @@ module voltage_model (
         switches_kept_15 <= sine_cosine_sum_3[16];
         if (above_kept_11) begin
           logic [15:0] alpha_choice;
-          alpha_choice = (sign_kept_12 == 6'd63) ? cosine_kept_27 : 16'd32768;  // observer.hpp:56
+          alpha_choice = (sign_kept_12 == 6'd63) ? cosine_kept_27 : 16'd32768;  // observer.hpp:81
           product_kept_31 <= {1'b0, {16{alpha_choice[15]}}, alpha_choice};
           if (sign_kept_12 == 6'd63) begin
             factor_a <= cosine_kept_27;
@@ -814,7 +814,7 @@ module voltage_model (
           end
         end else begin
           logic [15:0] alpha_choice_2;
-          alpha_choice_2 = (sign_kept_12 == 6'd0) ? cosine_kept_27 : 16'd32767;  // observer.hpp:56
+          alpha_choice_2 = (sign_kept_12 == 6'd0) ? cosine_kept_27 : 16'd32767;  // observer.hpp:81
           product_kept_31 <= {1'b0, {16{alpha_choice_2[15]}}, alpha_choice_2};
           if (sign_kept_12 == 6'd0) begin
             factor_a <= cosine_kept_27;
@@ -854,14 +854,14 @@ module voltage_model (
       end
       6'd29: begin
         logic [32:0] product_3;
-        product_3 = {product_kept_31[31], product_kept_31[31:0]} + product_wide;  // observer.hpp:63
+        product_3 = {product_kept_31[31], product_kept_31[31:0]} + product_wide;  // observer.hpp:88
         step <= step + 6'd1;
         above_kept_11 <= product_3[32] && product_3[31:14] != 18'd262143;
         product_kept_31 <= product_3;
       end
       6'd30: begin
         logic [32:0] product_2;
-        product_2 = {kept_32[31], kept_32} - product_wide;  // observer.hpp:64
+        product_2 = {kept_32[31], kept_32} - product_wide;  // observer.hpp:89
         step <= step + 6'd1;
         if (above_kept_11) begin
           if (seen_delta_sum[33:30] == 4'd15) begin
@@ -909,12 +909,12 @@ module voltage_model (
         factor_b <= {1'b0, words_k_si_i};
       end
       6'd32: begin
-        logic [18:0] correct;
+        logic [18:0] follow;
         logic [18:0] emf;
-        correct = kept_3[18:0] + {{3{sine_kept_10[15]}}, sine_kept_10};  // line 46
-        emf = words_average_i ? correct : {sine_kept_10, 3'd0};
+        follow = kept_3[18:0] + {{3{sine_kept_10[15]}}, sine_kept_10};  // line 46
+        emf = words_average_i ? follow : {sine_kept_10, 3'd0};
         if (enable_i) begin
-          speed_sum <= correct;
+          speed_sum <= follow;
         end else begin
           speed_sum <= 19'd0;
         end
@@ -947,7 +947,7 @@ module voltage_model (
         end
         step <= step + 6'd1;
         kept_8 <= product[29:15];
-        kept_14 <= correct_2[27:8];
+        kept_14 <= follow_2[27:8];
         kept_28 <= product[14:0];
         factor_a <= seen_gamma_kept_5;
         factor_b <= {1'b0, words_k_theta_i};
@@ -955,8 +955,8 @@ module voltage_model (
       6'd35: begin
         step <= step + 6'd1;
         above_kept_11 <= $signed(observe_joined) > 34'sd1024;
-        sign_kept_12 <= {1'b0, correct_difference[34:30]};
-        free_u_kept_20 <= {1'b0, correct_difference[30:11]};
+        sign_kept_12 <= {1'b0, follow_difference[34:30]};
+        free_u_kept_20 <= {1'b0, follow_difference[30:11]};
       end
       6'd36: begin
         logic [19:0] turned_emf_step;
@@ -989,38 +989,38 @@ module voltage_model (
         logic [26:0] step_wide;
         logic [25:0] turned_pull;
         logic [26:0] turned_pull_wide;
-        step_wide = {{7{free_u_kept_20[19]}}, free_u_kept_20[19:0]};  // observer.hpp:77
+        step_wide = {{7{free_u_kept_20[19]}}, free_u_kept_20[19:0]};  // observer.hpp:102
         turned_pull = {kept_32[24], kept_32[24:0]} + {{6{kept_14[19]}}, kept_14};
-        turned_pull_wide = {turned_pull[25], turned_pull};  // observer.hpp:77
+        turned_pull_wide = {turned_pull[25], turned_pull};  // observer.hpp:102
         step <= step + 6'd1;
         kept_32 <= {5'd0, step_wide - turned_pull_wide};
         kept_33 <= {5'd0, step_wide + turned_pull_wide};
       end
       6'd38: begin
-        logic [26:0] step_choice;
-        logic [19:0] step_2;
-        step_choice = backward_kept_1 ? kept_32[26:0] : kept_33[26:0];  // observer.hpp:77
-        step_2 =  // observer.hpp:77
-            step_choice[26] ? ((step_choice[26:19] == 8'd255) ? step_choice[19:0] : 20'd524288) :
-            (step_choice[26:19] == 8'd0) ? step_choice[19:0] :
+        logic [26:0] turn_choice;
+        logic [19:0] turn;
+        turn_choice = backward_kept_1 ? kept_32[26:0] : kept_33[26:0];  // observer.hpp:102
+        turn =  // observer.hpp:102
+            turn_choice[26] ? ((turn_choice[26:19] == 8'd255) ? turn_choice[19:0] : 20'd524288) :
+            (turn_choice[26:19] == 8'd0) ? turn_choice[19:0] :
             20'd524287;
         step <= step + 6'd1;
         if (enable_i) begin
-          if (step_choice[26]) begin
-            if (step_choice[26:19] == 8'd255) begin
-              kept_14 <= step_choice[19:0];
+          if (turn_choice[26]) begin
+            if (turn_choice[26:19] == 8'd255) begin
+              kept_14 <= turn_choice[19:0];
             end else begin
               kept_14 <= 20'd524288;
             end
-          end else if (step_choice[26:19] == 8'd0) begin
-            kept_14 <= step_choice[19:0];
+          end else if (turn_choice[26:19] == 8'd0) begin
+            kept_14 <= turn_choice[19:0];
           end else begin
             kept_14 <= 20'd524287;
           end
         end else begin
           kept_14 <= 20'd0;
         end
-        kept_24 <= kept_24 + {{5{step_2[19]}}, step_2};
+        kept_24 <= kept_24 + {{5{turn[19]}}, turn};
       end
       6'd39: begin
         observer_last_u <= i_u_i;
@@ -1136,5 +1136,5 @@ module voltage_model (
       applied_voltage_difference[0], applied_voltage_sum[13:0], applied_voltage_sum_2[12:0],
       applied_voltage_sum_5[13:0], driven[11:0], sine_cosine_sum[7:0], sine_cosine_sum_2[22:0],
       free_u_kept_20_next_sum_2[0], applied_voltage_sum_8[13:0], seen_delta_sum[14:0],
-      correct_difference[10:0], kept_32_next_sum[6:0], kept_32_next_sum_2[7:0], correct_2[7:0]};
+      follow_difference[10:0], kept_32_next_sum[6:0], kept_32_next_sum_2[7:0], follow_2[7:0]};
 endmodule
