@@ -1,6 +1,7 @@
 #include "tests/generator/random/tables.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace hlsgen::test {
 
@@ -40,8 +41,17 @@ void Tables::draw_rows(int count) {
   tables_.insert(tables_.end(), columns.begin(), columns.end());
 }
 
+// In range by its width.
+std::string Tables::place(int count) {
+  if (any.chance(10)) return std::to_string(any.below(count));
+  int width = 1;
+  while (2 << width <= count) ++width;
+  return cat({expression(bits(width, false), 0), ".raw()"});
+}
+
 std::string Tables::reads_of_tables() {
   std::swap(any, own_);
+  const auto others = std::exchange(arrays, {});  // an index there needs more than its width
   const int count = any.between(3, 16);
   draw_shapes(count);
   draw_rows(any.chance(50) ? count : any.between(2, 9));
@@ -59,7 +69,7 @@ std::string Tables::reads_of_tables() {
   members_ += cat({"static constexpr std::array<std::array<", grid.element.text(), ", ",
                    std::to_string(grid.count), ">, ", std::to_string(lines), "> kGrid = {{", texts,
                    "}};\n"});
-  tables_.push_back({cat({"kGrid[", index({"", kBool, lines, false}, 1), "]"}), grid.element,
+  tables_.push_back({cat({"kGrid[", place(lines), "]"}), grid.element,
                      grid.count, false});
 
   std::vector<Variable> targets;
@@ -73,7 +83,7 @@ std::string Tables::reads_of_tables() {
     const Array& table = tables_[next % tables_.size()];
     const Type type = variable.type;
     const std::string entry =
-        converted(cat({table.name, "[", index(table, 1), "]", table.member}), table.element, type);
+        converted(cat({table.name, "[", place(table.count), "]", table.member}), table.element, type);
     text += cat({any.chance(30) ? cat({"if (", condition(0), ") "}) : "", variable.name, " = "});
     if (type == kBool) text += cat({variable.name, " != ", entry, ";\n"});
     else if (type.kind == Type::Kind::kPlain)
@@ -82,6 +92,7 @@ std::string Tables::reads_of_tables() {
       text += cat({"wrap<", type.text(), ">(", variable.name, any.of({" + ", " - "}), entry, ");\n"});
   }
   std::swap(any, own_);
+  arrays = others;
   return text;
 }
 

@@ -2,7 +2,7 @@
 // different widths, one of structs, one of two indices.  Ports and registers have an entry added.
 //
 //     template <int W> struct Shape { static constexpr std::array<UInt<W>, 5> kShape = {...}; };
-//     y0 = wrap<UInt<8>>(y0 + wrap<UInt<8>>(Shape<9>::kShape[below<5>(in.x0).raw()]));
+//     y0 = wrap<UInt<8>>(y0 + wrap<UInt<8>>(Shape<9>::kShape[wrap<UInt<2>>(in.x0).raw()]));
 
 #pragma once
 
@@ -24,7 +24,7 @@ class Tables : public Statements {
   void draw_shapes(int count);
   void draw_rows(int count);
   std::string entries(int count, int least, int most);
-  std::string row();
+  std::string place(int count);
 
   Draw own_;
   std::string members_;
