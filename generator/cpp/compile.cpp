@@ -31,7 +31,8 @@ constexpr const char* kHost = "-D__aarch64__";
 std::vector<std::string> arguments(const CompileOptions& options, const std::string& clang,
                                    llvm::StringRef output, llvm::StringRef rules) {
   std::vector<std::string> args = {
-      clang, "-x", "c++", "-std=c++20", "--target=spir64", "-ffreestanding", kHost, "-fwrapv",
+      clang, "-x", "c++", "-std=c++20", "--target=spir64", "-ffreestanding", kHost, "-D_GNU_SOURCE",
+      "-fwrapv",
       "-fno-exceptions", "-fno-rtti", "-fno-strict-aliasing", "-fno-discard-value-names",
       "-fno-threadsafe-statics", "-g", "-gdwarf-5", "-fstandalone-debug", "-O2", "-Xclang",
       "-disable-llvm-passes", "-emit-llvm", "-c", "-fno-color-diagnostics",

@@ -1,6 +1,8 @@
 #include "generator/ir/address.hpp"
 
 #include <llvm/ADT/MapVector.h>
+#include <llvm/Analysis/ValueTracking.h>
+#include <llvm/IR/GlobalVariable.h>
 #include <llvm/IR/Operator.h>
 
 #include "generator/ir/opaque.hpp"
@@ -23,15 +25,26 @@ std::uint64_t Address::offset_of(std::uint64_t combination) const {
   return place;
 }
 
+namespace {
+
+// Of a line of a constant table, `kGrid[1]`, there is no instruction: it stands where the table does.
+const llvm::Module* module_of(const llvm::GEPOperator& step) {
+  if (const auto* instruction = llvm::dyn_cast<llvm::Instruction>(&step)) {
+    return instruction->getModule();
+  }
+  const auto* table = llvm::dyn_cast<llvm::GlobalVariable>(llvm::getUnderlyingObject(&step));
+  return table == nullptr ? nullptr : table->getParent();
+}
+
+}  // namespace
+
 Address address_of(llvm::Value* pointer) {
   Address address;
   llvm::APInt offset(64, 0);
   while (auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer)) {
-    const auto* instruction = llvm::dyn_cast<llvm::Instruction>(step);
     llvm::MapVector<llvm::Value*, llvm::APInt> variables;
-    // Constant expressions have constant offsets only, which any data layout of ours agrees on.
-    if (instruction == nullptr) break;
-    if (!step->collectOffset(instruction->getModule()->getDataLayout(), 64, variables, offset)) {
+    const auto* module = module_of(*step);
+    if (module == nullptr || !step->collectOffset(module->getDataLayout(), 64, variables, offset)) {
       break;
     }
     for (const auto& [index, stride] : variables) {

@@ -2,6 +2,8 @@
 
 #include <llvm/IR/Constants.h>
 
+#include <algorithm>
+
 namespace hlsgen {
 namespace {
 
@@ -56,11 +58,13 @@ llvm::CallInst* Opaque::index(llvm::IRBuilder<>& builder, llvm::Value* value, st
 }
 
 llvm::CallInst* Opaque::table(llvm::IRBuilder<>& builder, llvm::Value* address, Table table) {
-  std::size_t number = 0;
-  while (number < tables_.size() &&
-         (tables_[number].name != table.name || tables_[number].entries != table.entries)) {
-    ++number;
-  }
+  // The width first: entries of different widths do not compare.
+  const auto is_it = [&](const Table& known) {
+    return known.width == table.width && known.name == table.name &&
+           known.entries == table.entries;
+  };
+  const auto number = static_cast<std::size_t>(
+      std::find_if(tables_.begin(), tables_.end(), is_it) - tables_.begin());
   auto* result = builder.getIntNTy(table.width);
   if (number == tables_.size()) tables_.push_back(std::move(table));
   const std::string name = "hlsgen.table." + std::to_string(number) + "." +

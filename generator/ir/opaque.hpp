@@ -35,7 +35,7 @@ class Opaque {
   llvm::CallInst* undefined(llvm::IRBuilder<>& builder, llvm::Type* type, Site site);
   llvm::CallInst* index(llvm::IRBuilder<>& builder, llvm::Value* value, std::uint64_t count,
                         Site site);
-  // Tables of equal name and entries are one.
+  // Tables of equal name, width and entries are one.
   llvm::CallInst* table(llvm::IRBuilder<>& builder, llvm::Value* address, Table table);
 
   const Site& site(unsigned id) const { return sites_[id]; }

@@ -5,13 +5,14 @@
 namespace hlsgen {
 namespace {
 
+constexpr unsigned kMostWays = 1U << 20;
 constexpr double kLeastGainOfBit = 3;  // operators, where the register's value is not a choice
 
 }  // namespace
 
 Rater::Rater(const Module& module, Restrictor& restrictor) : m_(module), restrictor_(restrictor) {
   for (NodeId id = 0; id < m_.nodes.size(); ++id)
-    if (m_.nodes[id].op == Op::kRegister) present_.emplace(id, m_.nodes[id].index);
+    if (m_.nodes[id].op == Op::kRegister) present_[id] = m_.nodes[id].index;
   for (const Output& o : m_.outputs) add_cone(o.value, free_);
   for (const Instance& i : m_.instances)
     for (const NodeId input : i.inputs) add_cone(input, free_);
@@ -44,10 +45,10 @@ Split Rater::rate(Split s, const Updates& updates, const std::vector<double>& ow
     s.joined.push_back(joins(u, values, s, own[i]));
     if (!s.joined.back()) continue;
     add_cone(u.value, before);
-    values_more -= count_values(u);
+    values_more -= static_cast<int>(count_values(u));
     for (std::size_t a = 0; a < values.size(); ++a) {
       add_cone(values[a], cones[a]);
-      values_more += count_values({u.reg, values[a]});
+      values_more += static_cast<int>(count_values({u.reg, values[a]}));
     }
   }
   s.gain = static_cast<double>(before.size()) - cost(cones, condition);
@@ -73,8 +74,8 @@ double Rater::gain(const Update& u, const Split& s) {
   Cone before, condition, own;
   add_cone(u.value, before);
   add_cone(s.selector, condition);
-  std::set_intersection(before.begin(), before.end(), condition.begin(), condition.end(),
-                        std::inserter(own, own.end()));
+  for (const NodeId id : before)
+    if (condition.count(id) != 0) own.insert(id);
   std::vector<Cone> cones;
   for (const NodeId v : restricted(u, s)) {
     cones.emplace_back();
@@ -83,17 +84,30 @@ double Rater::gain(const Update& u, const Split& s) {
   return static_cast<double>(before.size()) - cost(cones, own);
 }
 
+// A choice may be an arm of several: its ways count in each, but are counted once.
+template <class Count>
+unsigned Rater::count_ways(NodeId id, const Count& at_end, unsigned at_choice, Ways& known) const {
+  const Node& n = node(id);
+  if (n.op != Op::kMux) return at_end(id);
+  const auto found = known.find(id);
+  if (found != known.end()) return found->second;
+  const unsigned ways = at_choice + count_ways(n.in[1], at_end, at_choice, known) +
+                        count_ways(n.in[2], at_end, at_choice, known);
+  return known[id] = std::min(ways, kMostWays);
+}
+
 // Assignments that a value takes, as ifs.
-int Rater::count_values(const Update& u) const {
-  const Node& n = node(u.value);
-  if (n.op == Op::kConstant || holds(u)) return 0;
-  if (n.op != Op::kMux) return 1;
-  return count_values({u.reg, n.in[1]}) + count_values({u.reg, n.in[2]});
+unsigned Rater::count_values(const Update& u) const {
+  const auto is_stored = [&](NodeId id) {
+    return node(id).op == Op::kConstant || holds({u.reg, id}) ? 0U : 1U;
+  };
+  Ways known;
+  return count_ways(u.value, is_stored, 0, known);
 }
 
 unsigned Rater::count_choices(NodeId id) const {
-  const Node& n = node(id);
-  return n.op != Op::kMux ? 0 : 1 + count_choices(n.in[1]) + count_choices(n.in[2]);
+  Ways known;
+  return count_ways(id, [](NodeId) { return 0U; }, 1, known);
 }
 
 bool Rater::joins(const Update& u, const std::vector<NodeId>& values, const Split& s, double own) {

@@ -11,7 +11,8 @@
 
 #include "generator/print/restrict.hpp"
 
-#include <set>
+#include <llvm/ADT/DenseMap.h>
+#include <llvm/ADT/DenseSet.h>
 
 namespace hlsgen {
 
@@ -53,19 +54,23 @@ class Rater {
   double gain(const Update& u, const Split& s);
 
  private:
-  using Cone = std::set<NodeId>;
+  using Cone = llvm::DenseSet<NodeId>;
+
+  using Ways = llvm::DenseMap<NodeId, unsigned>;
 
   void add_cone(NodeId id, Cone& cone) const;
   bool is_simple(NodeId id) const;
   std::vector<NodeId> restricted(const Update& u, const Split& s);
   static double cost(const std::vector<Cone>& cones, const Cone& condition);
-  int count_values(const Update& u) const;
+  unsigned count_values(const Update& u) const;
   unsigned count_choices(NodeId id) const;
+  template <class Count>
+  unsigned count_ways(NodeId id, const Count& at_end, unsigned at_choice, Ways& known) const;
   bool joins(const Update& u, const std::vector<NodeId>& values, const Split& s, double own);
 
   const Module& m_;
   Restrictor& restrictor_;
-  std::map<NodeId, unsigned> present_;  // a register's present value
+  llvm::DenseMap<NodeId, unsigned> present_;  // a register's present value
   Cone free_;                           // what outputs and instances need
 };
 

@@ -118,36 +118,69 @@ NodeId Restrictor::restrict(const Facts& facts, NodeId id) {
   return rebuild(facts, id, memory);
 }
 
+Questions Restrictor::questions(const Facts& facts, NodeId id) const {
+  Questions all;
+  llvm::DenseSet<NodeId> seen;
+  ask(facts, id, seen, all);
+  return all;
+}
+
+// The way of rebuild(), as long as nothing is known.
+void Restrictor::ask(const Facts& facts, NodeId id, llvm::DenseSet<NodeId>& seen,
+                     Questions& all) const {
+  if (!seen.insert(id).second) return;
+  const Node& n = node(id);
+  if (n.width == 1) {
+    if (const auto value = known(facts, id)) {
+      if (bits_[*value] != id) all.settled = false;
+      return;
+    }
+    all.bits.push_back(id);
+    if (const Domain* d = domain(id)) all.selectors.push_back(d->selector);
+  }
+  if (n.op == Op::kMux) {
+    if (stays_whole(facts, id)) return;
+    if (is_bit(n.in[0], false) || is_bit(n.in[0], true)) all.settled = false;
+  } else if (!is_logic(n) && !(is_wiring(n.op) && facts.splits_shared)) {
+    return;
+  }
+  for (const NodeId operand : n.in) ask(facts, operand, seen, all);
+}
+
+bool Restrictor::stays_whole(const Facts& facts, NodeId id) const {
+  return node(id).width > 1 && id < uses_.size() && uses_[id] > 1 && !facts.splits_shared;
+}
+
 NodeId Restrictor::rebuild(const Facts& facts, NodeId id, Memory& memory) {
   const auto found = memory.find(id);
   if (found != memory.end()) return found->second;
   const auto answer = [&](NodeId result) { return memory[id] = result; };
-  const Node n = node(id);  // a copy: the list may grow
-  if (n.width == 1)
+  if (node(id).width == 1)
     if (const auto value = known(facts, id)) return answer(bit(*value));
-  if (n.op == Op::kMux) {
-    const bool shared = n.width > 1 && id < uses_.size() && uses_[id] > 1;
-    if (shared && !facts.splits_shared) return answer(id);
-    const NodeId condition = rebuild(facts, n.in[0], memory);
-    if (is_bit(condition, true)) return answer(rebuild(facts, n.in[1], memory));
-    if (is_bit(condition, false)) return answer(rebuild(facts, n.in[2], memory));
-    const NodeId then = rebuild(facts, n.in[1], memory);
-    const NodeId otherwise = rebuild(facts, n.in[2], memory);
-    if (condition == n.in[0] && then == n.in[1] && otherwise == n.in[2]) return answer(id);
-    return answer(choose(n, condition, then, otherwise));
+  const Op op = node(id).op;
+  if (op == Op::kMux) {
+    if (stays_whole(facts, id)) return answer(id);
+    const std::vector<NodeId> in = node(id).in;  // a copy: the list may grow
+    const NodeId condition = rebuild(facts, in[0], memory);
+    if (is_bit(condition, true)) return answer(rebuild(facts, in[1], memory));
+    if (is_bit(condition, false)) return answer(rebuild(facts, in[2], memory));
+    const NodeId then = rebuild(facts, in[1], memory);
+    const NodeId otherwise = rebuild(facts, in[2], memory);
+    if (condition == in[0] && then == in[1] && otherwise == in[2]) return answer(id);
+    return answer(choose(id, condition, then, otherwise));
   }
-  if (is_wiring(n.op) && facts.splits_shared) return answer(rewire(facts, id, memory));
-  if (!is_logic(n)) return answer(id);
-  std::vector<NodeId> in;
-  for (const NodeId operand : n.in) in.push_back(rebuild(facts, operand, memory));
-  return answer(in == n.in ? id : make(n, n.op, std::move(in)));
+  if (is_wiring(op) && facts.splits_shared) return answer(rewire(facts, id, memory));
+  if (!is_logic(node(id))) return answer(id);
+  std::vector<NodeId> in = node(id).in;
+  for (NodeId& operand : in) operand = rebuild(facts, operand, memory);
+  return answer(in == node(id).in ? id : make(id, op, std::move(in)));
 }
 
 NodeId Restrictor::rewire(const Facts& facts, NodeId id, Memory& memory) {
+  std::vector<NodeId> in = node(id).in;
+  for (NodeId& operand : in) operand = rebuild(facts, operand, memory);
+  if (in == node(id).in) return id;
   Node n = node(id);
-  std::vector<NodeId> in;
-  for (const NodeId operand : n.in) in.push_back(rebuild(facts, operand, memory));
-  if (in == n.in) return id;
   n.in = std::move(in);
   n.name.clear();
   std::vector<llvm::APInt> constants;
@@ -183,19 +216,19 @@ NodeId Restrictor::bit(bool value) {
   return bits_[value];
 }
 
-NodeId Restrictor::choose(const Node& like, NodeId condition, NodeId then, NodeId otherwise) {
+NodeId Restrictor::choose(NodeId like, NodeId condition, NodeId then, NodeId otherwise) {
   if (then == otherwise) return then;
   if (node(condition).op == Op::kNot)
     return choose(like, node(condition).in[0], otherwise, then);
   // c ? a : d ? a : b  and  c ? (d ? a : b) : b
   if (node(otherwise).op == Op::kMux && node(otherwise).in[1] == then) {
     const NodeId last = node(otherwise).in[2];
-    const NodeId either = combine(like, Op::kOr, condition, node(otherwise).in[0]);
+    const NodeId either = make(like, Op::kOr, {condition, node(otherwise).in[0]});
     return choose(like, either, then, last);
   }
   if (node(then).op == Op::kMux && node(then).in[2] == otherwise) {
     const NodeId first = node(then).in[1];
-    const NodeId both = combine(like, Op::kAnd, condition, node(then).in[0]);
+    const NodeId both = make(like, Op::kAnd, {condition, node(then).in[0]});
     return choose(like, both, first, otherwise);
   }
   if (is_bit(then, true)) return make(like, Op::kOr, {condition, otherwise});
@@ -206,13 +239,7 @@ NodeId Restrictor::choose(const Node& like, NodeId condition, NodeId then, NodeI
   return falls ? make(like, Op::kAnd, {inverse, otherwise}) : make(like, Op::kOr, {inverse, then});
 }
 
-NodeId Restrictor::combine(const Node& like, Op op, NodeId a, NodeId b) {
-  Node bit;
-  bit.source = like.source;
-  return make(bit, op, {a, b});
-}
-
-NodeId Restrictor::make(const Node& like, Op op, std::vector<NodeId> in) {
+NodeId Restrictor::make(NodeId like, Op op, std::vector<NodeId> in) {
   if (op == Op::kNot) {
     if (is_bit(in[0], false) || is_bit(in[0], true)) return bit(is_bit(in[0], false));
     if (node(in[0]).op == Op::kNot) return node(in[0]).in[0];
@@ -227,14 +254,15 @@ NodeId Restrictor::make(const Node& like, Op op, std::vector<NodeId> in) {
     }
     if (in[0] == in[1]) return op == Op::kXor ? bit(false) : in[0];
   }
-  const Key key{op, like.width, in};
+  const unsigned width = op == Op::kMux ? node(like).width : 1;
+  const Key key{op, width, in};
   const auto found = made_.find(key);
   if (found != made_.end()) return found->second;
   Node n;
   n.op = op;
-  n.width = like.width;
+  n.width = width;
   n.in = std::move(in);
-  n.source = like.source;
+  n.source = node(like).source;
   const NodeId id = append(std::move(n));
   made_.emplace(key, id);
   return id;

@@ -13,6 +13,9 @@
 
 #include "generator/netlist.hpp"
 
+#include <llvm/ADT/DenseMap.h>
+#include <llvm/ADT/DenseSet.h>
+
 #include <map>
 #include <optional>
 #include <tuple>
@@ -34,6 +37,13 @@ struct Facts {
   bool splits_shared = false;
 };
 
+// What restrict() asks on its way through a value.
+struct Questions {
+  bool settled = true;             // the value stays what it is
+  std::vector<NodeId> bits;        // conditions
+  std::vector<NodeId> selectors;   // whose ranges answer for some of them
+};
+
 class Restrictor {
  public:
   static constexpr unsigned kWidestSelector = 6;
@@ -47,10 +57,12 @@ class Restrictor {
 
   void learn(Facts& facts, NodeId condition, bool value) const;
   NodeId restrict(const Facts& facts, NodeId id);
+  // Other facts, of none of these, leave a settled value alone.
+  Questions questions(const Facts& facts, NodeId id) const;
 
  private:
   using Key = std::tuple<Op, unsigned, std::vector<NodeId>>;
-  using Memory = std::map<NodeId, NodeId>;
+  using Memory = llvm::DenseMap<NodeId, NodeId>;
 
   bool is_bit(NodeId id, bool value) const {
     const Node& n = node(id);
@@ -59,11 +71,13 @@ class Restrictor {
   NodeId bit(bool value);
   Domain find_domain(const Node& n) const;
   std::optional<bool> known(const Facts& facts, NodeId id) const;
+  void ask(const Facts& facts, NodeId id, llvm::DenseSet<NodeId>& seen, Questions& all) const;
+  bool stays_whole(const Facts& facts, NodeId id) const;
   NodeId rebuild(const Facts& facts, NodeId id, Memory& memory);
   NodeId rewire(const Facts& facts, NodeId id, Memory& memory);
-  NodeId make(const Node& like, Op op, std::vector<NodeId> in);
-  NodeId combine(const Node& like, Op op, NodeId a, NodeId b);
-  NodeId choose(const Node& like, NodeId condition, NodeId then, NodeId otherwise);
+  // Logic of one bit, or a choice as wide as `like`; it has the line of that.
+  NodeId make(NodeId like, Op op, std::vector<NodeId> in);
+  NodeId choose(NodeId like, NodeId condition, NodeId then, NodeId otherwise);
   NodeId append(Node n);
 
   Module& m_;

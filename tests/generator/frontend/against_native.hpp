@@ -40,10 +40,10 @@ class Stimulus {
   std::mt19937_64 engine_;
 };
 
-inline Design design_of(const std::string& top) {
+inline Design design_of(const std::string& top, const std::string& source = "blocks.cpp") {
   std::filesystem::current_path(HLSGEN_ROOT);  // files are named relative to it
   FrontEndOptions options;
-  options.compile.source = "tests/generator/frontend/blocks.cpp";
+  options.compile.source = "tests/generator/frontend/" + source;
   options.compile.include_directories = {"."};
   options.top = top;
   return build_design(options).design;
@@ -93,8 +93,9 @@ void run_against_native(const Design& design, int clocks) {
 
 // As the front end leaves it, and as the passes make of it.
 template <class Block>
-void expect_equal_to_native(const std::string& top, int clocks = 20'000) {
-  auto design = design_of(top);
+void expect_equal_to_native(const std::string& top, int clocks = 20'000,
+                            const std::string& source = "blocks.cpp") {
+  auto design = design_of(top, source);
   ASSERT_NO_THROW(check(design));
   run_against_native<Block>(design, clocks);
   optimise(design);

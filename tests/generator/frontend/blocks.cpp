@@ -33,6 +33,7 @@ template struct Synthesize<test::Closure>;
 template struct Synthesize<test::ContinueInWhile>;
 template struct Synthesize<test::Rewritten>;
 template struct Synthesize<test::LimitedIndex>;
+template struct Synthesize<test::TablesOfOneName>;
 template struct Synthesize<test::ScheduledFilter>;
 template struct Synthesize<test::ScheduledCascade>;
 template struct Synthesize<test::Sampled>;

@@ -5,6 +5,7 @@
 #include "tests/generator/frontend/blocks/control.hpp"
 #include "tests/generator/frontend/blocks/hierarchy.hpp"
 #include "tests/generator/frontend/blocks/named.hpp"
+#include "tests/generator/frontend/blocks/library.hpp"
 #include "tests/generator/frontend/blocks/numbers.hpp"
 #include "tests/generator/frontend/blocks/regressions.hpp"
 #include "tests/generator/frontend/blocks/scheduled.hpp"
@@ -57,6 +58,12 @@ TEST(Regression, AWhileLoopWithContinueHasABound) {
 TEST(Regression, WhatLlvmRewritesIsTaken) { expect_equal_to_native<Rewritten>("rewritten"); }
 TEST(Regression, ALimitedIndexProvesByItsBits) {
   expect_equal_to_native<LimitedIndex>("limited_index");
+}
+TEST(Regression, TablesOfOneNameMayDifferInWidth) {
+  expect_equal_to_native<TablesOfOneName>("tables_of_one_name");
+}
+TEST(Regression, TheStandardLibraryIsRead) {
+  expect_equal_to_native<LetterCounter>("letter_counter", 20'000, "library.cpp");
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct Array {
   Type element;
   int count = 0;
   bool is_writable = false;
+  std::string member = {};  // of an element, ".a"
 };
 
 class Expressions {

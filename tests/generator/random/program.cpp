@@ -10,7 +10,7 @@ std::string each(const std::string& calls) {
 }  // namespace
 
 Program::Program(std::uint64_t seed, const std::string& name, bool may_have_child, bool products)
-    : Statements(seed), name_(name), has_products_(products) {
+    : Tables(seed), name_(name), has_products_(products) {
   draw_enumeration();
   draw_in();
   draw_out();
@@ -160,7 +160,7 @@ std::string Program::body() {
   for (int i = 0; i < children_; ++i) text += tick_of_child(i);
   may_return = true;
   text += statements(any.between(3, 6), 3);
-  return cat({text, last_writes(), has_products_ ? products() : "", finish});
+  return cat({text, last_writes(), has_products_ ? products() : "", reads_of_tables(), finish});
 }
 
 // Most ports and registers end with something that was computed, or little of it would be seen.
@@ -208,7 +208,7 @@ std::string Program::text() {
   return child_ + formatted(cat(
       {"class ", name_, " {\npublic:\nenum class Mode : std::uint8_t { ", enumeration_, " };\n",
        pair_, "struct In {\n", in_, each(in_each_), "};\nstruct Out {\n", out_, each(out_each_),
-       "};\nOut tick(const In& in) {\n", tick, "}\n\nprivate:\n", helpers(), state_, "};\n\n"}));
+       "};\nOut tick(const In& in) {\n", tick, "}\n\nprivate:\n", helpers(), tables(), state_, "};\n\n"}));
 }
 
 // Indented by the braces.

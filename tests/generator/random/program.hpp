@@ -1,16 +1,16 @@
 // A random block, and the group that holds many as its members.
 //
 // A block has ports and registers of all kinds, an enumeration (perhaps with gaps), a struct within
-// In, Out and the state, arrays, a table, helpers, and perhaps a block of its own, or two in an
+// In, Out and the state, arrays, tables, helpers, and perhaps a block of its own, or two in an
 // array.
 
 #pragma once
 
-#include "tests/generator/random/statements.hpp"
+#include "tests/generator/random/tables.hpp"
 
 namespace hlsgen::test {
 
-class Program : private Statements {
+class Program : private Tables {
  public:
   // With `products`, some more of them than chance would have it, and sums of them.
   Program(std::uint64_t seed, const std::string& name, bool may_have_child, bool products = false);

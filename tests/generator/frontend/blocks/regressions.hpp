@@ -219,4 +219,45 @@ class LimitedIndex {
   std::array<UInt<9>, 6> kept_ = {10, 20, 30, 40, 50, 60};
 };
 
+// Tables of one name and length whose entries differ in width; a line of a table of lines.
+template <int W>
+struct Sine {
+  static constexpr UInt<W> kSine[4] = {1, 50, 99, 77};
+};
+
+class TablesOfOneName {
+ public:
+  struct In {
+    UInt<2> at = 0;
+    template <class F>
+    void each(F f) { f(at); }
+  };
+  struct Out {
+    UInt<8> narrow = 0;
+    UInt<9> wide = 0;
+    UInt<5> high = 0;
+    UInt<6> low = 0;
+    UInt<7> line = 0;
+    template <class F>
+    void each(F f) { f(narrow), f(wide), f(high), f(low), f(line); }
+  };
+  Out tick(const In& in) {
+    Out out;
+    out.narrow = Sine<8>::kSine[in.at.raw()];
+    out.wide = Sine<9>::kSine[in.at.raw()];
+    out.high = kPatterns[in.at.raw()].high;
+    out.low = kPatterns[in.at.raw()].low;
+    out.line = kLines[1][in.at.raw()];
+    return out;
+  }
+
+ private:
+  struct Pattern {
+    UInt<5> high;
+    UInt<6> low;
+  };
+  static constexpr Pattern kPatterns[4] = {{1, 1}, {20, 20}, {3, 3}, {31, 31}};
+  static constexpr UInt<7> kLines[2][4] = {{1, 2, 3, 4}, {99, 7, 50, 120}};
+};
+
 }  // namespace steplock::test
