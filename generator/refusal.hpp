@@ -28,8 +28,8 @@ SourceLine source_line(const llvm::DIFile* file, unsigned line);
 // own headers (an index that leaves a std::array is reported where the brackets are).
 SourceLine source_of(const llvm::Instruction& instruction);
 
-// The same for the generated module: the innermost frame outside the number library, so that the line
-// of an addition is that of the equation and not that of the number class.
+// The same for the generated module: the innermost frame outside the number library, so that the
+// line of an addition is that of the equation and not that of the number class.
 SourceLine source_of_equation(const llvm::DILocation* location);
 
 bool is_system_header(const SourceLine& where);

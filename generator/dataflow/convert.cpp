@@ -21,8 +21,8 @@ using llvm::dyn_cast;
 
 class Converter {
  public:
-  // With `marks`, marks are inputs beyond the block's own, and their sites are listed there; without,
-  // they are values that do not matter.
+  // With `marks`, marks are inputs beyond the block's own, and their sites are listed there;
+  // without, they are values that do not matter.
   Converter(const Step& step, const Block& block, const Opaque& opaque,
             std::vector<unsigned>* marks)
       : marks_(marks),

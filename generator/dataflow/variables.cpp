@@ -48,8 +48,8 @@ std::string name_of(const llvm::DbgVariableIntrinsic& at) {
   return variable->getName().str() + member_at(variable->getType(), bit);
 }
 
-// Whether the variable holds the value itself, or a part of a variable: clang keeps a bool in a byte,
-// so that after optimisation one bit is converted to it.
+// Whether the variable holds the value itself, or a part of a variable: clang keeps a bool in a
+// byte, so that after optimisation one bit is converted to it.
 bool is_the_value(const llvm::DIExpression& expression) {
   std::uint64_t width = 0;
   for (const auto& operand : expression.expr_ops()) {
@@ -81,7 +81,8 @@ Frame frame_of(const llvm::DILocation* at) {
   for (; at != nullptr; at = at->getInlinedAt()) {
     const auto* function = at->getScope()->getSubprogram();
     const auto where = source_line(function->getFile(), function->getLine());
-    if (!is_system_header(where) && !is_number_library(where)) return {function, at->getInlinedAt()};
+    if (is_system_header(where) || is_number_library(where)) continue;
+    return {function, at->getInlinedAt()};
   }
   return {};
 }

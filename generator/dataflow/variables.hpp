@@ -3,8 +3,8 @@
 //     const auto sum = phase + in.step;        ->  the addition is called "sum"
 //     Frequency limit() const { return ... }   ->  what it returns is of "limit"
 //
-// A variable's name comes first, a parameter's last.  The number library and lambdas give none: their
-// parameters say nothing where they were inlined.
+// A variable's name comes first, a parameter's last.  The number library and lambdas give none:
+// their parameters say nothing where they were inlined.
 //
 // Doc: docs/generator.md   Test: tests/generator/frontend/design_test.cpp
 

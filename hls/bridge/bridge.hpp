@@ -1,8 +1,8 @@
 // The bridge's own terms: what every drive says to it, and what firmware sets of it.
 //
-// Every configuration word is an input of the top and may change at any clock; where a change takes
-// effect later, its comment says when.  A "tick" is `tick_periods` PWM periods, about a millisecond:
-// the time base of everything slow.
+// Every configuration word is an input of the top and may change at any clock; where a change
+// takes effect later, its comment says when.  A "tick" is `tick_periods` PWM periods, about a
+// millisecond: the time base of everything slow.
 //
 // Doc: docs/theory.md
 
