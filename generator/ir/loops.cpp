@@ -22,6 +22,7 @@ namespace hlsgen {
 namespace {
 
 constexpr unsigned kMaxInstructions = 400'000;
+constexpr std::uint64_t kMaxUnrolled = 100'000;  // of one nest of loops
 
 SourceLine source_of_loop(const llvm::Loop& loop) {
   for (const auto* frame = loop.getStartLoc().get(); frame != nullptr;
@@ -68,11 +69,28 @@ void join_ways_back(llvm::Loop& loop, Analyses& a) {
   llvm::SplitBlockPredecessors(loop.getHeader(), latches, ".next", &a.dominators, &a.loops);
 }
 
+// Loops within it are unrolled already: what nests multiplies.
+void refuse_large(const llvm::Loop& loop, unsigned count) {
+  std::uint64_t body = 0;
+  for (const auto* block : loop.blocks()) {
+    for (const auto& instruction : *block) {
+      if (!llvm::isa<llvm::DbgInfoIntrinsic>(instruction)) ++body;
+    }
+  }
+  const std::uint64_t all = body * count;
+  if (all <= kMaxUnrolled) return;
+  throw Refusal(source_of_loop(loop),
+                "the loop and those within it unroll to " + std::to_string(all) +
+                    " instructions, more than " + std::to_string(kMaxUnrolled),
+                "spread the work over clocks");
+}
+
 bool unroll(llvm::Loop& loop, Analyses& a) {
   llvm::simplifyLoop(&loop, &a.dominators, &a.loops, &a.evolution, &a.assumptions, nullptr, false);
   llvm::formLCSSARecursively(loop, a.dominators, &a.loops, &a.evolution);
   const unsigned count = a.evolution.getSmallConstantMaxTripCount(&loop);
   if (count == 0 || iterations(loop, a) > kMaxIterations) return false;
+  refuse_large(loop, count);
   llvm::UnrollLoopOptions options{};
   options.Count = count;
   options.Force = true;

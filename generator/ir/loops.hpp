@@ -13,7 +13,7 @@
 
 namespace hlsgen {
 
-inline constexpr unsigned kMaxIterations = 1024;
+inline constexpr unsigned kMaxIterations = 4096;
 
 // Refuses what has no bound, or a larger one.
 void unroll_loops(llvm::Function& function);
