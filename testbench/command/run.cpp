@@ -5,13 +5,7 @@
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
-#include "testbench/compare/shadow.hpp"
-#include "testbench/report/report.hpp"
-#include "testbench/run/check.hpp"
-#include "testbench/run/summary.hpp"
-#include "testbench/run/trace_writer.hpp"
-#include "testbench/sinusoidal/run.hpp"
-#include "testbench/sweep/drawn_run.hpp"
+#include "testbench/drive/drive.hpp"
 #include "testbench/sweep/row.hpp"
 
 namespace steplock {
@@ -64,47 +58,44 @@ void print_row(const Row& row, bool json) {
   throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), what));
 }
 
+std::unique_ptr<TraceWriter> make_trace(const Arguments& arguments, const fs::path& out, const WaveTable& wave,
+                                        int pole_pairs) {
+  if (!arguments.trace) return nullptr;
+  return std::make_unique<TraceWriter>((out / "wave.fst").string(), wave, pole_pairs);
+}
+
 // One run of a sweep alone: once to know how long it takes, once with everything written down.
-int replay(const Arguments& arguments) {
-  DriveFile file = open_drive_file(arguments.file);
+template <class Drive>
+int replay(const Arguments& arguments, DriveFile file) {
   const RunSeed seed{*arguments.replay};
-  const bool is_sinusoidal = file.settings.drive.kind == design::DriveKind::kSinusoidal;
-  if (is_sinusoidal) {
-    if (arguments.engine != EngineKind::kFloat) check_words(file);
-    if (arguments.trace) refuse(file, "a sinusoidal drive writes no wave yet; leave out --trace");
-    if (seed.disturbed()) refuse(file, "this seed is of the disturbance matrix, which serves six-step drives");
+  if (seed.disturbed() && !Drive::kDisturbed) {
+    refuse(file, "this seed is of the disturbance matrix, which serves six-step drives");
   }
   const fs::path out = make_folder(arguments);
   DrawnRun run = drawn_run(file.settings, seed);
   Interrupt interrupt;
-  const auto go_on = [&] { return !interrupt.asked(); };
-  DrawnResult result = simulate(run, {.engine = arguments.engine, .go_on = go_on});
+  SimulateOptions simulation{.engine = arguments.engine, .go_on = [&] { return !interrupt.asked(); }};
+  DrawnResult result = simulate(run, simulation);
   if (result.stopped) return kInterrupted;
-  std::unique_ptr<TraceWriter> trace;
-  if (arguments.trace) {
-    trace = std::make_unique<TraceWriter>((out / "wave.fst").string(), run.settings.motor.pole_pairs);
-  }
+  std::unique_ptr<TraceWriter> trace = make_trace(arguments, out, Drive::wave(), run.settings.motor.pole_pairs);
   const double end_s = run.seed.disturbed() ? std::max(result.findings.end_s, result.after.end_s)
                                             : result.findings.end_s;
-  Record record;
-  sinusoidal::Record sinusoidal_record;
-  result = simulate(run, {.engine = arguments.engine, .trace = trace.get(), .record = &record,
-                          .sinusoidal_record = &sinusoidal_record, .record_s = end_s, .go_on = go_on});
+  typename Drive::Record record;
+  Drive::record_into(simulation, record);
+  simulation.trace = trace.get();
+  simulation.record_s = end_s;
+  result = simulate(run, simulation);
   if (result.stopped) return kInterrupted;
   trace.reset();
-  file.settings = run.settings;
-  file.settings.scenario.duration_s = end_s;
+  design::Settings drawn = run.settings;
+  drawn.scenario.duration_s = end_s;
   const RunOptions options{.engine = arguments.engine,
                            .angle_deg = run.settings.scenario.start_angle_deg};
   const ReportFiles files =
-      is_sinusoidal
-          ? sinusoidal::write_report(out, file.settings,
-                                     sinusoidal::summarise(file.settings, options, sinusoidal_record),
-                                     sinusoidal_record)
-          : write_report(out, file, summarise(file.settings, options, record), record, arguments.trace);
+      Drive::report(out, drawn, Drive::summarise(drawn, options, record), record, arguments.trace);
   print_row({.index = 0, .drive = stem(arguments), .seed = run.seed.value, .outside = run.seed.outside(),
              .rtl = "", .conditions = run.conditions, .findings = result.findings,
-             .disturbance = run.disturbance, .after = result.after, .kind = file.settings.drive.kind},
+             .disturbance = run.disturbance, .after = result.after, .kind = drawn.drive.kind},
             arguments.json);
   print_files(files, arguments.json);
   const bool well = run.seed.disturbed() ? ends_well(run.disturbance.kind, result.after.outcome)
@@ -112,61 +103,19 @@ int replay(const Arguments& arguments) {
   return well ? kWell : kFailed;
 }
 
-int run_sinusoidal(const Arguments& arguments, const DriveFile& file) {
-  if (arguments.engine != EngineKind::kFloat) check_words(file);
-  if (arguments.trace) refuse(file, "a sinusoidal drive writes no wave yet; leave out --trace");
-  if (arguments.compare || arguments.lockstep) {
-    refuse(file, "a sinusoidal drive is not compared yet; leave out --compare and --lockstep");
+template <class Drive>
+int run(const Arguments& arguments, const DriveFile& file) {
+  if (constexpr bool kCompared = requires { Drive::shadow; }; arguments.compare && !kCompared) {
+    refuse(file, "a sinusoidal drive is not compared yet; leave out --compare");
   }
   const fs::path out = make_folder(arguments);
-  RunOptions options{.engine = arguments.engine,
-                     .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg)};
-  sinusoidal::Record record;
-  {
-    Interrupt interrupt;
-    ProgressBar bar(fmt::format("{} ({})", file.settings.drive.name, name_of(options.engine)));
-    options.progress = [&](double done) {
-      bar.show(done);
-      return !interrupt.asked();
-    };
-    record = sinusoidal::run(file.settings, options);
-  }
-  const sinusoidal::Result result = sinusoidal::summarise(file.settings, options, record);
-  const ReportFiles files = sinusoidal::write_report(out, file.settings, result, record);
-  if (arguments.json) {
-    fmt::print("{}\n", to_json(result).dump(2));
-  } else {
-    fmt::print("{}", to_text(result));
-  }
-  print_files(files, arguments.json);
-  if (result.interrupted) return kInterrupted;
-  return result.failures().empty() ? kWell : kFailed;
-}
-
-int run(const Arguments& arguments) {
-  if (arguments.replay) return replay(arguments);
-  if (arguments.compare && arguments.engine == EngineKind::kFloat) {
-    throw BadInput("--compare holds rtl or fixed against float; choose one of them as --engine");
-  }
-  if (arguments.lockstep && arguments.engine != EngineKind::kRtl) {
-    throw BadInput("--lockstep holds the RTL against its source; leave --engine out, or give it rtl");
-  }
-  DriveFile file = open_drive_file(arguments.file);
-  if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
-  if (file.settings.drive.kind == design::DriveKind::kSinusoidal) return run_sinusoidal(arguments, file);
-  const fs::path out = make_folder(arguments);
-
   RunOptions options{.engine = arguments.engine,
                      .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg),
                      .lockstep = arguments.lockstep};
-  std::unique_ptr<TraceWriter> trace;
-  if (arguments.trace) {
-    trace = std::make_unique<TraceWriter>((out / "wave.fst").string(),
-                                          file.settings.motor.pole_pairs);
-    options.trace = trace.get();
-  }
-  Record record;
-  Summary summary;
+  std::unique_ptr<TraceWriter> trace = make_trace(arguments, out, Drive::wave(), file.settings.motor.pole_pairs);
+  options.trace = trace.get();
+  typename Drive::Record record;
+  typename Drive::Summary summary;
   {
     Interrupt interrupt;
     ProgressBar bar(fmt::format("{} ({})", file.settings.drive.name, name_of(options.engine)));
@@ -174,18 +123,20 @@ int run(const Arguments& arguments) {
       bar.show(done);
       return !interrupt.asked();
     };
-    record = run_drive(file.settings, options);
-    summary = summarise(file.settings, options, record);
-    if (arguments.compare && !summary.interrupted) {
-      summary.float_errors = shadow_errors(file.settings, summary, [&](double done) {
-        bar.show(done, "fixed against float");
-        return !interrupt.asked();
-      });
-      summary.interrupted = interrupt.asked();
+    record = Drive::run(file.settings, options);
+    summary = Drive::summarise(file.settings, options, record);
+    if constexpr (requires { Drive::shadow; }) {
+      if (arguments.compare && !summary.interrupted) {
+        summary.float_errors = Drive::shadow(file.settings, summary, [&](double done) {
+          bar.show(done, "fixed against float");
+          return !interrupt.asked();
+        });
+        summary.interrupted = interrupt.asked();
+      }
     }
   }
   trace.reset();
-  const ReportFiles files = write_report(out, file, summary, record, arguments.trace);
+  const ReportFiles files = Drive::report(out, file.settings, summary, record, arguments.trace);
 
   if (arguments.json) {
     fmt::print("{}\n", to_json(summary).dump(2));
@@ -195,6 +146,22 @@ int run(const Arguments& arguments) {
   print_files(files, arguments.json);
   if (summary.interrupted) return kInterrupted;
   return summary.failures().empty() ? kWell : kFailed;
+}
+
+int run_or_replay(const Arguments& arguments) {
+  if (arguments.compare && arguments.engine == EngineKind::kFloat) {
+    throw BadInput("--compare holds rtl or fixed against float; choose one of them as --engine");
+  }
+  if (arguments.lockstep && arguments.engine != EngineKind::kRtl) {
+    throw BadInput("--lockstep holds the RTL against its source; leave --engine out, or give it rtl");
+  }
+  DriveFile file = open_drive_file(arguments.file);
+  if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
+  return with_drive(file.settings, [&](auto drive) {
+    using Drive = decltype(drive);
+    Drive::check(file, arguments.engine);
+    return arguments.replay ? replay<Drive>(arguments, file) : run<Drive>(arguments, file);
+  });
 }
 
 }  // namespace
@@ -227,7 +194,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
                       "file's scenario")
       ->excludes(compare)->excludes(angle)->excludes(seed)->excludes(lockstep);
   command->footer("Example: steplock run drives/amano2003.toml --engine fixed --angle 60 --json");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_or_replay(*arguments); });
 }
 
 }  // namespace steplock

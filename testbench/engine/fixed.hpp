@@ -58,7 +58,9 @@ inline Frequency target_of(const HostCommand& c, const Words& words, double cloc
 
 class FixedEngine {
  public:
+  using Out = SixStepTop::Out;
   static constexpr const char* kName = "fixed";
+  static void spoil(Out& out) { out.step_phase = out.step_phase ^ Phase(1); }  // one wrong bit
 
   FixedEngine(const Words& words, double clock_hz) : words_(words), clock_hz_(clock_hz) {
     in_.words = words;
@@ -86,17 +88,20 @@ class FixedEngine {
     tick();
     return 1;
   }
-  // The same in two parts, for one who looks at each of the clocks: a tick and how many more are quiet, at
-  // most `most`; and then these.  In the n-th of them, from 1, the output is that of the tick, but for
-  // step_phase, which is shows(n).
-  [[gnu::flatten]] std::uint64_t tick_and_foresee(std::uint64_t most) {
-    if (ticked_) return top_.tick_and_foresee(in_, out_, most);
-    tick();
-    return 0;
-  }
-  Phase shows(std::uint64_t n) const { return top_.shows(in_, out_, n); }
-  [[gnu::flatten]] void take(std::uint64_t clocks) {
-    if (clocks > 0) out_.step_phase = top_.skip(in_, out_, clocks);
+  // The same for one who looks at each of the clocks: see(output) for every one of them, skipped or not.
+  // While it skips, the output stays, but for step_phase.
+  template <class See>
+  std::uint64_t each(std::uint64_t most, See&& see) {
+    const std::uint64_t more = tick_and_foresee(most - 1);
+    see(out_);
+    if (more == 0) return 1;
+    Out shown = out_;
+    for (std::uint64_t n = 1; n <= more; ++n) {
+      shown.step_phase = top_.shows(in_, out_, n);
+      see(shown);
+    }
+    out_.step_phase = top_.skip(in_, out_, more);
+    return 1 + more;
   }
   // For two engines that must stop at the same clocks.
   std::uint64_t quiet() const { return ticked_ ? top_.quiet(in_, out_) : 0; }
@@ -112,6 +117,13 @@ class FixedEngine {
   const SixStepTop::Out& output() const { return out_; }
 
  private:
+  // A tick and how many more are quiet, at most `most`.
+  [[gnu::flatten]] std::uint64_t tick_and_foresee(std::uint64_t most) {
+    if (ticked_) return top_.tick_and_foresee(in_, out_, most);
+    tick();
+    return 0;
+  }
+
   Words words_;
   SkippingTop top_;
   SixStepTop::In in_;

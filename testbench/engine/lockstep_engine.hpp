@@ -1,6 +1,14 @@
-// The blocks and their generated RTL on the same pins in one closed loop; the blocks drive the motor.
+// The blocks and their generated RTL on the same pins in one closed loop, of either drive; the blocks drive
+// the motor.
 //
-// Test: tests/testbench/engine_test.cpp, compare_test.cpp
+// All outputs are compared on every clock.  The blocks skip their quiet clocks; the RTL takes each of them.
+// `Fixed` and `Rtl` are the engines of one drive, with beside the engines' calls
+//
+//     Fixed:  uint64_t each(uint64_t most, compare)   1 to `most` clocks, compare(output) for every one
+//             using Out                               spoil(Out&): one wrong bit, for a negative control
+//     Rtl:    const char* differs(const Out&)         the first port that is not so, after tick()
+//
+// Test: tests/testbench/engine_test.cpp, compare_test.cpp, sinusoidal_engines_test.cpp
 #pragma once
 
 #include "testbench/engine/fixed.hpp"
@@ -9,12 +17,13 @@
 
 namespace steplock {
 
-// All outputs compared on every clock.  The blocks skip their quiet clocks; the RTL takes each of them.
-class LockstepEngine {
+template <class Fixed, class Rtl>
+class LockstepOf {
  public:
-  LockstepEngine(const Words& words, double clock_hz)
-      : fixed_(words, clock_hz), rtl_(words, clock_hz) {
-    rtl_.look_always();
+  // Whatever both engines are made of.
+  template <class... Settings>
+  explicit LockstepOf(const Settings&... settings) : fixed_(settings...), rtl_(settings...) {
+    if constexpr (requires { rtl_.look_always(); }) rtl_.look_always();
   }
 
   void set_pins(const plant::Pins& pins) {
@@ -26,35 +35,34 @@ class LockstepEngine {
     fixed_.set_command(c);
     rtl_.set_command(c);
   }
+  // With converters only.
+  template <class State>
+    requires requires(Fixed& fixed, const State& s) { fixed.set_reading(s); }
+  void set_reading(const State& s) {
+    fixed_.set_reading(s);
+    rtl_.set_reading(s);
+  }
   // From 1 to `most` clocks; in those after the first watch() does not change, because they are quiet.
   std::uint64_t run(std::uint64_t most) {
-    const std::uint64_t more = fixed_.tick_and_foresee(most - 1);
-    SixStepTop::Out expected = fixed_.output();
-    compare(expected);
-    for (std::uint64_t n = 1; n <= more; ++n) {
-      expected.step_phase = fixed_.shows(n);
-      compare(expected);
-    }
-    fixed_.take(more);
-    return 1 + more;
+    return fixed_.each(most, [this](const typename Fixed::Out& expected) { compare(expected); });
   }
-  Watch watch() const { return fixed_.watch(); }
-  DriveView view() const { return fixed_.view(); }
+  auto watch() const { return fixed_.watch(); }
+  auto view() const { return fixed_.view(); }
 
   const Lockstep& found() const { return found_; }
 
   // Negative controls: in these clocks the RTL sees its comparators inverted; in this one it is asked for
-  // a step phase that is wrong by its last bit.
+  // an output with one wrong bit.
   void invert_comparators(std::uint64_t from, std::uint64_t to) {
     wrong_from_ = from;
     wrong_to_ = to;
   }
-  void spoil_step_phase(std::uint64_t clock) { spoilt_ = clock; }
+  void spoil(std::uint64_t clock) { spoilt_ = clock; }
 
  private:
   // The RTL's coming clock.
-  void compare(SixStepTop::Out expected) {
-    if (found_.clocks == spoilt_) expected.step_phase = expected.step_phase ^ Phase(1);
+  void compare(typename Fixed::Out expected) {
+    if (found_.clocks == spoilt_) Fixed::spoil(expected);
     if (found_.clocks == wrong_from_ || found_.clocks == wrong_to_) show_rtl();
     rtl_.tick();
     if (const char* port = rtl_.differs(expected); port != nullptr) {
@@ -73,12 +81,14 @@ class LockstepEngine {
     rtl_.set_pins(pins);
   }
 
-  FixedEngine fixed_;
-  RtlEngine rtl_;
+  Fixed fixed_;
+  Rtl rtl_;
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
   std::uint64_t wrong_from_ = kNever, wrong_to_ = kNever, spoilt_ = kNever;
   plant::Pins pins_;
   Lockstep found_;
 };
+
+using LockstepEngine = LockstepOf<FixedEngine, RtlEngine>;
 
 }  // namespace steplock

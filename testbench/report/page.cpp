@@ -30,10 +30,6 @@ tr:last-child td { border-bottom: 0; } th { color: #616e7c; font-weight: 500; }
 td:first-child { white-space: nowrap; } li { margin: 2px 0; }
 )";
 
-std::string card(const std::string& value, const char* name) {
-  return fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", value, name);
-}
-
 std::string row(const std::string& a, const std::string& b) {
   return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", a, b);
 }
@@ -45,9 +41,8 @@ std::string number_text(const nlohmann::ordered_json& v) {
   return v.dump();
 }
 
-std::string all_numbers(const Summary& s) {
+std::string all_numbers(const nlohmann::ordered_json& json) {
   std::string rows;
-  const nlohmann::ordered_json json = to_json(s);
   for (const auto& [name, value] : json.items()) {
     if (name == "fixed_against_float") continue;  // has a table of its own
     if (value.is_object()) {
@@ -99,33 +94,47 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string report_page(const design::Settings& s, const Summary& sum, const Record& record,
-                        const std::vector<PageFigure>& figures) {
-  const auto failures = sum.failures();
-  std::string page = fmt::format(
-      "<h1>{}<span class=\"verdict {}\">{}</span></h1>\n"
-      "<p class=\"sub\">Sensorless six-step drive in co-simulation: engine {}, rotor at {:g} "
-      "electrical degrees, {:g} s at {:g} MHz.</p>\n",
-      escaped(s.drive.name), failures.empty() ? "well" : "failed",
-      failures.empty() ? "passed" : "failed", sum.engine, sum.angle_deg, sum.simulated_s,
-      s.control.clock_hz / 1e6);
-  if (!failures.empty()) {
-    page += "<ul>\n";
-    for (const std::string& why : failures) page += fmt::format("<li>{}</li>\n", escaped(why));
-    page += "</ul>\n";
+PageContent page_content(const design::Settings& s, const Summary& sum, const Record& record) {
+  PageContent page{.drive = s.drive,
+                   .what = fmt::format("Sensorless six-step drive in co-simulation: engine {}, rotor at {:g} "
+                                       "electrical degrees, {:g} s at {:g} MHz.",
+                                       sum.engine, sum.angle_deg, sum.simulated_s, s.control.clock_hz / 1e6),
+                   .failures = sum.failures(),
+                   .cards = {},
+                   .changes = {},
+                   .float_errors = sum.float_errors,
+                   .numbers = to_json(sum)};
+  page.cards = {
+      {sum.lock_time_s ? fmt::format("{:.3f} s", *sum.lock_time_s) : "never", "first lock"},
+      {sum.start_time_s ? fmt::format("{:.3f} s", *sum.start_time_s) : "never", "from run to set speed"},
+      {fmt::format("{:.1f} rpm", sum.steady.mean_rpm), fmt::format("mean speed, set {:g}", sum.set_speed_rpm)},
+      {fmt::format("{:+.3f} %", sum.steady.error_percent), "speed error"},
+      {fmt::format("{:.2f}°", sum.commutation_error_rms_deg), "commutation error, rms"},
+      {fmt::format("{:.2f} A", sum.peak_current_a), "peak phase current"},
+      {fmt::format("{}", sum.step_outs), "steps slipped"},
+      {fmt::format("{:.1f} M/s", sum.clocks_per_cpu_second / 1e6), "clocks simulated"}};
+  for (const StateChange& c : record.changes) {
+    page.changes.push_back({c.time, name_of(c.state), c.reason == Reason::kNone ? "" : name_of(c.reason)});
   }
+  return page;
+}
+
+std::string report_page(const PageContent& content, const std::vector<PageFigure>& figures) {
+  const bool well = content.failures.empty();
+  std::string page = fmt::format("<h1>{}<span class=\"verdict {}\">{}</span></h1>\n<p class=\"sub\">{}</p>\n",
+                                 escaped(content.drive.name), well ? "well" : "failed", well ? "passed" : "failed",
+                                 escaped(content.what));
+  const auto list = [&](const std::vector<std::string>& lines) {
+    page += "<ul>\n";
+    for (const std::string& line : lines) page += fmt::format("<li>{}</li>\n", escaped(line));
+    page += "</ul>\n";
+  };
+  if (!well) list(content.failures);
 
   page += "<div class=\"cards\">\n";
-  page += card(sum.lock_time_s ? fmt::format("{:.3f} s", *sum.lock_time_s) : "never", "first lock");
-  page += card(sum.start_time_s ? fmt::format("{:.3f} s", *sum.start_time_s) : "never",
-               "from run to set speed");
-  page += card(fmt::format("{:.1f} rpm", sum.steady.mean_rpm),
-               fmt::format("mean speed, set {:g}", sum.set_speed_rpm).c_str());
-  page += card(fmt::format("{:+.3f} %", sum.steady.error_percent), "speed error");
-  page += card(fmt::format("{:.2f}&deg;", sum.commutation_error_rms_deg), "commutation error, rms");
-  page += card(fmt::format("{:.2f} A", sum.peak_current_a), "peak phase current");
-  page += card(fmt::format("{}", sum.step_outs), "steps slipped");
-  page += card(fmt::format("{:.1f} M/s", sum.clocks_per_cpu_second / 1e6), "clocks simulated");
+  for (const auto& [figure, name] : content.cards) {
+    page += fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", escaped(figure), escaped(name));
+  }
   page += "</div>\n<h2>What happened</h2>\n";
   for (const PageFigure& f : figures) {
     page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg,
@@ -134,24 +143,21 @@ std::string report_page(const design::Settings& s, const Summary& sum, const Rec
 
   page += "<h2>The drive's states</h2>\n<div class=\"box\"><table>\n"
           "<tr><th>time</th><th>state</th><th>reason</th></tr>\n";
-  for (const StateChange& c : record.changes) {
-    page += fmt::format("<tr><td>{:.6f} s</td><td>{}</td><td>{}</td></tr>\n", c.time,
-                        name_of(c.state), c.reason == Reason::kNone ? "" : name_of(c.reason));
+  for (const PageContent::Change& c : content.changes) {
+    page += fmt::format("<tr><td>{:.6f} s</td><td>{}</td><td>{}</td></tr>\n", c.time, c.state, c.reason);
   }
   page += "</table></div>\n";
-  if (sum.float_errors) page += float_errors(*sum.float_errors);
-  page += "<h2>All numbers</h2>\n<div class=\"box\"><table>\n" + all_numbers(sum) +
-          "</table></div>\n";
+  if (content.float_errors) page += float_errors(*content.float_errors);
+  page += "<h2>All numbers</h2>\n<div class=\"box\"><table>\n" + all_numbers(content.numbers) + "</table></div>\n";
 
   page += fmt::format("<h2>Where the motor's numbers come from</h2>\n<div class=\"box\"><p>{}</p>\n",
-                      escaped(s.drive.source));
-  if (!s.drive.notes.empty()) page += fmt::format("<p>{}</p>\n", escaped(s.drive.notes));
-  if (!s.drive.assumed.empty()) {
-    page += "<p>Assumed, because nobody publishes it:</p>\n<ul>\n";
-    for (const std::string& a : s.drive.assumed) page += fmt::format("<li>{}</li>\n", escaped(a));
-    page += "</ul>\n";
+                      escaped(content.drive.source));
+  if (!content.drive.notes.empty()) page += fmt::format("<p>{}</p>\n", escaped(content.drive.notes));
+  if (!content.drive.assumed.empty()) {
+    page += "<p>Assumed, because nobody publishes it:</p>\n";
+    list(content.drive.assumed);
   }
-  return html_page(escaped(s.drive.name), page + "</div>\n");
+  return html_page(escaped(content.drive.name), page + "</div>\n");
 }
 
 }  // namespace steplock

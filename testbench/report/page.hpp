@@ -4,7 +4,10 @@
 // Doc: docs/report.md   Test: tests/testbench/report_test.cpp
 #pragma once
 
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "testbench/run/summary.hpp"
@@ -15,8 +18,25 @@ struct PageFigure {
   std::string caption, svg;
 };
 
-std::string report_page(const design::Settings&, const Summary&, const Record&,
-                        const std::vector<PageFigure>&);
+// What the page of a run of either drive shows.  Text is plain; the page escapes it.
+struct PageContent {
+  struct Change {
+    double time;
+    std::string state, reason;  // the reason is empty if there is none
+  };
+  design::DriveSection drive;
+  std::string what;                                        // a sentence under the name
+  std::vector<std::string> failures;
+  std::vector<std::pair<std::string, std::string>> cards;  // a figure and what it is
+  std::vector<Change> changes;
+  std::optional<FloatErrors> float_errors;
+  nlohmann::ordered_json numbers;                          // all of them
+};
+
+// Of a six-step drive.
+PageContent page_content(const design::Settings&, const Summary&, const Record&);
+
+std::string report_page(const PageContent&, const std::vector<PageFigure>&);
 
 // Title and body in the frame and style that all pages share.
 std::string html_page(const std::string& title, const std::string& body);

@@ -6,9 +6,8 @@
 #include <sstream>
 
 #include "testbench/report/csv.hpp"
-#include "testbench/report/page.hpp"
 #include "testbench/report/run_figures.hpp"
-#include "testbench/run/trace_writer.hpp"
+#include "testbench/run/recorder.hpp"
 
 namespace steplock {
 namespace fs = std::filesystem;
@@ -32,25 +31,21 @@ std::string inline_svg(const fs::path& path) {
   return start == all.npos ? "" : all.substr(start);
 }
 
-ReportFiles write_report(const fs::path& directory, const DriveFile& file, const Summary& summary,
-                         const Record& record, bool traced) {
+ReportFiles write_report(const fs::path& directory, const RunReport& report) {
   fs::create_directories(directory);
   ReportFiles files;
-  const auto add = [&](const char* name, const std::string& text) {
+  const auto add = [&](const std::string& name, const std::string& text) {
     write_file(directory / name, text);
     files.paths.push_back(directory / name);
   };
-  const int pole_pairs = file.settings.motor.pole_pairs;
-  add("summary.json", to_json(summary).dump(2) + "\n");
-  add("run.csv", samples_csv(record.overview, pole_pairs));
-  add("lock.csv", samples_csv(record.lock, pole_pairs));
-  add("steady.csv", samples_csv(record.steady, pole_pairs));
-  if (traced) {
+  add("summary.json", report.page.numbers.dump(2) + "\n");
+  for (const auto& [name, text] : report.samples) add(name, text);
+  if (report.wave) {
     files.paths.push_back(directory / "wave.fst");
-    add("wave.gtkw", gtkwave_save_file("wave.fst"));
+    add("wave.gtkw", gtkwave_save_file("wave.fst", *report.wave));
   }
   std::vector<PageFigure> figures;
-  for (const Figure& figure : run_figures(file.settings, summary, record)) {
+  for (const Figure& figure : report.figures) {
     if (!draw(figure, directory)) {
       files.warnings.push_back("gnuplot does not run, so there are no figures; install gnuplot-nox");
       break;
@@ -58,8 +53,19 @@ ReportFiles write_report(const fs::path& directory, const DriveFile& file, const
     files.paths.push_back(directory / (figure.name + ".svg"));
     figures.push_back({figure.caption, inline_svg(files.paths.back())});
   }
-  add("report.html", report_page(file.settings, summary, record, figures));
+  add("report.html", report_page(report.page, figures));
   return files;
+}
+
+ReportFiles write_report(const fs::path& directory, const design::Settings& s, const Summary& summary,
+                         const Record& record, bool traced) {
+  const int pole_pairs = s.motor.pole_pairs;
+  return write_report(directory, {.page = page_content(s, summary, record),
+                                  .samples = {{"run.csv", samples_csv(record.overview, pole_pairs)},
+                                              {"lock.csv", samples_csv(record.lock, pole_pairs)},
+                                              {"steady.csv", samples_csv(record.steady, pole_pairs)}},
+                                  .figures = run_figures(s, summary, record),
+                                  .wave = traced ? &SixStepRecording::wave() : nullptr});
 }
 
 }  // namespace steplock

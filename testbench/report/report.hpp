@@ -7,10 +7,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "testbench/report/figure.hpp"
+#include "testbench/report/page.hpp"
 #include "testbench/run/summary.hpp"
+#include "testbench/run/trace_writer.hpp"
 
 namespace steplock {
 
@@ -19,7 +24,17 @@ struct ReportFiles {
   std::vector<std::string> warnings;
 };
 
-ReportFiles write_report(const std::filesystem::path& directory, const DriveFile&, const Summary&,
+// What a run of either drive leaves.
+struct RunReport {
+  PageContent page;                                           // its numbers are summary.json
+  std::vector<std::pair<std::string, std::string>> samples;   // file and text
+  std::vector<Figure> figures;
+  const WaveTable* wave = nullptr;                            // if wave.fst was written
+};
+ReportFiles write_report(const std::filesystem::path& directory, const RunReport&);
+
+// Of a six-step drive.
+ReportFiles write_report(const std::filesystem::path& directory, const design::Settings&, const Summary&,
                          const Record&, bool traced);
 
 // Whole or not at all; makes the directory.  Throws std::runtime_error.

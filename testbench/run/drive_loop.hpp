@@ -1,8 +1,9 @@
-// One engine, one plant, one scenario: the loop that every command shares.
+// One engine, one plant, one scenario: the loop that every command and either drive share.
 //
 // Test: tests/testbench/run_drive_test.cpp
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 
@@ -13,13 +14,23 @@ namespace steplock {
 
 RecorderSettings recorder_settings(const design::Settings&, const Timeline&);
 
-template <class Engine>
-Record run_with(Engine& engine, const design::Settings& s, const RunOptions& options) {
+// What the end of a simulation tells beside what was recorded on the way.
+template <class Record, class Simulation>
+void conclude(Record& record, const Simulation& simulation, const plant::Plant& plant, double clock_hz) {
+  const plant::Energy energy = plant.state().energy;
+  record.clocks = simulation.clock();
+  record.simulated_s = static_cast<double>(record.clocks) / clock_hz;
+  record.shoot_throughs = plant.shoot_throughs();
+  record.energy_residual = energy.supplied > 0 ? energy.residual() / energy.supplied : 0;
+}
+
+template <class Engine, class Recording>
+typename Recording::Record run_recorded(Engine& engine, const design::Settings& s, const RunOptions& options) {
   using Clock = std::chrono::steady_clock;
   const auto cpu_seconds = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
   const Timeline events = timeline(s);
   plant::Plant plant(plant_parameters(s), initial_state(s, options.angle_deg));
-  Recorder recorder(recorder_settings(s, events), options.trace);
+  Recording recorder(recorder_settings(s, events), options.trace);
   Cosimulation simulation(engine, plant, events, recorder, s.control.clock_hz);
 
   const auto wall = Clock::now();
@@ -36,16 +47,18 @@ Record run_with(Engine& engine, const design::Settings& s, const RunOptions& opt
                                       static_cast<double>(events.clocks));
     }
   }
-  const plant::Energy energy = plant.state().energy;
-  Record record = recorder.take();
+  typename Recording::Record record = recorder.take();
+  conclude(record, simulation, plant, s.control.clock_hz);
   record.interrupted = interrupted;
-  record.clocks = simulation.clock();
-  record.simulated_s = static_cast<double>(record.clocks) / s.control.clock_hz;
   record.wall_s = std::chrono::duration<double>(Clock::now() - wall).count();
   record.cpu_s = cpu_seconds() - cpu;
-  record.shoot_throughs = plant.shoot_throughs();
-  record.energy_residual = energy.supplied > 0 ? energy.residual() / energy.supplied : 0;
   return record;
+}
+
+// A six-step engine.
+template <class Engine>
+Record run_with(Engine& engine, const design::Settings& s, const RunOptions& options) {
+  return run_recorded<Engine, Recorder>(engine, s, options);
 }
 
 }  // namespace steplock

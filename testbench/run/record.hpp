@@ -8,12 +8,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "testbench/engine/lockstep.hpp"
 #include "testbench/engine/watch.hpp"
+#include "testbench/run/simulated.hpp"
 
 namespace steplock {
 
@@ -41,19 +39,12 @@ struct StateChange {
   Reason reason = Reason::kNone;
 };
 
-struct Record {
+struct Record : Simulated {
   std::vector<Sample> overview;  // equally spaced over the whole run
   std::vector<Sample> lock;      // fine, from hand-over to a little after lock
   std::vector<Sample> steady;    // fine, the last turns before the first disturbance
   std::vector<StateChange> changes;
-  double peak_current = 0;       // A, of any phase
   std::uint64_t step_outs = 0;   // as the plant saw them
-  std::uint64_t shoot_throughs = 0;
-  std::uint64_t clocks = 0;
-  double simulated_s = 0, wall_s = 0, cpu_s = 0;
-  double energy_residual = 0;    // of the energy supplied; the plant's own accuracy
-  bool interrupted = false;
-  std::optional<Lockstep> lockstep;  // if asked for
 };
 
 }  // namespace steplock

@@ -1,61 +1,61 @@
-// Collects a Record while the co-simulation runs.  Light by design: it is called when gates, step
-// or state change and at sample times, never per clock.
+// What the recorder of a six-step run follows beside plant and drive: the judge of commutations, and the
+// signals of its wave.
 //
-// Phase currents are taken as straight lines between calls; calls come at every gate edge, where the
-// current of a chopped motor has its corners and its peaks.
-//
-// Doc: docs/report.md   Test: tests/testbench/run_drive_test.cpp
+// Doc: docs/report.md   Test: tests/testbench/run_drive_test.cpp, trace_writer_test.cpp
 #pragma once
 
 #include "testbench/run/judge.hpp"
 #include "testbench/run/record.hpp"
+#include "testbench/run/recorder_of.hpp"
 
 namespace steplock {
 
-class TraceWriter;
-
-struct RecorderSettings {
-  double advance_deg = 0;         // of the drive, for the judge
-  double electrical_turn_s = 0;   // at set speed
-  double steady_end_s = 0;        // the steady window is the two turns before this
-  double duration_s = 0;
-  double pwm_s = 0;
-  std::size_t overview_samples = 6000;
-};
-
-class Recorder {
+class SixStepRecording {
  public:
-  Recorder(const RecorderSettings&, TraceWriter* trace = nullptr);
+  using Sample = steplock::Sample;
+  using StateChange = steplock::StateChange;
+  using Record = steplock::Record;
+  using Totals = steplock::Totals;
+  using Watch = steplock::Watch;
+  using View = DriveView;
 
-  // The watched word became `now` at this instant.
-  void changed(const plant::State&, Watch was, Watch now, const DriveView&, double load_nm);
-  // It is next_sample() or later.
-  void sample(const plant::State&, Watch, const DriveView&, double load_nm);
-  double next_sample() const { return next_sample_; }
+  static constexpr bool kWantsStrobes = false;
+  static const WaveTable& wave();
 
-  bool tracing() const { return trace_ != nullptr; }
-  void pins_changed(double time, const plant::Pins&);
+  explicit SixStepRecording(const RecorderSettings& settings) : judge_(settings.advance_deg) {}
+
+  static bool begins_lock(Watch w) { return w.state() == State::kPullIn; }
+  static bool ends_lock(Watch w) { return w.state() == State::kRun; }
+  void change(StateChange&, const plant::State&, const View&) const {}
+  void pass(const plant::State&, Record&) const {}
+  void follow(const plant::State& s, Watch was, Watch now, const View& view, Totals& totals) {
+    const bool claims_lock = now.state() == State::kRun || now.state() == State::kSlowDown;
+    if (!claims_lock) judge_.released();
+    if (now.step() == was.step() || !claims_lock) return;
+    judge_.commutated(s.electrical_angle, was.step(), now.step());
+    totals.commutation_deg = judge_.sum();
+    totals.commutation_squared = judge_.sum_of_squares();
+    totals.commutations = judge_.commutations();
+    totals.phase_error_squared += view.phase_error_deg * view.phase_error_deg;
+  }
+  void fill(Sample& s) const { s.commutation_error_deg = judge_.last_deg(); }
+  void finish(Record& record) const { record.step_outs = judge_.step_outs(); }
+
+  void trace_logic(TraceWriter&, const Sample&) const;
+  void trace_analog(TraceWriter&, const Sample&) const;
 
   std::uint64_t step_outs() const { return judge_.step_outs(); }
-  Record take();  // ends the recording
 
  private:
-  void integrate(const plant::State&);
-  Sample make(const plant::State&, Watch, const DriveView&, double load_nm) const;
-  void coarsen_lock_window();
-  void plan_next(double now);
-
-  RecorderSettings settings_;
-  TraceWriter* trace_;
   Judge judge_;
-  Record record_;
-  Totals totals_;
-  double last_time_ = 0;
-  std::array<double, 3> last_current_ = {};
-  double next_sample_ = 0, next_overview_ = 0;
-  bool in_lock_window_ = false;
-  double lock_window_end_ = 0;
-  double lock_interval_;
+};
+
+extern template class RecorderOf<SixStepRecording>;
+
+class Recorder : public RecorderOf<SixStepRecording> {
+ public:
+  using RecorderOf::RecorderOf;
+  std::uint64_t step_outs() const { return drive().step_outs(); }
 };
 
 }  // namespace steplock

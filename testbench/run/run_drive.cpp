@@ -10,6 +10,7 @@
 #include "testbench/run/drive_loop.hpp"
 
 namespace steplock {
+
 RecorderSettings recorder_settings(const design::Settings& s, const Timeline& t) {
   return {.advance_deg = s.loop.advance_deg,
           .electrical_turn_s = 60 / (s.scenario.speed_rpm * s.motor.pole_pairs),

@@ -79,6 +79,8 @@ class Inputs {
 
 class FixedEngine {
  public:
+  using Out = SinusoidalTop::Out;
+  static void spoil(Out& out) { out.on_u = out.on_u ^ LegClocks(1); }  // one wrong bit
   static constexpr const char* kName = "fixed";
 
   FixedEngine(const design::Settings& s, const plant::AdcParameters& adc)
@@ -98,6 +100,14 @@ class FixedEngine {
     const std::uint64_t clocks = top_.advance(inputs_.in, out_, most);
     inputs_.in.codes.valid = false;
     return clocks;
+  }
+
+  // The same for one who looks at each of the clocks: see(output) for every one of them, skipped or not.
+  template <class See>
+  std::uint64_t each(std::uint64_t most, See&& see) {
+    const std::uint64_t taken = run(most);
+    for (std::uint64_t n = 0; n < taken; ++n) see(out_);
+    return taken;
   }
 
   Watch watch() const { return watch_of(out_); }

@@ -1,17 +1,17 @@
-// Collects what a sinusoidal run leaves behind.  The estimate is judged from outside: at each sample the
-// true angle of the N pole less the drive's theta_c for that instant, delta theta.
+// What a sinusoidal run leaves behind, and how it is recorded.  The estimate is judged from outside: at each
+// sample the true angle of the N pole less the drive's theta_c for that instant, delta theta.
 //
 // Totals run from the start, so that a mean over any span is a difference of two samples.
 //
 // Test: tests/testbench/sinusoidal_run_test.cpp
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "testbench/run/recorder_of.hpp"
+#include "testbench/run/simulated.hpp"
 #include "testbench/sinusoidal/watch.hpp"
 
 namespace steplock::sinusoidal {
@@ -41,14 +41,12 @@ struct StateChange {
   View drive;
 };
 
-struct Record {
+struct Record : Simulated {
   std::vector<Sample> overview;      // equally spaced
+  std::vector<Sample> lock;          // fine, from the estimator's start to a little after lock
+  std::vector<Sample> steady;        // fine, the last turns before the first disturbance
   std::vector<StateChange> changes;
-  double peak_current = 0;           // A, any phase, at gate edges
   double least_angle_rad = 0, greatest_angle_rad = 0;  // mechanical, over the run
-  std::uint64_t shoot_throughs = 0, clocks = 0;
-  double simulated_s = 0, wall_s = 0, cpu_s = 0, energy_residual = 0;
-  bool interrupted = false;
 };
 
 // Delta theta at each sample: the true angle there less the drive's theta_c for that instant, which it
@@ -64,33 +62,60 @@ class AngleError {
   bool sampled_ = false;
 };
 
-class Recorder {
+// What the recorder follows beside plant and drive (run/recorder_of.hpp).
+class Recording {
  public:
-  Recorder(double duration_s, std::size_t samples);
+  using Sample = sinusoidal::Sample;
+  using StateChange = sinusoidal::StateChange;
+  using Record = sinusoidal::Record;
+  using Totals = sinusoidal::Totals;
+  using Watch = sinusoidal::Watch;
+  using View = sinusoidal::View;
 
-  void changed(const plant::State&, Watch was, Watch now, const View&, double load_nm);
-  void sample(const plant::State&, Watch, const View&, double load_nm);
-  double next_sample() const { return next_sample_; }
-  bool tracing() const { return true; }  // wants the strobes
-  void pins_changed(double, const plant::Pins&) {}
+  static constexpr bool kWantsStrobes = true;
+  static const WaveTable& wave();
 
-  const Totals& totals() const { return totals_; }
+  explicit Recording(const RecorderSettings&) {}
+
+  static bool begins_lock(Watch w) { return w.state() == State::kStarting; }
+  static bool ends_lock(Watch w) { return w.state() == State::kRun; }
+  void change(StateChange&, const plant::State&, const View&) const;
+  void pass(const plant::State&, Record&) const;
+  void follow(const plant::State&, Watch was, Watch now, const View&, Totals&);
+  void fill(Sample& s) const { s.delta_theta_deg = delta_deg_; }
+  void finish(Record&) const {}
+
+  void trace_logic(TraceWriter&, const Sample&) const;
+  void trace_analog(TraceWriter&, const Sample&) const;
+
   double delta_theta_deg() const { return delta_deg_; }
-  Record take() { return std::move(record_); }
 
  private:
-  void integrate(const plant::State&);
-
-  double interval_, next_sample_ = 0;
-  Record record_;
-  Totals totals_;
-  double last_time_ = 0;
-  std::array<double, 3> last_current_ = {};
   AngleError error_;
   double delta_deg_ = 0;
 };
 
+}  // namespace steplock::sinusoidal
+
+namespace steplock {
+extern template class RecorderOf<sinusoidal::Recording>;
+}
+
+namespace steplock::sinusoidal {
+
+class Recorder : public RecorderOf<Recording> {
+ public:
+  using RecorderOf::RecorderOf;
+  double delta_theta_deg() const { return drive().delta_theta_deg(); }
+};
+
 // The N pole from winding u, electrical degrees, in [0, 360).
 double north_pole_deg(const plant::State&);
+// The phase currents in the rotor's own frame, d along the N pole; A, as the peak of a phase, so that they
+// stand beside the drive's i_gamma and i_delta.
+struct RotorCurrent {
+  double d = 0, q = 0;
+};
+RotorCurrent rotor_current(const plant::State&);
 
 }  // namespace steplock::sinusoidal

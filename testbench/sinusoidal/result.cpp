@@ -87,6 +87,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
   r.cpu_s = record.cpu_s;
   r.energy_residual = record.energy_residual;
   r.interrupted = record.interrupted;
+  r.lockstep = record.lockstep;
   for (const StateChange& c : record.changes) {
     if (c.state == State::kRun && !r.lock_time_s) r.lock_time_s = c.time;
     if (c.state == State::kStarting && s.sinusoidal_start.by == design::StartBy::kPilot) {
@@ -125,6 +126,7 @@ std::vector<std::string> Result::failures() const {
   if (stopped_rpm && std::abs(*stopped_rpm) > 0.01 * std::abs(set_speed_rpm)) {
     all.push_back(fmt::format("still turning at {:.1f} rpm after the stop", *stopped_rpm));
   }
+  if (lockstep && !lockstep->equal()) all.push_back("the RTL is not its C++");
   if (shoot_throughs > 0) all.push_back(fmt::format("{} shoot-throughs", shoot_throughs));
   return all;
 }
@@ -167,6 +169,7 @@ nlohmann::ordered_json to_json(const Result& r) {
   put("wall_s", r.wall_s);
   put("cpu_s", r.cpu_s);
   put("energy_residual", r.energy_residual);
+  j["rtl_equals_fixed"] = r.lockstep ? to_json(*r.lockstep) : nlohmann::ordered_json(nullptr);
   j["interrupted"] = r.interrupted;
   return j;
 }
@@ -199,6 +202,7 @@ std::string to_text(const Result& r) {
                                   : fmt::format("{} (tries failed: {})", r.fault, fmt::join(r.reasons, ", ")));
   line("simulation", fmt::format("{:.3g} s in {:.2f} s; energy residual {:.1e}", r.simulated_s, r.wall_s,
                                  r.energy_residual));
+  if (r.lockstep) line("rtl = fixed", to_text(*r.lockstep));
   for (const std::string& f : r.failures()) line("FAILED", f);
   return t;
 }

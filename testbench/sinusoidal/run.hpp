@@ -16,8 +16,7 @@
 
 #include "testbench/report/figure.hpp"
 #include "testbench/report/report.hpp"
-#include "testbench/run/cosimulation.hpp"
-#include "testbench/run/run_drive.hpp"
+#include "testbench/run/drive_loop.hpp"
 #include "testbench/sinusoidal/float_engine.hpp"
 #include "testbench/sinusoidal/recorder.hpp"
 
@@ -34,7 +33,7 @@ class BenchOf {
         clock_hz_(believed.control.clock_hz),
         plant_(plant_parameters(real), initial_state(real, angle_deg)),
         engine_(believed, adc_parameters(believed)),
-        recorder_(static_cast<double>(events.clocks) / clock_hz_, samples),
+        recorder_({.duration_s = static_cast<double>(events.clocks) / clock_hz_, .overview_samples = samples}),
         simulation_(engine_, plant_, timeline_, recorder_, clock_hz_) {}
   BenchOf(const BenchOf&) = delete;
 
@@ -47,11 +46,7 @@ class BenchOf {
   Recorder& recorder() { return recorder_; }
   Record take() {
     Record record = recorder_.take();
-    record.clocks = simulation_.clock();
-    record.simulated_s = time();
-    record.shoot_throughs = plant_.shoot_throughs();
-    const plant::Energy energy = plant_.state().energy;
-    record.energy_residual = energy.supplied > 0 ? energy.residual() / energy.supplied : 0;
+    conclude(record, simulation_, plant_, clock_hz_);
     return record;
   }
 
@@ -83,6 +78,7 @@ struct Result {
   std::uint64_t shoot_throughs = 0, clocks = 0;
   double simulated_s = 0, wall_s = 0, cpu_s = 0, energy_residual = 0;
   bool interrupted = false;
+  std::optional<Lockstep> lockstep;      // rtl = fixed, if asked for
 
   std::vector<std::string> failures() const;
 };
@@ -93,8 +89,8 @@ nlohmann::ordered_json to_json(const Result&);
 std::string to_text(const Result&);
 std::string samples_csv(const std::vector<Sample>&);
 std::vector<Figure> figures(const design::Settings&, const Record&);
-// summary.json, run.csv and the figures.
-ReportFiles write_report(const std::filesystem::path&, const design::Settings&, const Result&,
-                         const Record&);
+PageContent page_content(const design::Settings&, const Result&, const Record&);
+ReportFiles write_report(const std::filesystem::path&, const design::Settings&, const Result&, const Record&,
+                         bool traced);
 
 }  // namespace steplock::sinusoidal

@@ -89,10 +89,8 @@ DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOpt
   if (options.record != nullptr) {
     *options.record = recorder->take();
     Record& r = *options.record;
-    r.clocks = simulation.clock();
-    r.simulated_s = static_cast<double>(r.clocks) / s.control.clock_hz;
+    conclude(r, simulation, plant, s.control.clock_hz);
     r.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    r.shoot_throughs = plant.shoot_throughs();
   }
   return result;
 }

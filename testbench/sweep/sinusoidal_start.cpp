@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/design/sinusoidal/design.hpp"
-#include "testbench/run/cosimulation.hpp"
+#include "testbench/run/drive_loop.hpp"
 #include "testbench/sinusoidal/float_engine.hpp"
 #include "testbench/sinusoidal/lockstep_engine.hpp"
 #include "testbench/sweep/run_until.hpp"
@@ -19,19 +19,19 @@ DrawnResult simulate_with(Engine& engine, const DrawnRun& run, const SimulateOpt
   const Timeline events = start_timeline(s, run.limit_s);
   plant::Plant plant(plant_parameters(s), initial_state(s, s.scenario.start_angle_deg));
   std::optional<Recorder> recorder;
-  if (options.sinusoidal_record != nullptr) {
-    recorder.emplace(options.record_s > 0 ? options.record_s : run.limit_s, 4000);
+  if (options.sinusoidal_record != nullptr || options.trace != nullptr) {
+    RecorderSettings settings = recorder_settings(s, events);
+    settings.steady_end_s = settings.duration_s = options.record_s > 0 ? options.record_s : run.limit_s;
+    recorder.emplace(settings, options.trace);
   }
   Witness witness(witness_settings(run), recorder ? &*recorder : nullptr);
   Cosimulation<Engine, Witness> simulation(engine, plant, events, witness, clock_hz);
   DrawnResult result;
   run_until(simulation, events.clocks, clock_hz, result, options, [&] { return witness.decided(); });
   result.findings = witness.findings();
-  if (recorder) {
+  if (options.sinusoidal_record != nullptr) {
     *options.sinusoidal_record = recorder->take();
-    options.sinusoidal_record->clocks = simulation.clock();
-    options.sinusoidal_record->simulated_s = static_cast<double>(simulation.clock()) / clock_hz;
-    options.sinusoidal_record->shoot_throughs = plant.shoot_throughs();
+    conclude(*options.sinusoidal_record, simulation, plant, clock_hz);
   }
   return result;
 }
@@ -54,12 +54,12 @@ double longest_start(const design::Settings& s) {
 DrawnResult simulate_start(const DrawnRun& run, const SimulateOptions& options) {
   const plant::AdcParameters adc = adc_parameters(run.settings);
   if (options.rtl_beside) {
-    Lockstep engine(run.file, adc);
-    engine.spoil = options.spoil_clock;
+    LockstepEngine engine(run.file, adc);
+    engine.spoil(options.spoil_clock);
     DrawnResult result = simulate_with(engine, run, options);
-    result.rtl_agrees = engine.first == nullptr;
+    result.rtl_agrees = engine.found().equal();
     if (!result.rtl_agrees) {
-      result.rtl_difference = fmt::format("{} at clock {}", engine.first, engine.at);
+      result.rtl_difference = fmt::format("{} at clock {}", engine.found().first_port, engine.found().first_clock);
     }
     return result;
   }

@@ -141,6 +141,22 @@ TEST(Command, DesignPrintsTheWordsOfASinusoidalDriveToo) {
   EXPECT_EQ(j["words"][0]["word"], 1200) << "bridge.period: 24 MHz / 20 kHz";
 }
 
+TEST(Command, RunWritesPageAndWaveOfASinusoidalDriveInLockstep) {
+  const fs::path out = fresh("sinusoidal");
+  const std::string run = "run " STEPLOCK_DRIVES "/m2310p_sinusoidal.toml --out " + out.string();
+  const Result r = steplock(run + " --lockstep --trace --json", false);
+  EXPECT_EQ(r.exit_code, 0);
+  const auto j = nlohmann::json::parse(r.output);
+  EXPECT_TRUE(j["rtl_equals_fixed"]["equal"]);
+  EXPECT_EQ(j["rtl_equals_fixed"]["clocks"], j["clocks"]);
+  for (const char* name : {"report.html", "wave.fst", "wave.gtkw", "lock.csv", "steady.svg"}) {
+    EXPECT_TRUE(fs::exists(out / name)) << name;
+  }
+  const Result compared = steplock(run + " --compare");
+  EXPECT_EQ(compared.exit_code, 2);
+  EXPECT_NE(compared.output.find("a sinusoidal drive is not compared yet"), compared.output.npos);
+}
+
 TEST(Command, ASweepWritesWhatItPrintsAndReplaysItsRuns) {
   const fs::path out = fresh("sweep"), again = fresh("replay");
   fs::remove_all(out);

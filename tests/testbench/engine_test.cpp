@@ -145,7 +145,7 @@ TEST(LockstepEngine, ComparesTheStepPhaseInEveryClockOfAQuietStretch) {
   for (const std::uint64_t clock : {run.begin, run.begin + 1, run.begin + 2, run.begin + run.clocks / 2,
                                     run.begin + run.clocks - 1}) {
     Chase chase;
-    chase.engine.spoil_step_phase(clock);
+    chase.engine.spoil(clock);
     const Lockstep found = chase.chase(Chase::kAny);
     EXPECT_EQ(found.differing_clocks, 1u);
     EXPECT_EQ(found.first_clock, clock);

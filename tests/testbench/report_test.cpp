@@ -27,7 +27,7 @@ TEST(Report, AllFilesAreWrittenAndThePageNeedsNoOther) {
   const Record record = run_drive(file.settings, options);
   const Summary summary = summarise(file.settings, options, record);
   const fs::path out = fs::path(testing::TempDir()) / "report_test";
-  const ReportFiles files = write_report(out, file, summary, record, false);
+  const ReportFiles files = write_report(out, file.settings, summary, record, false);
   EXPECT_TRUE(files.warnings.empty());
   for (const char* name : {"summary.json", "run.csv", "lock.csv", "steady.csv", "start.svg", "lock.svg",
                            "steady.svg", "load_step.svg", "report.html"}) {

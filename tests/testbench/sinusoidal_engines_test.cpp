@@ -155,10 +155,9 @@ TEST(SinusoidalEngines, FaultsOfTheFixedDriveHaveTheirReasons) {
 // Offsets, both halves of the pattern, the closed loop to set speed: 4.8 million clocks.
 TEST(SinusoidalEngines, TheRtlIsItsSourceInEveryClockOfAStart) {
   const design::Settings s = drive("m2310p_sinusoidal");
-  BenchOf<Lockstep> bench(s, s, timeline(s), 200);
+  BenchOf<LockstepEngine> bench(s, s, timeline(s), 200);
   bench.run_until(0.2);
-  EXPECT_EQ(bench.engine().first, nullptr)
-      << bench.engine().first << " in clock " << bench.engine().at;
+  EXPECT_TRUE(bench.engine().found().equal()) << to_text(bench.engine().found());
   EXPECT_EQ(bench.engine().watch().state(), State::kRun);
   EXPECT_GT(rpm(bench.plant().state().speed), 1000);
 }
@@ -166,20 +165,20 @@ TEST(SinusoidalEngines, TheRtlIsItsSourceInEveryClockOfAStart) {
 TEST(SinusoidalEngines, TheRtlIsItsSourceWithTheVoltageModelToo) {
   design::Settings s = drive("m2310p_sinusoidal");
   s.sinusoidal.estimator = design::Estimator::kVoltage;
-  BenchOf<Lockstep> bench(s, s, timeline(s), 200);
+  BenchOf<LockstepEngine> bench(s, s, timeline(s), 200);
   bench.run_until(0.2);
-  EXPECT_EQ(bench.engine().first, nullptr)
-      << bench.engine().first << " in clock " << bench.engine().at;
+  EXPECT_TRUE(bench.engine().found().equal()) << to_text(bench.engine().found());
   EXPECT_EQ(bench.engine().watch().state(), State::kRun);
 }
 
 TEST(SinusoidalEngines, OneWrongBitInOneClockIsNoticed) {
   const design::Settings s = drive("m2310p_sinusoidal");
-  BenchOf<Lockstep> bench(s, s, timeline(s), 0);
-  bench.engine().spoil = 30'000;
+  BenchOf<LockstepEngine> bench(s, s, timeline(s), 0);
+  bench.engine().spoil(30'000);
   bench.run_until(0.002);
-  ASSERT_NE(bench.engine().first, nullptr);
-  EXPECT_EQ(bench.engine().at, 30'000u);
+  EXPECT_EQ(bench.engine().found().differing_clocks, 1u);
+  EXPECT_EQ(bench.engine().found().first_clock, 30'000u);
+  EXPECT_EQ(bench.engine().found().first_port, "on_u_o");
 }
 
 TEST(SinusoidalEngines, WhatTheBlocksCannotDoIsRefusedWithOneLine) {

@@ -1,5 +1,5 @@
 // Writes a wave and reads it back with GTKWave's own reader.
-#include "testbench/run/trace_writer.hpp"
+#include "testbench/run/recorder.hpp"
 
 #include <gtest/gtest.h>
 #include <gtkwave/fstapi.h>
@@ -41,17 +41,18 @@ Wave read_wave(const std::string& path) {
 TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
   const std::string path = (std::filesystem::path(testing::TempDir()) / "wave.fst").string();
   {
-    TraceWriter writer(path, 4);
+    TraceWriter writer(path, SixStepRecording::wave(), 4);
+    const SixStepRecording recording(RecorderSettings{});
     Sample s;
     s.watch.bits = static_cast<std::uint32_t>(State::kReset) << Watch::kState | 1u;  // uh on
-    writer.logic(s);
+    recording.trace_logic(writer, s);
     s.time = 2e-6;
     s.watch.bits = static_cast<std::uint32_t>(State::kRun) << Watch::kState | 5u << Watch::kStep;
-    writer.logic(s);
+    recording.trace_logic(writer, s);
     s.time = 3e-6;
     s.plant.current = {1.5, -1.5, 0};
-    writer.analog(s);
-    writer.logic(4e-6, plant::Pins{.comparator = {false, true, false}});
+    recording.trace_analog(writer, s);
+    writer.pins(4e-6, plant::Pins{.comparator = {false, true, false}});
   }
   Wave wave = read_wave(path);
   using Changes = std::vector<std::pair<std::uint64_t, std::string>>;
@@ -68,9 +69,9 @@ TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
 
 TEST(TraceWriter, TheSaveFileNamesOnlySignalsOfTheWave) {
   const std::string path = (std::filesystem::path(testing::TempDir()) / "names.fst").string();
-  { TraceWriter writer(path, 4); writer.logic(Sample{}); }
+  { TraceWriter writer(path, SixStepRecording::wave(), 4); SixStepRecording(RecorderSettings{}).trace_logic(writer, Sample{}); }
   const Wave wave = read_wave(path);
-  const std::string save = gtkwave_save_file("names.fst");
+  const std::string save = gtkwave_save_file("names.fst", SixStepRecording::wave());
   EXPECT_NE(save.find("[dumpfile] \"names.fst\""), save.npos);
   std::size_t named = 0;
   for (std::size_t at = 0; (at = save.find('\n', at)) != save.npos;) {
@@ -86,7 +87,7 @@ TEST(TraceWriter, TheSaveFileNamesOnlySignalsOfTheWave) {
 }
 
 TEST(TraceWriter, AFileThatCannotBeMadeIsSaid) {
-  EXPECT_THROW(TraceWriter("no/such/directory/wave.fst", 4), std::runtime_error);
+  EXPECT_THROW(TraceWriter("no/such/directory/wave.fst", SixStepRecording::wave(), 4), std::runtime_error);
 }
 
 }  // namespace

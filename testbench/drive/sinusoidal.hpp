@@ -1,0 +1,36 @@
+// The facts of the sinusoidal drive (drive.hpp).
+//
+// Test: tests/testbench/drive_test.cpp
+#pragma once
+
+#include <filesystem>
+
+#include "testbench/report/report.hpp"
+#include "testbench/run/check.hpp"
+#include "testbench/sinusoidal/run.hpp"
+#include "testbench/sweep/drawn_run.hpp"
+
+namespace steplock {
+
+struct SinusoidalDrive {
+  using Record = sinusoidal::Record;
+  using Summary = sinusoidal::Result;
+  static constexpr bool kDisturbed = false;
+
+  // The words may not hold what the reference in doubles can do.
+  static void check(const DriveFile& file, EngineKind engine) {
+    if (engine != EngineKind::kFloat) check_words(file);
+  }
+  static Record run(const design::Settings& s, const RunOptions& options) { return sinusoidal::run(s, options); }
+  static Summary summarise(const design::Settings& s, const RunOptions& options, const Record& record) {
+    return sinusoidal::summarise(s, options, record);
+  }
+  static ReportFiles report(const std::filesystem::path& directory, const design::Settings& s,
+                            const Summary& summary, const Record& record, bool traced) {
+    return sinusoidal::write_report(directory, s, summary, record, traced);
+  }
+  static const WaveTable& wave() { return sinusoidal::Recording::wave(); }
+  static void record_into(SimulateOptions& options, Record& record) { options.sinusoidal_record = &record; }
+};
+
+}  // namespace steplock

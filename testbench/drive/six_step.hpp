@@ -1,0 +1,38 @@
+// The facts of the six-step drive (drive.hpp).
+//
+// Test: tests/testbench/drive_test.cpp
+#pragma once
+
+#include <filesystem>
+
+#include "testbench/compare/shadow.hpp"
+#include "testbench/report/report.hpp"
+#include "testbench/run/check.hpp"
+#include "testbench/run/recorder.hpp"
+#include "testbench/sweep/drawn_run.hpp"
+
+namespace steplock {
+
+struct SixStepDrive {
+  using Record = steplock::Record;
+  using Summary = steplock::Summary;
+  static constexpr bool kDisturbed = true;  // the sweep's disturbance matrix serves it
+
+  static void check(const DriveFile&, EngineKind) {}
+  static Record run(const design::Settings& s, const RunOptions& options) { return run_drive(s, options); }
+  static Summary summarise(const design::Settings& s, const RunOptions& options, const Record& record) {
+    return steplock::summarise(s, options, record);
+  }
+  static ReportFiles report(const std::filesystem::path& directory, const design::Settings& s,
+                            const Summary& summary, const Record& record, bool traced) {
+    return write_report(directory, s, summary, record, traced);
+  }
+  static FloatErrors shadow(const design::Settings& s, const Summary& summary,
+                            const std::function<bool(double done)>& progress) {
+    return shadow_errors(s, summary, progress);
+  }
+  static const WaveTable& wave() { return SixStepRecording::wave(); }
+  static void record_into(SimulateOptions& options, Record& record) { options.record = &record; }
+};
+
+}  // namespace steplock
