@@ -13,6 +13,7 @@
 
 #include "generator/backend.hpp"
 #include "generator/dump.hpp"
+#include "generator/faults.hpp"
 #include "generator/files.hpp"
 #include "generator/front_end.hpp"
 #include "generator/ports.hpp"
@@ -59,13 +60,16 @@ Options parse(int argc, char** argv) {
 
 void run(const Options& options) {
   const auto stem = std::filesystem::path(options.front_end.compile.source).stem().string();
+  hlsgen::working_on("reading the C++");
   auto [design, read, schedules] = hlsgen::build_design(options.front_end);
+  hlsgen::working_on("simplifying the netlist");
   hlsgen::check(design);
   hlsgen::optimise(design);
   hlsgen::check(design);
 
   std::map<std::string, std::string> files;
   for (const auto& module : design.modules) {
+    hlsgen::working_on("writing " + module.name);
     if (!options.rtl.empty()) {
       files[options.rtl + "/" + module.name + ".sv"] = hlsgen::print_module(design, module);
     }
@@ -98,6 +102,7 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   const auto options = parse(argc, argv);
+  hlsgen::name_faults(options.front_end.compile.source);
   try {
     run(options);
   } catch (const hlsgen::Refusal& refusal) {

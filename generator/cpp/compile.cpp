@@ -80,7 +80,10 @@ Refusal first_error(const std::string& diagnostics, const std::string& source) {
     const SourceLine where{file.str().str(), static_cast<unsigned>(std::stoul(match[2]))};
     return {where, match[3], mend_for(match[3], flag)};
   }
-  return {{source, 1}, "clang++-16 failed: " + diagnostics, "see its message"};
+  // It crashed, say: its own first line, of many.
+  const auto first = diagnostics.find_first_not_of(" \n");
+  const std::string said = first == std::string::npos ? "it says nothing" : diagnostics.substr(first, diagnostics.find('\n', first) - first);
+  return {{source, 1}, "clang++-16 failed: " + said, "compile the source with it to see all it says"};
 }
 
 // Variables of a target with address spaces carry a dereference that says nothing here and would

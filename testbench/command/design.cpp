@@ -11,10 +11,10 @@
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "testbench/command/command.hpp"
+#include "testbench/drive/drive.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/registers/registers.hpp"
 #include "testbench/report/design_report.hpp"
-#include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/design_report.hpp"
 #include "testbench/sinusoidal/words.hpp"
 
@@ -36,7 +36,23 @@ std::string name_of(const Arguments& arguments) {
   return name;
 }
 
-int print_sinusoidal_part(const DriveFile& file, const Arguments& arguments) {
+// One part alone: the analog circuit, or the words for steplock_init() of rtl/host/steplock.h, or around
+// rtl/six_step_bare.sv or rtl/sinusoidal_bare.sv.
+int print_part(SixStepDrive, const DriveFile& file, const Arguments& arguments) {
+  if (arguments.circuit) {
+    fmt::print("{}", design::circuit_text(file.settings, design::circuit_of(file.settings)));
+    return kWell;
+  }
+  const double clock_hz = file.settings.control.clock_hz;
+  const auto designed = design::design_drive(file.settings);
+  const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
+  const std::string name = name_of(arguments);
+  fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
+                                      : registers::words_verilog(words, name, clock_hz));
+  return kWell;
+}
+
+int print_part(SinusoidalDrive, const DriveFile& file, const Arguments& arguments) {
   if (arguments.circuit) {
     throw BadInput(fmt::format("{}: --circuit is for six-step drives; leave it out", arguments.file));
   }
@@ -53,37 +69,7 @@ int print_sinusoidal_part(const DriveFile& file, const Arguments& arguments) {
   return kWell;
 }
 
-// One part alone: the analog circuit, or the words for steplock_init() of rtl/host/steplock.h, or around
-// rtl/six_step_bare.sv or rtl/sinusoidal_bare.sv.
-int print_part(const DriveFile& file, const Arguments& arguments) {
-  if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
-    return print_sinusoidal_part(file, arguments);
-  }
-  if (arguments.circuit) {
-    fmt::print("{}", design::circuit_text(file.settings, design::circuit_of(file.settings)));
-    return kWell;
-  }
-  const double clock_hz = file.settings.control.clock_hz;
-  const auto designed = design::design_drive(file.settings);
-  const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
-  const std::string name = name_of(arguments);
-  fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
-                                      : registers::words_verilog(words, name, clock_hz));
-  return kWell;
-}
-
-int design_drive_file(const Arguments& arguments) {
-  DriveFile file = open_drive_file(arguments.file);
-  if (arguments.clock_hz) {
-    file.settings.control.clock_hz = *arguments.clock_hz;
-    check_drive_file(file);  // words that fitted the file's clock need not fit this one
-  }
-  if (arguments.c_header || arguments.verilog || arguments.circuit) return print_part(file, arguments);
-  if (file.settings.drive.kind == design::DriveKind::kSinusoidal) {
-    fmt::print("{}", arguments.json ? sinusoidal::design_json(file.settings).dump(2) + "\n"
-                                    : sinusoidal::design_text(file.settings));
-    return kWell;
-  }
+int print_design(SixStepDrive, const DriveFile& file, const Arguments& arguments) {
   const DesignReport report = design_report(file.settings);
   fmt::print("{}", arguments.json ? report.json.dump(2) + "\n" : report.text);
   // With --json alone nothing but JSON is asked for.
@@ -100,6 +86,24 @@ int design_drive_file(const Arguments& arguments) {
   }
   if (!arguments.json) fmt::print("  wrote {}\n", (out / "bode.svg").string());
   return kWell;
+}
+
+int print_design(SinusoidalDrive, const DriveFile& file, const Arguments& arguments) {
+  fmt::print("{}", arguments.json ? sinusoidal::design_json(file.settings).dump(2) + "\n"
+                                  : sinusoidal::design_text(file.settings));
+  return kWell;
+}
+
+int design_drive_file(const Arguments& arguments) {
+  DriveFile file = open_drive_file(arguments.file);
+  if (arguments.clock_hz) {
+    file.settings.control.clock_hz = *arguments.clock_hz;
+    check_drive_file(file);  // words that fitted the file's clock need not fit this one
+  }
+  const bool part = arguments.c_header || arguments.verilog || arguments.circuit;
+  return with_drive(file.settings, [&](auto drive) {
+    return part ? print_part(drive, file, arguments) : print_design(drive, file, arguments);
+  });
 }
 
 }  // namespace
