@@ -1,14 +1,25 @@
 #!/usr/bin/env bash
-# slice.sh STEPLOCK ROOT WORK: the first 300 runs of docs/starts.md again, with its seed.  All start, where
-# the RTL repeats one it agrees on every clock, and they are those that the page was printed from.
+# slice.sh STEPLOCK ROOT WORK I/N: every N-th of the first 300 runs of docs/starts.md again, with its seed, into a folder
+# of its own: so as many cores as there are take part from the first second.
+# slice.sh STEPLOCK ROOT WORK whole N: these N together.  All start, where the RTL repeats one it agrees on every clock,
+# and they are those that the page was printed from.
 set -euo pipefail
-steplock=$1 root=$2 work=$3
+steplock=$1 root=$2 work=$3 part=$4
 page=$root/docs/starts.json
-rm -rf "$work"
-"$steplock" sweep "$root"/drives/*.toml --jobs 1 --runs "$(jq .prefix.runs "$page")" --seed "$(jq .seed "$page")" \
-  --out "$work" --page "$work/docs/starts.md"
-jq -e '.runs == 300 and .started == 300 and .rtl_repeats > 0 and .rtl_differing == 0' "$work/sweep.json"
-[ "$(jq -c .prefix "$work/docs/starts.json")" = "$(jq -c .prefix "$page")" ] || {
+runs=$(jq .prefix.runs "$page")
+again() { "$steplock" sweep "$root"/drives/*.toml --jobs 1 --runs "$runs" --seed "$(jq .seed "$page")" "$@"; }
+if [ "$part" != whole ]; then
+  rm -rf "$work/${part%/*}"
+  again --shard "$part" --out "$work/${part%/*}"
+  exit
+fi
+count=$5
+rm -rf "$work/whole"
+mapfile -t shards < <(seq -f "$work/%g" 0 $((count - 1)))
+"$steplock" merge "${shards[@]}" --out "$work/whole" >/dev/null
+again --resume --out "$work/whole" --page "$work/whole/docs/starts.md" >/dev/null
+jq -e --argjson runs "$runs" '.runs == $runs and .started == $runs and .rtl_repeats > 0 and .rtl_differing == 0' "$work/whole/sweep.json"
+[ "$(jq -c .prefix "$work/whole/docs/starts.json")" = "$(jq -c .prefix "$page")" ] || {
   echo "docs/starts.md is stale; print it again with the command in its first line" >&2
   exit 1
 }
