@@ -14,7 +14,8 @@ module hall_decoder #(
     output logic       legal_o,  // the code that stands is legal
     output logic       moved_o,  // one clock: the sector is new, and the rotor went on to it
     output logic       reverse_o,  // the last move went down
-    output logic       jumped_o  // one clock: the sector is new, and says nothing about speed
+    output logic       jumped_o,  // one clock: the sector is new, and says nothing about speed
+    output logic       changed_o  // one clock: either
 );
   logic [2:0] code;  // u v w, one clock ago
   logic [9:0] left;  // clocks until the code counts
@@ -27,9 +28,10 @@ module hall_decoder #(
   logic sure;  // there was a move since the last jump
   logic back;  // the sector is the one before the last move's
   logic jumped;  // one clock: to no neighbour
+  logic changed;  // one clock: either
 
   wire [2:0] other = code ^ last;
-  wire [2:0] sum_60 = other - 3'd1;  // line 60
+  wire [2:0] sum_62 = other - 3'd1;  // line 62
 
   always_ff @(posedge clk) begin
     if (DECODES) begin
@@ -63,25 +65,27 @@ module hall_decoder #(
             endcase
             if (legal) begin
               logic either;
-              either = other == 3'd4 || sum_60[2:1] == 2'd0;
+              either = other == 3'd4 || sum_62[2:1] == 2'd0;
               if (either) begin
                 logic down;
                 logic turns;
-                logic differ_62;
+                logic differ_64;
                 down =
                     (other == 3'd4) ? code[2] == code[1] :
                     (other == 3'd2) ? code[1] ^ code[2] :
                     code[0] == code[2];
                 turns = sure && (down ^ reverse);
-                differ_62 = turns ^ back;  // line 62
-                moved <= !differ_62;
-                if (!differ_62) begin
+                differ_64 = turns ^ back;  // line 64
+                moved <= !differ_64;
+                if (!differ_64) begin
                   reverse <= down;
                 end
                 back <= turns && !back;
+                changed <= !differ_64;
               end else begin
                 moved <= 1'b0;
                 back <= 1'b0;
+                changed <= 1'b1;
               end
               sure <= either;
               jumped <= !either;
@@ -90,19 +94,23 @@ module hall_decoder #(
               sure <= 1'b0;
               back <= 1'b0;
               jumped <= 1'b1;
+              changed <= 1'b1;
             end
           end else begin
             moved <= 1'b0;
             jumped <= 1'b0;
+            changed <= 1'b0;
           end
         end else begin
           moved <= 1'b0;
           jumped <= 1'b0;
+          changed <= 1'b0;
         end
         legal <= decode;
       end else begin
         moved <= 1'b0;
         jumped <= 1'b0;
+        changed <= 1'b0;
       end
     end else begin
       code <= 3'd0;
@@ -116,6 +124,7 @@ module hall_decoder #(
       sure <= 1'b0;
       back <= 1'b0;
       jumped <= 1'b0;
+      changed <= 1'b0;
     end
     if (rst) begin
       code <= 3'd0;
@@ -129,6 +138,7 @@ module hall_decoder #(
       sure <= 1'b0;
       back <= 1'b0;
       jumped <= 1'b0;
+      changed <= 1'b0;
     end
   end
 
@@ -137,7 +147,8 @@ module hall_decoder #(
   assign moved_o = moved;
   assign reverse_o = reverse;
   assign jumped_o = jumped;
+  assign changed_o = changed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_60[0]};
+  wire unused = &{1'b0, sum_62[0]};
 endmodule

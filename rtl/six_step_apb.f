@@ -4,6 +4,7 @@ rtl/word_registers.sv
 rtl/pwm_generator.sv
 rtl/synchroniser.sv
 rtl/hall_decoder.sv
+rtl/rotor_follower.sv
 rtl/start_counters.sv
 rtl/open_loop_duty.sv
 rtl/start_sequence.sv

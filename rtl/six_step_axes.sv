@@ -3,6 +3,8 @@
 
 module six_step_axes #(
     parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_RAMP = 1'b1,  // the start by alignment and ramp
+    parameter logic WITH_FOLLOWER = 1'b1,  // the start that follows the rotor
     parameter logic WITH_TELEMETRY = 1'b1  // its counters
 ) (
     input  logic        clk,
@@ -116,7 +118,7 @@ module six_step_axes #(
   wire [31:0] drives_0_data;
   wire drives_0_read_error;
   wire drives_0_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_0 (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_0 (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_0_comparator_u_i),
@@ -158,7 +160,7 @@ module six_step_axes #(
   wire [31:0] drives_1_data;
   wire drives_1_read_error;
   wire drives_1_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_1 (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_1 (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_1_comparator_u_i),

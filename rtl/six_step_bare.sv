@@ -2,7 +2,9 @@
 // Do not edit: change the C++ and run hlsgen again.
 
 module six_step_bare #(
-    parameter logic WITH_HALL_DECODER = 1'b1
+    parameter logic WITH_HALL_DECODER = 1'b1,
+    parameter logic WITH_RAMP = 1'b1,
+    parameter logic WITH_FOLLOWER = 1'b1
 ) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
@@ -42,12 +44,16 @@ module six_step_bare #(
     input  logic [25:0] words_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
     input  logic [25:0] words_loop_minimum_i,  // limits of the integrator and of the output
     input  logic [25:0] words_loop_maximum_i,
+    input  logic        words_start_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
     input  logic [11:0] words_start_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_start_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_start_reset_duty_i,  // twice that from the third try on, and so start_duty
+    input  logic [15:0] words_start_reset_duty_i,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
     input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
     input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
-    input  logic [25:0] words_start_hand_over_i,  // f_a: the end of the ramp
+    input  logic [15:0] words_start_look_i,  // sample_every clocks, less one, with gates off until no current flows
+    input  logic [15:0] words_start_probe_i,  // sample_every clocks of a drive between two looks
+    input  logic [7:0]  words_start_still_i,  // looks without news after which the step moves on
+    input  logic [25:0] words_start_hand_over_i,  // f_a: fast enough for the PLL
     input  logic [15:0] words_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_start_good_crossings_i,  // in a row, for lock (and for catching)
     input  logic [11:0] words_start_pull_in_i,  // time limit from hand-over to lock
@@ -107,15 +113,15 @@ module six_step_bare #(
   logic takes;  // the pins are taken in this clock
   logic [16:0] bounce;
 
-  wire [25:0] bounded =  // line 87
+  wire [25:0] bounded =  // line 92
       ({2'd0, words_speed_target_i[25:2]} < words_start_hand_over_i) ? words_start_hand_over_i :
       {2'd0, words_speed_target_i[25:2]};
-  wire [25:0] bounded_2 =  // line 87
+  wire [25:0] bounded_2 =  // line 92
       ({1'b0, words_speed_target_i[25:1]} < words_start_hand_over_i) ? words_start_hand_over_i :
       {1'b0, words_speed_target_i[25:1]};
   wire [25:0] part = {1'b0, words_speed_target_i[25:1]} + {2'd0, words_speed_target_i[25:2]};
 
-  logic [25:0] words_speed_target;  // line 48
+  logic [25:0] words_speed_target;  // line 50
   always_comb begin
     case (taken_speed)
       2'd0: words_speed_target = bounded;
@@ -155,7 +161,7 @@ module six_step_bare #(
   wire [15:0] unused_drive_counts_freewheel_long;
   wire [15:0] unused_drive_counts_limit_hits;
   wire [15:0] unused_drive_counts_retries;
-  six_step_top #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(1'b0)) drive (
+  six_step_top #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(1'b0)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -195,11 +201,15 @@ module six_step_bare #(
       .words_loop_scale_i(words_loop_scale_i),
       .words_loop_minimum_i(words_loop_minimum_i),
       .words_loop_maximum_i(words_loop_maximum_i),
+      .words_start_method_i(words_start_method_i),
       .words_start_settle_i(words_start_settle_i),
       .words_start_reset_i(words_start_reset_i),
       .words_start_reset_duty_i(words_start_reset_duty_i),
       .words_start_start_duty_i(words_start_start_duty_i),
       .words_start_ramp_i(words_start_ramp_i),
+      .words_start_look_i(words_start_look_i),
+      .words_start_probe_i(words_start_probe_i),
+      .words_start_still_i(words_start_still_i),
       .words_start_hand_over_i(words_start_hand_over_i),
       .words_start_window_i(words_start_window_i),
       .words_start_good_crossings_i(words_start_good_crossings_i),
@@ -264,14 +274,14 @@ module six_step_bare #(
     second_run <= first_run;
     second_reverse <= first_reverse;
     second_speed <= first_speed;
-    taken_run <= (takes ? second_run : taken_run) && second_run;  // line 59
+    taken_run <= (takes ? second_run : taken_run) && second_run;  // line 64
     if (takes) begin
       taken_reverse <= second_reverse;
       taken_speed <= second_speed;
     end
-    run <= taken_run && second_run;  // line 57
-    takes <= bounce == 17'd0;  // line 60
-    bounce <= bounce + 17'd1;  // line 61
+    run <= taken_run && second_run;  // line 62
+    takes <= bounce == 17'd0;  // line 65
+    bounce <= bounce + 17'd1;  // line 66
     if (rst) begin
       first_run <= 1'b0;
       first_reverse <= 1'b0;

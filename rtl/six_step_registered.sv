@@ -3,6 +3,8 @@
 
 module six_step_registered #(
     parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_RAMP = 1'b1,  // the start by alignment and ramp
+    parameter logic WITH_FOLLOWER = 1'b1,  // the start that follows the rotor
     parameter logic WITH_TELEMETRY = 1'b1  // its counters
 ) (
     input  logic        clk,
@@ -66,11 +68,15 @@ module six_step_registered #(
   wire [25:0] words_words_loop_scale;
   wire [25:0] words_words_loop_minimum;
   wire [25:0] words_words_loop_maximum;
+  wire words_words_start_method;
   wire [11:0] words_words_start_settle;
   wire [11:0] words_words_start_reset;
   wire [15:0] words_words_start_reset_duty;
   wire [15:0] words_words_start_start_duty;
   wire [19:0] words_words_start_ramp;
+  wire [15:0] words_words_start_look;
+  wire [15:0] words_words_start_probe;
+  wire [7:0] words_words_start_still;
   wire [25:0] words_words_start_hand_over;
   wire [15:0] words_words_start_window;
   wire [5:0] words_words_start_good_crossings;
@@ -137,11 +143,15 @@ module six_step_registered #(
       .words_loop_scale_o(words_words_loop_scale),
       .words_loop_minimum_o(words_words_loop_minimum),
       .words_loop_maximum_o(words_words_loop_maximum),
+      .words_start_method_o(words_words_start_method),
       .words_start_settle_o(words_words_start_settle),
       .words_start_reset_o(words_words_start_reset),
       .words_start_reset_duty_o(words_words_start_reset_duty),
       .words_start_start_duty_o(words_words_start_start_duty),
       .words_start_ramp_o(words_words_start_ramp),
+      .words_start_look_o(words_words_start_look),
+      .words_start_probe_o(words_words_start_probe),
+      .words_start_still_o(words_words_start_still),
       .words_start_hand_over_o(words_words_start_hand_over),
       .words_start_window_o(words_words_start_window),
       .words_start_good_crossings_o(words_words_start_good_crossings),
@@ -220,7 +230,7 @@ module six_step_registered #(
   wire [15:0] drive_counts_freewheel_long;
   wire [15:0] drive_counts_limit_hits;
   wire [15:0] drive_counts_retries;
-  six_step_top #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
+  six_step_top #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -260,11 +270,15 @@ module six_step_registered #(
       .words_loop_scale_i(words_words_loop_scale),
       .words_loop_minimum_i(words_words_loop_minimum),
       .words_loop_maximum_i(words_words_loop_maximum),
+      .words_start_method_i(words_words_start_method),
       .words_start_settle_i(words_words_start_settle),
       .words_start_reset_i(words_words_start_reset),
       .words_start_reset_duty_i(words_words_start_reset_duty),
       .words_start_start_duty_i(words_words_start_start_duty),
       .words_start_ramp_i(words_words_start_ramp),
+      .words_start_look_i(words_words_start_look),
+      .words_start_probe_i(words_words_start_probe),
+      .words_start_still_i(words_words_start_still),
       .words_start_hand_over_i(words_words_start_hand_over),
       .words_start_window_i(words_words_start_window),
       .words_start_good_crossings_i(words_words_start_good_crossings),
@@ -372,7 +386,9 @@ module six_step_registered #(
 
   wire [4:0] absent = (!read_capability || WITH_HALL_DECODER) ? 5'd0 : 5'd16;
   wire [6:0] absent_2 = (!read_capability || WITH_TELEMETRY) ? {2'd0, absent} : {2'd2, absent};
-  wire [7:0] data_inverse = ~{1'b0, absent_2};  // line 79
+  wire [19:0] absent_3 = (!read_capability || WITH_RAMP) ? {13'd0, absent_2} : {13'd4096, absent_2};
+  wire [19:0] absent_4 = (!read_capability || WITH_FOLLOWER) ? absent_3 : absent_3 | 20'h80;
+  wire [20:0] data_inverse = ~{1'b0, absent_4};  // line 81
 
   always_ff @(posedge clk) begin
     command_configured <= registers_command_configured;
@@ -380,7 +396,7 @@ module six_step_registered #(
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 72
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 74
     boundary <= pwm_start;
     if (request_read_i) begin
       read_capability <= request_index_i == 10'd2;
@@ -406,7 +422,7 @@ module six_step_registered #(
   assign interrupt_o = registers_interrupt;
   assign locked_o = drive_locked;
   assign fault_o = drive_state == 4'd10;
-  assign data_o = registers_data & {{24{data_inverse[7]}}, data_inverse};
+  assign data_o = registers_data & {{11{data_inverse[20]}}, data_inverse};
   assign read_error_o = registers_read_error;
   assign write_error_o = registers_write_error;
 endmodule

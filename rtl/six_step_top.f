@@ -1,5 +1,6 @@
 rtl/synchroniser.sv
 rtl/hall_decoder.sv
+rtl/rotor_follower.sv
 rtl/start_counters.sv
 rtl/open_loop_duty.sv
 rtl/start_sequence.sv

@@ -3,6 +3,8 @@
 
 module six_step_wb #(
     parameter logic WITH_HALL_DECODER = 1'b1,  // for Hall sensors, and to catch a rotor that turns
+    parameter logic WITH_RAMP = 1'b1,  // the start by alignment and ramp
+    parameter logic WITH_FOLLOWER = 1'b1,  // the start that follows the rotor
     parameter logic WITH_TELEMETRY = 1'b1  // its counters
 ) (
     input  logic        clk,
@@ -72,7 +74,7 @@ module six_step_wb #(
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
+  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),

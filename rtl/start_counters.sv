@@ -12,12 +12,16 @@ module start_counters (
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
     input  logic        turns_reverse_i,  // while observing: the code last moved downwards
+    input  logic        words_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
     input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_reset_duty_i,  // twice that from the third try on, and so start_duty
+    input  logic [15:0] words_reset_duty_i,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
     input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
     input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
-    input  logic [25:0] words_hand_over_i,  // f_a: the end of the ramp
+    input  logic [15:0] words_look_i,  // sample_every clocks, less one, with gates off until no current flows
+    input  logic [15:0] words_probe_i,  // sample_every clocks of a drive between two looks
+    input  logic [7:0]  words_still_i,  // looks without news after which the step moves on
+    input  logic [25:0] words_hand_over_i,  // f_a: fast enough for the PLL
     input  logic [15:0] words_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_good_crossings_i,  // in a row, for lock (and for catching)
     input  logic [11:0] words_pull_in_i,  // time limit from hand-over to lock
@@ -29,6 +33,7 @@ module start_counters (
     input  logic [3:0]  words_retries_i,  // failed tries before the fault latches
     output logic        over_o,  // with `tick`: the state's time
     output logic        enough_o,  // good crossings in a row, the last one in the clock before
+    output logic        steady_o,  // one less, at least
     output logic        tried_o,  // no more tries are left
     output logic        braked_o,  // no more braking intervals are left
     output logic        turns_reverse_o,  // direction at the last update
@@ -48,8 +53,8 @@ module start_counters (
   logic turns_reverse;  // direction at the last update
 
   wire out_over = tick_i && last && !entered_i;
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 125
-  wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 116
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 130
+  wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 121
 
   always_ff @(posedge clk) begin
     if (entered_i) begin
@@ -62,25 +67,27 @@ module start_counters (
       logic [14:0] ticks_next_either_2;
       logic [14:0] ticks_next_either_3;
       logic [14:0] ticks_next_either_4;
+      logic [1:0] times;
       logic [12:0] once_3;
       logic [14:0] ticks_next_choice_3;
-      ticks_next_wide =  // line 75
+      ticks_next_wide =  // line 80
           {3'd0,
           (state_bits_i[1] ? words_observe_i : 12'd0) | (state_bits_i[2] ? words_brake_i : 12'd0)};
       once = {3'd0, words_settle_i} << gentle[0];
       ticks_next_choice = state_bits_i[3] ? (gentle[1] ? {once[12:0], 2'd0} : once) : 15'd0;
-      ticks_next_either = ticks_next_wide | ticks_next_choice;  // line 75
+      ticks_next_either = ticks_next_wide | ticks_next_choice;  // line 80
       once_2 = {3'd0, words_reset_i} << gentle[0];
       ticks_next_choice_2 = state_bits_i[4] ? (gentle[1] ? {once_2[12:0], 2'd0} : once_2) : 15'd0;
-      ticks_next_either_2 = ticks_next_either | ticks_next_choice_2;  // line 76
-      ticks_next_either_3 =  // line 78
+      ticks_next_either_2 = ticks_next_either | ticks_next_choice_2;  // line 81
+      ticks_next_either_3 =  // line 83
           ticks_next_either_2 | {3'd0, state_bits_i[6] ? words_pull_in_i : 12'd0} |
           {3'd0, state_bits_i[8] ? words_slow_down_i : 12'd0};
-      ticks_next_either_4 =  // line 79
+      ticks_next_either_4 =  // line 84
           ticks_next_either_3 | {3'd0, state_bits_i[9] ? words_rest_i : 12'd0} |
           {4'd0, state_bits_i[7], 10'd0};
-      once_3 = gentle[0] ? 13'd8190 : 13'd4095;
-      ticks_next_choice_3 = state_bits_i[5] ? (gentle[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
+      times = words_method_i ? 2'd0 : gentle;
+      once_3 = times[0] ? 13'd8190 : 13'd4095;
+      ticks_next_choice_3 = state_bits_i[5] ? (times[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
       ticks <= ticks_next_either_4 | ticks_next_choice_3;
       good <= 6'd0;
       enough <= 1'b0;
@@ -107,8 +114,8 @@ module start_counters (
         enough <= 1'b0;
       end
     end
-    late <= tick_i && entered_i;  // line 87
-    last <= !entered_i && ticks == 15'd0;  // line 88
+    late <= tick_i && entered_i;  // line 92
+    last <= !entered_i && ticks == 15'd0;  // line 93
     if (state_bits_i[0]) begin
       retries <= 4'd0;
       brakes <= 8'd0;
@@ -125,9 +132,9 @@ module start_counters (
         brakes <= brakes + 8'd1;
       end
     end
-    tried <= (words_retries_i <= retries);  // line 97
-    braked <= brakes == 8'd255;  // line 103
-    nearly <= ({1'b0, words_good_crossings_i} <= count_crossings_sum);  // line 116
+    tried <= (words_retries_i <= retries);  // line 102
+    braked <= brakes == 8'd255;  // line 108
+    nearly <= ({1'b0, words_good_crossings_i} <= count_crossings_sum);  // line 121
     if (rst) begin
       ticks <= 15'd0;
       late <= 1'b0;
@@ -145,14 +152,15 @@ module start_counters (
 
   assign over_o = out_over;
   assign enough_o = enough;
+  assign steady_o = nearly;
   assign tried_o = tried;
   assign braked_o = braked;
   assign turns_reverse_o = turns_reverse;
   assign gentle_o = gentle;
-  assign strong_o = retries[3:1] != 3'd0;
+  assign strong_o = retries[3:1] != 3'd0 && !words_method_i;
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, state_bits_i[10], words_reset_duty_i, words_start_duty_i, words_ramp_i,
-      words_hand_over_i, words_window_i, words_brake_duty_i};
+      &{1'b0, state_bits_i[10], words_reset_duty_i, words_start_duty_i, words_ramp_i, words_look_i,
+      words_probe_i, words_still_i, words_hand_over_i, words_window_i, words_brake_duty_i};
 endmodule

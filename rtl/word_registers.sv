@@ -35,12 +35,16 @@ module word_registers (
     output logic [25:0] words_loop_scale_o,  // u0.32: for the frequency, per second; last four bits unused
     output logic [25:0] words_loop_minimum_o,  // limits of the integrator and of the output
     output logic [25:0] words_loop_maximum_o,
+    output logic        words_start_method_o,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
     output logic [11:0] words_start_settle_o,  // first pattern, so that a rotor opposite to the reset place moves
     output logic [11:0] words_start_reset_o,  // reset pattern: t_r of Eq. (22)
-    output logic [15:0] words_start_reset_duty_o,  // twice that from the third try on, and so start_duty
+    output logic [15:0] words_start_reset_duty_o,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
     output logic [15:0] words_start_start_duty_o,  // during acceleration and pull-in
     output logic [19:0] words_start_ramp_o,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
-    output logic [25:0] words_start_hand_over_o,  // f_a: the end of the ramp
+    output logic [15:0] words_start_look_o,  // sample_every clocks, less one, with gates off until no current flows
+    output logic [15:0] words_start_probe_o,  // sample_every clocks of a drive between two looks
+    output logic [7:0]  words_start_still_o,  // looks without news after which the step moves on
+    output logic [25:0] words_start_hand_over_o,  // f_a: fast enough for the PLL
     output logic [15:0] words_start_window_o,  // u0.16: a crossing closer than this to its place is a good one
     output logic [5:0]  words_start_good_crossings_o,  // in a row, for lock (and for catching)
     output logic [11:0] words_start_pull_in_o,  // time limit from hand-over to lock
@@ -76,6 +80,7 @@ module word_registers (
   localparam logic [1:0] Sampling_kBoth = 2'd2;
   localparam logic Detector_kEveryStep = 1'b1;
   localparam logic Bandwidth_kPerStep = 1'b1;
+  localparam logic Method_kRamp = 1'b0;
   localparam logic Source_kBemf = 1'b0;
 
   logic [13:0] words_pwm_period;  // clocks; 0 keeps the high sides off; taken at the period's start
@@ -102,12 +107,16 @@ module word_registers (
   logic [25:0] words_loop_scale;  // u0.32: for the frequency, per second; last four bits unused
   logic [25:0] words_loop_minimum;  // limits of the integrator and of the output
   logic [25:0] words_loop_maximum;
+  logic words_start_method;  // kRamp: settle, reset, ramp; kFollow: look, probe, still
   logic [11:0] words_start_settle;  // first pattern, so that a rotor opposite to the reset place moves
   logic [11:0] words_start_reset;  // reset pattern: t_r of Eq. (22)
-  logic [15:0] words_start_reset_duty;  // twice that from the third try on, and so start_duty
+  logic [15:0] words_start_reset_duty;  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
   logic [15:0] words_start_start_duty;  // during acceleration and pull-in
   logic [19:0] words_start_ramp;  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
-  logic [25:0] words_start_hand_over;  // f_a: the end of the ramp
+  logic [15:0] words_start_look;  // sample_every clocks, less one, with gates off until no current flows
+  logic [15:0] words_start_probe;  // sample_every clocks of a drive between two looks
+  logic [7:0] words_start_still;  // looks without news after which the step moves on
+  logic [25:0] words_start_hand_over;  // f_a: fast enough for the PLL
   logic [15:0] words_start_window;  // u0.16: a crossing closer than this to its place is a good one
   logic [5:0] words_start_good_crossings;  // in a row, for lock (and for catching)
   logic [11:0] words_start_pull_in;  // time limit from hand-over to lock
@@ -164,6 +173,8 @@ module word_registers (
   logic written_25;  // since the reset
   logic written_26;  // since the reset
   logic written_27;  // since the reset
+  logic written_28;  // since the reset
+  logic written_29;  // since the reset
   logic shows;  // the last read was of the map
 
   wire [5:0] mirror_part = request_index_i[5:0];  // line 195
@@ -177,20 +188,6 @@ module word_registers (
       request_index_i[0] ? written_9 :
       written_8;
   wire mirror_choice_2 =  // line 189
-      request_index_i[1] ? (request_index_i[0] ? written_27 : written_26) :
-      request_index_i[0] ? written_25 :
-      written_24;
-  wire mirror_choice_3 =  // line 189
-      request_index_i[3] ? !request_index_i[2] && mirror_choice_2 :
-      request_index_i[2] ?
-      (request_index_i[1] ? (request_index_i[0] ? written_23 : written_22) :
-      request_index_i[0] ? written_21 :
-      written_20) :
-      request_index_i[1] ? (request_index_i[0] ? written_19 : written_18) :
-      request_index_i[0] ? written_17 :
-      written_16;
-  wire mirror_choice_4 =  // line 189
-      request_index_i[4] ? mirror_choice_3 :
       request_index_i[3] ? mirror_choice :
       request_index_i[2] ?
       (request_index_i[1] ? (request_index_i[0] ? written_7 : written_6) :
@@ -199,7 +196,23 @@ module word_registers (
       request_index_i[1] ? (request_index_i[0] ? written_3 : written_2) :
       request_index_i[0] ? written_1 :
       written_0;
-  wire mirror_both = request_index_i[5] && mirror_choice_4;  // line 99
+  wire mirror_choice_3 =  // line 189
+      request_index_i[2] ?
+      (request_index_i[1] ? (request_index_i[0] ? written_23 : written_22) :
+      request_index_i[0] ? written_21 :
+      written_20) :
+      request_index_i[1] ? (request_index_i[0] ? written_19 : written_18) :
+      request_index_i[0] ? written_17 :
+      written_16;
+  wire mirror_choice_4 =  // line 189
+      request_index_i[2] ? !request_index_i[1] && (request_index_i[0] ? written_29 : written_28) :
+      request_index_i[1] ? (request_index_i[0] ? written_27 : written_26) :
+      request_index_i[0] ? written_25 :
+      written_24;
+  wire mirror_choice_5 =  // line 189
+      request_index_i[4] ? (request_index_i[3] ? mirror_choice_4 : mirror_choice_3) :
+      mirror_choice_2;
+  wire mirror_both = request_index_i[5] && mirror_choice_5;  // line 99
 
   logic [2:0] rule_at_entry;  // kRules
   always_comb begin
@@ -209,7 +222,8 @@ module word_registers (
       6'd51, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56: rule_at_entry =
           3'd2;
       6'd9, 6'd33, 6'd34, 6'd57, 6'd58, 6'd59: rule_at_entry = 3'd4;
-      6'd32, 6'd35, 6'd36, 6'd43, 6'd44, 6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50: rule_at_entry =
+      6'd32, 6'd35, 6'd36, 6'd43, 6'd44, 6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50, 6'd60,
+      6'd61: rule_at_entry =
           3'd3;
       default: rule_at_entry = 3'd0;
     endcase
@@ -231,78 +245,82 @@ module word_registers (
   wire [31:0] mask_2 = {{7{mask[24]}}, mask};  // bus.hpp:28
   wire [31:0] mirror_2 = request_data_i & mask_2;  // line 191
 
-  logic [28:0] data_entry;
+  logic [31:0] data_entry;
   logic [30:0] mirror_entry;
   always_comb begin
     case (mirror_part_2)
       5'd0: begin
-        data_entry = 29'd520306687;
+        data_entry = 32'd4278403071;
         mirror_entry = 31'd16777216;
       end
       5'd1: begin
-        data_entry = 29'd16728063;
+        data_entry = 32'd16728063;
         mirror_entry = 31'd0;
       end
       5'd2: begin
-        data_entry = 29'd268370175;
+        data_entry = 32'd268370175;
         mirror_entry = 31'd0;
       end
       5'd3: begin
-        data_entry = 29'd268386291;
+        data_entry = 32'd268386291;
         mirror_entry = 31'd16842754;
       end
       5'd4: begin
-        data_entry = 29'd67047199;
+        data_entry = 32'd67047199;
         mirror_entry = 31'd3;
       end
       5'd5: begin
-        data_entry = 29'd536870911;
+        data_entry = 32'd4294967295;
         mirror_entry = 31'd1073774592;
       end
-      5'd6, 5'd12, 5'd21, 5'd22, 5'd23, 5'd26: begin
-        data_entry = 29'd536870911;
+      5'd6, 5'd12, 5'd21, 5'd22, 5'd23, 5'd26, 5'd28: begin
+        data_entry = 32'd4294967295;
         mirror_entry = 31'd0;
       end
       5'd7: begin
-        data_entry = 29'd65535;
+        data_entry = 32'd65535;
         mirror_entry = 31'd32768;
       end
       5'd8, 5'd9, 5'd10, 5'd14, 5'd19, 5'd25: begin
-        data_entry = 29'd67108863;
+        data_entry = 32'd67108863;
         mirror_entry = 31'd0;
       end
       5'd11, 5'd16, 5'd17: begin
-        data_entry = 29'd268374015;
+        data_entry = 32'd268374015;
         mirror_entry = 31'd0;
       end
       5'd13, 5'd20: begin
-        data_entry = 29'd1048575;
+        data_entry = 32'd1048575;
         mirror_entry = 31'd0;
       end
       5'd15: begin
-        data_entry = 29'd255852543;
+        data_entry = 32'd2403336191;
         mirror_entry = 31'd0;
       end
       5'd18: begin
-        data_entry = 29'd536809471;
+        data_entry = 32'd4294905855;
         mirror_entry = 31'd0;
       end
       5'd24: begin
-        data_entry = 29'd4095;
+        data_entry = 32'd4095;
         mirror_entry = 31'd0;
       end
       5'd27: begin
-        data_entry = 29'd252706623;
+        data_entry = 32'd252706623;
+        mirror_entry = 31'd0;
+      end
+      5'd29: begin
+        data_entry = 32'd255;
         mirror_entry = 31'd0;
       end
       default: begin
-        data_entry = 29'd0;
+        data_entry = 32'd0;
         mirror_entry = 31'd0;
       end
     endcase
   end
 
-  wire [31:0] data = mirror_2 & {{3{data_entry[28]}}, data_entry};
+  wire [31:0] data = mirror_2 & data_entry;
   wire [24:0] mirror_3 = ~mask;  // line 198
 
   wire [31:0] mirror_data;
@@ -385,22 +403,9 @@ module word_registers (
       if (request_index_i == 10'd42) begin
         words_loop_maximum <= mirror_2[25:0] | (words_loop_maximum & mirror_wide);
       end
-      if (request_index_i == 10'd43) begin
-        words_start_settle <= mirror_2[11:0] | (words_start_settle & mirror_3[11:0]);
-        words_start_reset <= mirror_2[27:16] | (words_start_reset & word_of_wide);
-      end
-      if (request_index_i == 10'd44) begin
-        words_start_reset_duty <= mirror_2[15:0] | (words_start_reset_duty & mirror_3[15:0]);
-        words_start_start_duty <= mirror_2[31:16] | (words_start_start_duty & write_wide);
-      end
-      if (request_index_i == 10'd45) begin
-        words_start_ramp <= mirror_2[19:0] | (words_start_ramp & mirror_3[19:0]);
-      end
-      if (request_index_i == 10'd46) begin
-        words_start_hand_over <= mirror_2[25:0] | (words_start_hand_over & mirror_wide);
-      end
       if (either_3 || request_index_i == 10'd56) begin
         if (request_index_i == 10'd47) begin
+          words_start_method <= mirror_2[31] || (words_start_method && mirror_3[24]);
           words_start_window <= mirror_2[15:0] | (words_start_window & mirror_3[15:0]);
           words_start_good_crossings <=
               mirror_2[21:16] | (words_start_good_crossings & mirror_3[21:16]);
@@ -440,6 +445,13 @@ module word_registers (
           staged_speed_target <= mirror_2[25:0] | (staged_speed_target & mirror_wide);
         end
       end else begin
+        if (request_index_i == 10'd60) begin
+          words_start_look <= mirror_2[15:0] | (words_start_look & mirror_3[15:0]);
+          words_start_probe <= mirror_2[31:16] | (words_start_probe & write_wide);
+        end
+        if (request_index_i == 10'd61) begin
+          words_start_still <= mirror_2[7:0] | (words_start_still & mirror_3[7:0]);
+        end
         if (request_index_i == 10'd59) begin
           words_protection_misses <= mirror_2[5:0] | (words_protection_misses & mirror_3[5:0]);
           words_protection_wrong_lock <=
@@ -460,6 +472,22 @@ module word_registers (
         written_25 <= request_index_i == 10'd57 || written_25;
         written_26 <= request_index_i == 10'd58 || written_26;
         written_27 <= request_index_i == 10'd59 || written_27;
+        written_28 <= request_index_i == 10'd60 || written_28;
+        written_29 <= request_index_i == 10'd61 || written_29;
+      end
+      if (request_index_i == 10'd43) begin
+        words_start_settle <= mirror_2[11:0] | (words_start_settle & mirror_3[11:0]);
+        words_start_reset <= mirror_2[27:16] | (words_start_reset & word_of_wide);
+      end
+      if (request_index_i == 10'd44) begin
+        words_start_reset_duty <= mirror_2[15:0] | (words_start_reset_duty & mirror_3[15:0]);
+        words_start_start_duty <= mirror_2[31:16] | (words_start_start_duty & write_wide);
+      end
+      if (request_index_i == 10'd45) begin
+        words_start_ramp <= mirror_2[19:0] | (words_start_ramp & mirror_3[19:0]);
+      end
+      if (request_index_i == 10'd46) begin
+        words_start_hand_over <= mirror_2[25:0] | (words_start_hand_over & mirror_wide);
       end
       written_0 <= request_index_i == 10'd32 || written_0;
       written_1 <= request_index_i == 10'd33 || written_1;
@@ -518,11 +546,15 @@ module word_registers (
       words_loop_scale <= 26'd0;
       words_loop_minimum <= 26'd0;
       words_loop_maximum <= 26'd0;
+      words_start_method <= Method_kRamp;
       words_start_settle <= 12'd0;
       words_start_reset <= 12'd0;
       words_start_reset_duty <= 16'd0;
       words_start_start_duty <= 16'd0;
       words_start_ramp <= 20'd0;
+      words_start_look <= 16'd0;
+      words_start_probe <= 16'd0;
+      words_start_still <= 8'd0;
       words_start_hand_over <= 26'd0;
       words_start_window <= 16'd0;
       words_start_good_crossings <= 6'd0;
@@ -580,6 +612,8 @@ module word_registers (
       written_25 <= 1'b0;
       written_26 <= 1'b0;
       written_27 <= 1'b0;
+      written_28 <= 1'b0;
+      written_29 <= 1'b0;
       shows <= 1'b0;
     end
   end
@@ -608,11 +642,15 @@ module word_registers (
   assign words_loop_scale_o = words_loop_scale;
   assign words_loop_minimum_o = words_loop_minimum;
   assign words_loop_maximum_o = words_loop_maximum;
+  assign words_start_method_o = words_start_method;
   assign words_start_settle_o = words_start_settle;
   assign words_start_reset_o = words_start_reset;
   assign words_start_reset_duty_o = words_start_reset_duty;
   assign words_start_start_duty_o = words_start_start_duty;
   assign words_start_ramp_o = words_start_ramp;
+  assign words_start_look_o = words_start_look;
+  assign words_start_probe_o = words_start_probe;
+  assign words_start_still_o = words_start_still;
   assign words_start_hand_over_o = words_start_hand_over;
   assign words_start_window_o = words_start_window;
   assign words_start_good_crossings_o = words_start_good_crossings;

@@ -27,7 +27,7 @@
 namespace steplock {
 
 inline constexpr std::uint32_t kMapId = 0x53544c4b;  // "STLK"
-inline constexpr std::uint32_t kMapVersion = 0x000300;
+inline constexpr std::uint32_t kMapVersion = 0x000400;
 inline constexpr std::uint32_t kLockKey = 0xc0de;
 using WatchdogTicks = UInt<12>;
 
@@ -98,6 +98,8 @@ struct DriveKind {
   const char* kind_prose = "";
   std::uint32_t hall = 0;      // has a Hall decoder
   std::uint32_t counters = 0;  // has telemetry that a synthesis may leave out
+  std::uint32_t ramp = 0;      // starts by alignment and ramp
+  std::uint32_t follower = 0;  // starts by following the rotor
   const char* states = "";
   const char* reasons = "";
   const char* no_period = "";
@@ -116,10 +118,12 @@ consteval auto system_fields(const DriveKind& drive) {
     {"CAPABILITY", "watchdog", 0x08, 5, 1, Access::kReadOnly, 1, "", "Has a heartbeat watchdog."},
     {"CAPABILITY", "counters", 0x08, 6, 1, Access::kReadOnly, drive.counters, "",
      "Counts crossings, misses, limits and tries; else these read 0."},
+    {"CAPABILITY", "follower", 0x08, 7, 1, Access::kReadOnly, drive.follower, "", "Starts by following the rotor."},
     {"CAPABILITY", "dead_time_floor", 0x08, 8, 8, Access::kReadOnly, kDeadTimeFloor, "clocks",
      "The least dead time, whatever PWM_LIMITS says."},
     {"CAPABILITY", "axes", 0x08, 16, 3, Access::kReadOnly, 1, "",
      "Drives on this bus, this one included: the map of each stands 0x100 behind the one before."},
+    {"CAPABILITY", "ramp", 0x08, 19, 1, Access::kReadOnly, drive.ramp, "", "Starts by alignment and ramp."},
     {"CONTROL", "configured", 0x0c, 0, 1, Access::kReadWrite, 0, "",
      "The words are valid; while 0 all six gates are off."},
     {"CONTROL", "run", 0x0c, 1, 1, Access::kReadWrite, 0, "",

@@ -28,6 +28,8 @@ inline constexpr auto kSinusoidalSystemFields = joined(
          .kind_prose = "2: sinusoidal drive.",
          .hall = 0,
          .counters = 0,
+         .ramp = 0,
+         .follower = 0,
          .states = "0 idle, 1 calibrate, 2 pilot pulses, 3 pattern, 4 starting, 5 run, 6 slow down, "
                    "7 brake, 8 rest, 9 fault.",
          .reasons = "Of the last failed try: 0 none, 1 fault pin, 2 over-current, 3 lost sample, "

@@ -66,6 +66,8 @@ class SixStepRegistered {
     UInt<32> absent = 0;
     if (read_capability_ && !in.with.hall_decoder) absent = absent | UInt<32>::of(mask_of(field("CAPABILITY", "hall")));
     if (read_capability_ && !in.with.telemetry) absent = absent | UInt<32>::of(mask_of(field("CAPABILITY", "counters")));
+    if (read_capability_ && !in.with.ramp) absent = absent | UInt<32>::of(mask_of(field("CAPABILITY", "ramp")));
+    if (read_capability_ && !in.with.follower) absent = absent | UInt<32>::of(mask_of(field("CAPABILITY", "follower")));
     if (in.request.read) read_capability_ = in.request.index == UInt<10>(index_of("CAPABILITY"));
 
     // Both have to rest: what was told to run may have left idle since.

@@ -23,6 +23,8 @@ inline constexpr auto kSystemFields = joined(
          .kind_prose = "1: six-step drive.",
          .hall = 1,
          .counters = 1,
+         .ramp = 1,
+         .follower = 1,
          .states = "0 idle, 1 observe, 2 brake, 3 settle, 4 reset, 5 accelerate, 6 pull in, 7 run, "
                    "8 slow down, 9 rest, 10 fault.",
          .reasons = "Of the last failed try: 0 none, 1 fault pin, 2 over-current, 3 step-out, 4 stall, "

@@ -25,6 +25,8 @@ template <>
 inline constexpr int kBitsOf<Bandwidth> = 1;
 template <>
 inline constexpr int kBitsOf<Source> = 1;
+template <>
+inline constexpr int kBitsOf<Method> = 1;
 
 inline constexpr auto kWordRows = std::make_tuple(
     word<&Words::pwm, &PwmWords::period>(
@@ -113,7 +115,7 @@ inline constexpr auto kWordRows = std::make_tuple(
         "Of the reset pattern."),
     word<&Words::start, &StartWords::reset_duty>(
         "START_DUTY", "reset_duty", 0xb0, 0, Access::kStopped, "u1.15",
-        "Of settle and reset; twice that from the third try on."),
+        "Of settle and reset; twice that from the third try on. Following: until the rotor is followed."),
     word<&Words::start, &StartWords::start_duty>(
         "START_DUTY", "start_duty", 0xb0, 16, Access::kStopped, "u1.15",
         "During acceleration and pull-in, above the back-EMF; twice that from the third try on."),
@@ -132,6 +134,9 @@ inline constexpr auto kWordRows = std::make_tuple(
     word<&Words::start, &StartWords::retries>(
         "START_LOCK", "retries", 0xbc, 24, Access::kStopped, "",
         "Failed tries before the fault latches."),
+    word<&Words::start, &StartWords::method>(
+        "START_LOCK", "method", 0xbc, 31, Access::kStopped, "",
+        "Of the start: 0 alignment and ramp, 1 following the rotor."),
     word<&Words::start, &StartWords::pull_in>(
         "START_TIMES", "pull_in", 0xc0, 0, Access::kStopped, "ticks",
         "Time limit from hand-over to lock."),
@@ -194,6 +199,15 @@ inline constexpr auto kWordRows = std::make_tuple(
         "Time limit of a wrong lock; 0 disables."),
     word<&Words::protection, &ProtectionWords::over_current>(
         "PROTECTION_LOCK", "over_current", 0xec, 24, Access::kKeyed, "",
-        "Limit hits in a row with the comparator never released; 0 disables."));
+        "Limit hits in a row with the comparator never released; 0 disables."),
+    word<&Words::start, &StartWords::look>(
+        "START_FOLLOW", "look", 0xf0, 0, Access::kStopped, "samples",
+        "Gates off before a look, less one, in BEMF.sample_every."),
+    word<&Words::start, &StartWords::probe>(
+        "START_FOLLOW", "probe", 0xf0, 16, Access::kStopped, "samples",
+        "Of a drive between two looks, in BEMF.sample_every."),
+    word<&Words::start, &StartWords::still>(
+        "START_STILL", "still", 0xf4, 0, Access::kStopped, "",
+        "Looks without news after which the step moves on."));
 
 }  // namespace steplock

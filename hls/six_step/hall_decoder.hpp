@@ -15,7 +15,7 @@
 // Left out by DECODES it says nothing: sector 0, not legal, no moves.
 //
 //     latency      hold + 2 clocks from the pins' synchronisers to the outputs
-//     registers    26 bits     multipliers  none
+//     registers    27 bits     multipliers  none
 //
 // Doc: docs/blocks/hall_decoder.md   Test: tests/hls/hall_decoder_test.cpp
 
@@ -42,6 +42,7 @@ class HallDecoder {
     bool moved = false;    // one clock: the sector is new, and the rotor went on to it
     bool reverse = false;  // the last move went down
     bool jumped = false;   // one clock: the sector is new, and says nothing about speed
+    bool changed = false;  // one clock: either
   };
 
   Out tick(const In& in) {
@@ -49,7 +50,8 @@ class HallDecoder {
                   .legal = legal_,
                   .moved = moved_,
                   .reverse = reverse_,
-                  .jumped = jumped_};
+                  .jumped = jumped_,
+                  .changed = changed_};
     const Decoded decoded = decode(code_);
     const bool accept = stood_;
     // Codes of neighbours differ in one pin; that one and a second tell the direction.
@@ -61,6 +63,7 @@ class HallDecoder {
     const bool turns = sure_ && down != reverse_;
     moved_ = neighbour && turns == back_;
     jumped_ = changed && !neighbour;
+    changed_ = changed && (!neighbour || turns == back_);
     if (changed) {
       back_ = neighbour && turns && !back_;
       sure_ = neighbour;
@@ -122,6 +125,7 @@ class HallDecoder {
   bool sure_ = false;     // there was a move since the last jump
   bool back_ = false;     // the sector is the one before the last move's
   bool jumped_ = false;   // one clock: to no neighbour
+  bool changed_ = false;  // one clock: either
 };
 
 }  // namespace steplock

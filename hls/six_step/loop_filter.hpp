@@ -31,9 +31,10 @@
 
 namespace steplock {
 
-// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatch,
-// kHall: it follows the intervals between changes of sector.
-enum class Loop : std::uint8_t { kStop, kRamp, kTrack, kCatch, kHall };
+// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatch, kHall,
+// kFollow: it follows the intervals between changes of sector; kFollow from hand_over on, which a slower
+// rotor's misses halve sooner than a faster one's intervals could raise it from the minimum.
+enum class Loop : std::uint8_t { kStop, kRamp, kTrack, kCatch, kHall, kFollow };
 
 class LoopFilter {
  public:
@@ -182,7 +183,7 @@ class LoopFilter {
 
   // A ramp begins at standstill.
   Frequency least(const In& in) const {
-    return loop_ == Loop::kRamp ? Frequency(0) : in.minimum;
+    return loop_ == Loop::kRamp ? Frequency(0) : loop_ == Loop::kFollow && fresh_ ? in.hand_over : in.minimum;
   }
 
   // What a stage compares with is chosen in the one before.
@@ -190,6 +191,7 @@ class LoopFilter {
     if (at_.holds(Stage::kHigh)) at_bottom_ = below_;
     if (at_.holds(Stage::kSlow)) at_top_ = !below_;
     if (at_.holds(Stage::kOut)) slow_ = below_;
+    fresh_ = loop_ == Loop::kStop || (fresh_ && !at_.holds(Stage::kOut));
     if (shown_) fast_ = !below_;
     shown_ = at_.holds(Stage::kOut);
     below_ = below;
@@ -217,6 +219,7 @@ class LoopFilter {
   bool slow_ = false;
   bool below_ = false;      // the last clock's comparison: less
   bool shown_ = false;      // y is new, and whether it is fast still in below_
+  bool fresh_ = true;       // nothing was measured since kStop
   bool at_top_ = false;     // the output stands at a limit
   bool at_bottom_ = false;
 };

@@ -30,6 +30,8 @@ class SixStepBare {
 
   struct In {
     Parameter<true> with_hall_decoder;
+    Parameter<true> with_ramp;
+    Parameter<true> with_follower;
     Synchroniser::Pins pins;  // asynchronous
     Controls controls;        // asynchronous too
     bool brake_to_stop = false;  // else coast; fixed at synthesis, as are the words
@@ -46,7 +48,10 @@ class SixStepBare {
   Out tick(const In& in) {
     Words words = in.words;
     words.speed.target = target(in.words);
-    const auto drive = drive_.tick({.with = {.hall_decoder = in.with_hall_decoder, .telemetry = false},  // no port shows a count
+    const auto drive = drive_.tick({.with = {.hall_decoder = in.with_hall_decoder,
+                                             .ramp = in.with_ramp,
+                                             .follower = in.with_follower,
+                                             .telemetry = false},  // no port shows a count
                                     .pins = in.pins,
                                     .command = {.configured = true,
                                                 .run = run_,

@@ -9,8 +9,9 @@
 // The blocks stand in a ring (the VCO's step selects the comparator that moves the VCO).  It is cut
 // behind the divider, whose outputs are a register here; a few strobes cross a clock as well.
 //
-// WITH_HALL_DECODER = 0 and WITH_TELEMETRY = 0 leave blocks out.  Without the decoder a start does not look whether
-// the rotor turns already, and words of Hall sensors leave the drive idle, gates off.
+// WITH_HALL_DECODER = 0, WITH_FOLLOWER = 0, WITH_RAMP = 0 and WITH_TELEMETRY = 0 leave blocks out.  Without the decoder a
+// start does not look whether the rotor turns already; words of Hall sensors, or of a start that is left out, leave the
+// drive idle, gates off.
 //
 //     fault pin to all six gates off    3 clocks: two of the synchroniser, one of the gate guard
 //     comparator pin to its sample      2 clocks; limit pin to high side off 5 clocks
@@ -31,6 +32,7 @@
 #include "hls/six_step/loop_filter.hpp"
 #include "hls/six_step/phase_detector.hpp"
 #include "hls/six_step/protection.hpp"
+#include "hls/six_step/rotor_follower.hpp"
 #include "hls/six_step/speed_control.hpp"
 #include "hls/six_step/start_sequence.hpp"
 #include "hls/six_step/telemetry.hpp"
@@ -76,18 +78,42 @@ class SixStepTop {
     const auto pins = synchroniser_.tick(in.pins);
     const bool hall = in.with.hall_decoder && words.source == Source::kHall;
     Command command = in.command;
-    command.configured = in.command.configured && (in.with.hall_decoder || words.source != Source::kHall);
+    const bool has_method = words.start.method == Method::kFollow ? bool(in.with.follower) : bool(in.with.ramp);
+    command.configured = in.command.configured && (hall || (words.source != Source::kHall && has_method));
+    // A method that is left out is none of which anything is asked.
+    StartWords start_words = words.start;
+    if (!in.with.ramp) start_words.method = Method::kFollow;
+    if (!in.with.follower) start_words.method = Method::kRamp;
     const auto sectors = hall_.tick({.decodes = in.with.hall_decoder,
                                      .u = hall ? pins.hall_u : pins.comparator_u,
                                      .v = hall ? pins.hall_v : pins.comparator_v,
                                      .w = hall ? pins.hall_w : pins.comparator_w,
                                      .hold = words.bemf.blanking});
 
+    const auto rotor = rotor_.tick({.follows = in.with.follower,
+                                    .on = follow_,
+                                    .u = pins.comparator_u,
+                                    .v = pins.comparator_v,
+                                    .w = pins.comparator_w,
+                                    .crossing = crossing_,
+                                    .elapsed = divided_.elapsed,
+                                    .quarter = divided_.phase.bit(15) || divided_.phase.bit(14),
+                                    .update = update_,
+                                    .good = good_,
+                                    .fast = fast_,
+                                    .slow = slow_,
+                                    .steady = steady_,
+                                    .step = divided_.step,
+                                    .reverse = reverse_,
+                                    .sample_every = words.bemf.sample_every,
+                                    .look = words.start.look,
+                                    .probe = words.start.probe,
+                                    .still = words.start.still});
     const auto start = start_.tick({.observes = in.with.hall_decoder,
                                     .tick = tick_,
                                     .command = command,
                                     .source = words.source,
-                                    .words = words.start,
+                                    .words = start_words,
                                     .fast = fast_,
                                     .commutate = divided_.commutate,
                                     .update = update_,
@@ -95,13 +121,20 @@ class SixStepTop {
                                     .lags = lags_,
                                     .turns_reverse = sectors.reverse,
                                     .sector = sectors.sector,
+                                    .follower_drives = rotor.drive,
+                                    .caught = rotor.caught,
+                                    .sure = rotor.sure,
+                                    .leads = leads_,
+                                    .slow = slow_,
+                                    .reached = reached_,
+                                    .at = divided_.step,
                                     .lost = lost_,
                                     .fatal = fatal_,
                                     .cause = cause_});
 
     // With Hall sensors the sector is the step, in reverse with the current turned round.
-    const bool follow = in.with.hall_decoder && start.watch == Evidence::kSectors;
-    const bool new_sector = follow && (sectors.moved || sectors.jumped);
+    const bool hold = start.watch == Evidence::kSectors && (in.with.hall_decoder || in.with.follower);
+    const bool new_sector = hold && (rotor.load || (!follow_ && sectors.changed));
     const Step hall_step = !start.reverse       ? sectors.sector
                            : sectors.sector < 3 ? wrap<Step>(sectors.sector + 3)
                                                 : wrap<Step>(sectors.sector - 3);
@@ -113,7 +146,7 @@ class SixStepTop {
                                   .w = pins.comparator_w,
                                   .step = step,
                                   .reverse = start.reverse,
-                                  .commutate = divider.commutate,
+                                  .commutate = divider.commutate || rotor.restart,
                                   .chop = chop_,
                                   .phase = divider.phase,
                                   .words = words.bemf});
@@ -124,7 +157,7 @@ class SixStepTop {
                                           .commutate = divider.commutate,
                                           .step = step,
                                           .reverse = start.reverse,
-                                          .changed = sectors.moved,
+                                          .changed = follow_ ? rotor.changed : sectors.moved,
                                           .elapsed = divider.elapsed,
                                           .phase = divider.phase,
                                           .detector = words.loop.detector,
@@ -156,9 +189,9 @@ class SixStepTop {
                              .phase = vco.phase,
                              .divide = words.loop.divide,
                              .reverse = start.reverse,
-                             .hold = follow,
+                             .hold = hold,
                              .load = load,
-                             .step = start.load_step ? start.step : hall_step,
+                             .step = start.load_step ? start.step : follow_ ? rotor.step : hall_step,
                              .half = start.load_step});
 
     // A step that follows the sectors drives no gate: they wait for the next one.
@@ -222,6 +255,13 @@ class SixStepTop {
     update_ = detector.update;
     good_ = detector.good;
     lags_ = detector.error.negative();
+    leads_ = detector.error >= kLead;
+    slow_ = filter.slow;
+    reached_ = speed.reached;
+    follow_ = start.follow;
+    steady_ = start.steady;
+    reverse_ = start.reverse;
+    crossing_ = bemf.crossing;
     hurries_ = detector.hurries;
     lost_ = protection.lost;
     fatal_ = protection.fatal;
@@ -251,8 +291,11 @@ class SixStepTop {
   bool operator==(const SixStepTop&) const = default;
 
  protected:  // testbench/engine/skipping_top.hpp counts with these
+  static constexpr PhaseError kLead = 0x2000;  // s0.16: a step shorter by 1/8 than the one before
+
   Synchroniser synchroniser_;
   HallDecoder hall_;
+  RotorFollower rotor_;
   StartSequence start_;
   DivideByN divide_;
   BemfComparator bemf_;
@@ -276,6 +319,13 @@ class SixStepTop {
   bool update_ = false;
   bool good_ = false;
   bool lags_ = false;
+  bool leads_ = false;
+  bool slow_ = false;
+  bool reached_ = false;
+  bool follow_ = false;
+  bool steady_ = false;
+  bool reverse_ = false;
+  bool crossing_ = false;
   bool hurries_ = false;
   bool lost_ = false;
   bool fatal_ = false;

@@ -38,6 +38,7 @@ class StartCounters {
   struct Out {
     bool over = false;           // with `tick`: the state's time
     bool enough = false;         // good crossings in a row, the last one in the clock before
+    bool steady = false;         // one less, at least
     bool tried = false;          // no more tries are left
     bool braked = false;         // no more braking intervals are left
     bool turns_reverse = false;  // direction at the last update
@@ -48,11 +49,12 @@ class StartCounters {
   Out tick(const In& in) {
     const Out out{.over = in.tick && last_ && !in.entered,
                   .enough = enough_,
+                  .steady = nearly_,
                   .tried = tried_,
                   .braked = braked_,
                   .turns_reverse = turns_reverse_,
                   .gentle = gentle(),
-                  .strong = retries_ > 1};
+                  .strong = retries_ > 1 && !follows(in)};
     count_ticks(in);
     count_tries(in, out.over);
     count_crossings(in);
@@ -70,6 +72,9 @@ class StartCounters {
     return times.bit(1) ? once << 2 : once;
   }
 
+  // Every try of such a start is the same.
+  static bool follows(const In& in) { return in.words.method == Method::kFollow; }
+
   static Length length(const In& in, UInt<2> failed) {
     const auto when = [&in](State state, Length then) { return in.state.holds(state) ? then : Length(0); };
     return when(State::kObserve, in.words.observe) | when(State::kBrake, in.words.brake) |
@@ -78,7 +83,7 @@ class StartCounters {
            when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
            when(State::kRest, in.words.rest) |
            when(State::kRun, 1024) |  // after that long earlier failures are forgotten
-           when(State::kAccelerate, doubled(Ticks::max(), failed));  // a ramp of 0 must end, too
+           when(State::kAccelerate, doubled(Ticks::max(), follows(in) ? UInt<2>(0) : failed));  // a ramp of 0 must end, too
   }
 
   void count_ticks(const In& in) {

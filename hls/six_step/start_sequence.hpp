@@ -7,7 +7,8 @@
 //     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22).
 //                  Both last twice as long after each failed try, three times: a heavy rotor swings
 //     kAccelerate  forced steps, frequency from 0 to hand_over by `ramp` per tick   (t_a, Eq. 23),
-//                  a quarter as fast after each failed try, three times
+//                  a quarter as fast after each failed try, three times.  With method kFollow it comes in place of
+//                  kSettle and kReset, too, and the steps are the rotor follower's, until that has caught the rotor
 //     kPullIn      the PLL closes; `good_crossings` in a row are a lock
 //     kRun         speed control
 //     kSlowDown    speed control down to hand-over speed, before a reversal or a braked stop
@@ -53,6 +54,13 @@ class StartSequence {
     bool lags = false;                // the last error was negative: the rotor lags the VCO
     bool turns_reverse = false;       // while observing: the code last moved downwards
     UInt<3> sector = 0;               // while observing: 0 to 5
+    bool follower_drives = false;     // the rotor follower: gates may be on
+    bool caught = false;              // strobe: and the rotor can be handed over, in the middle of the present step
+    bool sure = false;                // it has the rotor
+    bool leads = false;               // the last error was 1/8 or more: that step was short
+    bool slow = false;                // the VCO's frequency is below stall
+    bool reached = false;             // it is the set speed's, or more
+    Step at = 0;                      // the present step
     bool lost = false;                // protection: give up this try
     bool fatal = false;               // protection: latch
     Reason cause = Reason::kNone;     // protection: why
@@ -73,6 +81,8 @@ class StartSequence {
     bool load_step = false;             // one clock: take `step`, in its middle
     UInt<3> step = 0;                   // 0 to 5
     bool turn_vco = false;              // the VCO may count
+    bool follow = false;                // the rotor follower is at work
+    bool steady = false;                // good intervals in a row, almost as many as a lock takes
     UInt<2> gentle = 0;                 // loop filter: the ramp is quartered so often
     bool began = false;                 // one clock: `run` was obeyed
     bool failed = false;                // one clock: a try failed
@@ -90,18 +100,24 @@ class StartSequence {
                                           .words = in.words});
     const Duty duty = open_loop_.tick({.state = at_,
                                        .strong = counts.strong,
+                                       .follows = follows(in),
+                                       .sure = in.sure,
+                                       .leads = in.leads,
+                                       .near = !in.slow,
+                                       .reached = in.reached && follows(in),
                                        .commutate = in.commutate,
                                        .lags = in.lags,
                                        .reset_duty = in.words.reset_duty,
                                        .start_duty = in.words.start_duty,
                                        .brake_duty = in.words.brake_duty}).duty;
-    const Out present = out(in, counts.gentle, duty);
+    const Out present = out(in, counts, duty);
     const Moves moves = choose(in, counts);
     const States next = admit(in, moves, counts);
 
     began_ = moves.tries && at_.holds(State::kIdle);
     failed_ = moves.fails;
-    load_step_ = (!at_.holds(State::kAccelerate) && next.holds(State::kAccelerate)) ||
+    load_step_ = (follows(in) ? at_.holds(State::kAccelerate) && next.holds(State::kPullIn)
+                              : !at_.holds(State::kAccelerate) && next.holds(State::kAccelerate)) ||
                  (at_.holds(State::kObserve) && next.holds(State::kRun));
     if (moves.tries) reverse_ = in.command.reverse;
     if (began_) {
@@ -117,6 +133,15 @@ class StartSequence {
     boosts_ = next.holds_one_of(State::kAccelerate, State::kPullIn);
     drives_ = next.holds_one_of(State::kAccelerate, State::kPullIn, State::kRun, State::kSlowDown);
     enables_ = drives_ || next.holds_one_of(State::kBrake, State::kSettle, State::kReset);
+    // One tick later than the duty that is left is the back-EMF's alone.
+    if (in.tick) holds_ = in.reached && reached_was_;
+    if (in.tick) reached_was_ = in.reached && follows(in);
+    if (!at_.holds(State::kPullIn)) holds_ = false;
+    const bool hall = in.source == Source::kHall;
+    const bool runs = next.holds_one_of(State::kRun, State::kSlowDown);
+    sectors_ = next.holds(State::kObserve) || (runs && hall) ||
+               (at_.holds(State::kAccelerate) && next.holds(State::kAccelerate) && follows(in));
+    tracks_ = next.holds(State::kPullIn) || (runs && !hall);
     at_ = next;
     return present;
   }
@@ -126,6 +151,13 @@ class StartSequence {
  private:
   using Counts = StartCounters::Out;
 
+  static bool follows(const In& in) { return in.words.method == Method::kFollow; }
+  // The word changed.
+  bool turns_to_follow(const In& in) const {
+    return follows(in) && at_.holds_one_of(State::kSettle, State::kReset);
+  }
+  // What ends kAccelerate well.
+  static bool arrives(const In& in) { return follows(in) ? in.caught : in.fast; }
   static bool looks(const In& in) {
     return in.observes && in.source == Source::kBemf && in.words.observe != 0;
   }
@@ -156,7 +188,7 @@ class StartSequence {
                               (at_.holds(State::kRest) && over)),
             .brakes = goes && ((at_.holds(State::kObserve) && counts.enough && !turns_on(in, counts)) ||
                                (at_.holds(State::kSlowDown) && !in.lost && turns_round(in) && (over || !in.fast))),
-            .fails = goes && ((at_.holds(State::kAccelerate) && !in.fast && over) ||
+            .fails = goes && ((at_.holds(State::kAccelerate) && !arrives(in) && over) ||
                               (at_.holds(State::kPullIn) && !counts.enough && over) || (runs && in.lost)),
             .leaves = goes ? leaves(in, counts)
                            : !at_.holds_one_of(State::kIdle, State::kFault) || (at_.holds(State::kIdle) && trips) ||
@@ -168,8 +200,8 @@ class StartSequence {
     const bool timed = !at_.holds_one_of(State::kIdle, State::kRun, State::kFault);
     return at_.holds(State::kIdle) || (counts.over && timed) ||
            (counts.enough && at_.holds_one_of(State::kObserve, State::kPullIn)) ||
-           (in.fast && at_.holds(State::kAccelerate)) ||
-           (at_.holds(State::kRun) && (in.lost || turns_round(in))) ||
+           (arrives(in) && at_.holds(State::kAccelerate)) ||
+           turns_to_follow(in) || (at_.holds(State::kRun) && (in.lost || turns_round(in))) ||
            (at_.holds(State::kSlowDown) && (in.lost || !turns_round(in) || !in.fast));
   }
 
@@ -184,6 +216,7 @@ class StartSequence {
     const bool over = counts.over, enough = counts.enough;
     const bool hall = in.source == Source::kHall;
     const bool missed = at_.holds(State::kObserve) && !enough && over;
+    const bool begins = missed && in.command.run;
     const bool caught = at_.holds(State::kObserve) && enough && turns_on(in, counts);
     const bool locks = at_.holds(State::kPullIn) && enough;
     const bool on = at_.holds_one_of(State::kRun, State::kSlowDown) && !in.lost;
@@ -193,11 +226,11 @@ class StartSequence {
         to(State::kIdle, (missed && !in.command.run) || gives_up) |
         to(State::kObserve, in.observes && at_.holds(State::kObserve) && !enough && !over) |
         to(State::kBrake, at_.holds(State::kBrake) && !over) |
-        to(State::kSettle, (missed && in.command.run) || (at_.holds(State::kSettle) && !over)) |
-        to(State::kReset, (at_.holds(State::kSettle) && over) || (at_.holds(State::kReset) && !over)) |
-        to(State::kAccelerate, (at_.holds(State::kReset) && over) ||
-                                   (at_.holds(State::kAccelerate) && !in.fast && !over)) |
-        to(State::kPullIn, (at_.holds(State::kAccelerate) && in.fast) ||
+        to(State::kSettle, !follows(in) && (begins || (at_.holds(State::kSettle) && !over))) |
+        to(State::kReset, !follows(in) && ((at_.holds(State::kSettle) && over) || (at_.holds(State::kReset) && !over))) |
+        to(State::kAccelerate, (begins && follows(in)) || turns_to_follow(in) || (at_.holds(State::kReset) && over) ||
+                                   (at_.holds(State::kAccelerate) && !arrives(in) && !over)) |
+        to(State::kPullIn, (at_.holds(State::kAccelerate) && arrives(in)) ||
                                (at_.holds(State::kPullIn) && !enough && !over)) |
         to(State::kRun, caught || locks || (on && !turns_round(in))) |
         to(State::kSlowDown, on && turns_round(in) && (at_.holds(State::kRun) || (!over && in.fast))) |
@@ -206,14 +239,14 @@ class StartSequence {
            to(State::kIdle, moves.stops) |
            to(State::kObserve, moves.tries && looks(in)) |
            to(State::kRun, moves.tries && !looks(in) && hall) |
-           to(State::kSettle, moves.tries && !looks(in) && !hall) |
+           to(State::kSettle, moves.tries && !looks(in) && !hall && !follows(in)) |
+           to(State::kAccelerate, moves.tries && !looks(in) && !hall && follows(in)) |
            to(State::kBrake, moves.brakes && !counts.braked) |
            to(State::kRest, moves.fails && !counts.tried) |
            to(State::kFault, moves.trips || (moves.brakes && counts.braked) || (moves.fails && counts.tried));
   }
 
-  Out out(const In& in, UInt<2> gentle, Duty duty) const {
-    const bool hall = in.source == Source::kHall;
+  Out out(const In& in, const Counts& counts, Duty duty) const {
     Out out;
     out.state = at_.value();
     out.reason = reason_;
@@ -224,26 +257,28 @@ class StartSequence {
     out.failed = failed_;
     out.stop = at_.holds(State::kSlowDown);
     // A load too heavy for the ramp fails; the next try takes a quarter of it.
-    out.gentle = gentle;
+    out.gentle = counts.gentle;
+    out.steady = counts.steady;
 
     const bool observes = at_.holds(State::kObserve);
     out.running = at_.holds_one_of(State::kRun, State::kSlowDown);
     out.enable = enables_;
     out.turn_vco = observes || drives_;
     const auto bridge = [](Pattern pattern, bool on) { return OneHot<Pattern, 5>(pattern).when(on); };
-    out.pattern = bridge(Pattern::kOff, !out.enable) | bridge(Pattern::kDrive, drives_) |
+    const bool follows_rotor = at_.holds(State::kAccelerate) && follows(in);
+    const bool rests = follows_rotor && !in.follower_drives;  // for a look
+    out.follow = follows_rotor;
+    out.pattern = bridge(Pattern::kOff, !out.enable || rests) | bridge(Pattern::kDrive, drives_ && !rests) |
                   bridge(Pattern::kBrake, at_.holds(State::kBrake)) |
                   bridge(Pattern::kSettle, at_.holds(State::kSettle)) |
                   bridge(Pattern::kReset, at_.holds(State::kReset));
-    const bool tracks = at_.holds(State::kPullIn) || (out.running && !hall);
-    const bool follows = observes || (out.running && hall);
-    out.watch = follows ? Evidence::kSectors : tracks ? Evidence::kCrossings : Evidence::kNothing;
-    out.loop = observes                        ? Loop::kCatch
-               : follows                       ? Loop::kHall
-               : tracks                        ? Loop::kTrack
-               : at_.holds(State::kAccelerate) ? Loop::kRamp
-                                               : Loop::kStop;
-    out.mode = out.running            ? SpeedMode::kControl
+    out.watch = sectors_ ? Evidence::kSectors : tracks_ ? Evidence::kCrossings : Evidence::kNothing;
+    out.loop = sectors_                                           ? out.running ? Loop::kHall : observes ? Loop::kCatch : Loop::kFollow
+               : tracks_                                          ? Loop::kTrack
+               : at_.holds(State::kAccelerate) && !follows_rotor ? Loop::kRamp
+                                                                  : Loop::kStop;
+    // A rotor that follows and has the set speed is held there, locked or not: what brought it up would bring it past.
+    out.mode = out.running || holds_  ? SpeedMode::kControl
                : observes || boosts_ ? SpeedMode::kAboveBemf
                                      : SpeedMode::kFixed;
     out.duty = duty;
@@ -252,6 +287,7 @@ class StartSequence {
 
   // With load_step: full torque from the reset position, or where a rotor that enters `sector` is.
   Step step(const In& in) const {
+    if (at_.holds(State::kPullIn)) return in.at;
     if (at_.holds(State::kAccelerate)) return reverse_ ? Step(0) : Step(3);
     return reverse_ ? in.sector : next_step(in.sector, true);
   }
@@ -263,6 +299,11 @@ class StartSequence {
   bool drives_ = false;         // one of the states in which the bridge commutates
   bool enables_ = false;        // or one of the others in which gates may be on
   bool boosts_ = false;         // one of those whose duty comes above the back-EMF's
+  bool sectors_ = false;        // a state in which the loop follows sectors: of a follower from its second clock on, after
+                                // one in which all that was measured before is forgotten
+  bool holds_ = false;          // while pulling in: speed control holds the set speed
+  bool reached_was_ = false;    // a tick ago
+  bool tracks_ = false;         // or the crossings
   bool entered_ = false;        // this is the first clock of the state
   bool braking_ = false;        // a braking interval begins
   Reason reason_ = Reason::kNone;

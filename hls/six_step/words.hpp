@@ -24,6 +24,7 @@ enum class Sampling : std::uint8_t { kOnTime, kOffTime, kBoth };
 enum class Detector : std::uint8_t { kOncePerTurn, kEveryStep };
 enum class Bandwidth : std::uint8_t { kPerSecond, kPerStep };
 enum class Source : std::uint8_t { kBemf, kHall };
+enum class Method : std::uint8_t { kRamp, kFollow };  // of a start
 
 struct BemfWords {
   Sampling sampling = Sampling::kBoth;
@@ -48,12 +49,16 @@ struct LoopWords {
 };
 
 struct StartWords {
+  Method method = Method::kRamp;  // kRamp: settle, reset, ramp; kFollow: look, probe, still
   Ticks settle = 0;              // first pattern, so that a rotor opposite to the reset place moves
   Ticks reset = 0;               // reset pattern: t_r of Eq. (22)
-  Duty reset_duty = 0;           // twice that from the third try on, and so start_duty
+  Duty reset_duty = 0;           // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
   Duty start_duty = 0;           // during acceleration and pull-in
   UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
-  Frequency hand_over = 0;       // f_a: the end of the ramp
+  UInt<16> look = 0;             // sample_every clocks, less one, with gates off until no current flows
+  UInt<16> probe = 0;            // sample_every clocks of a drive between two looks
+  UInt<8> still = 0;             // looks without news after which the step moves on
+  Frequency hand_over = 0;       // f_a: fast enough for the PLL
   Phase window = 0;              // u0.16: a crossing closer than this to its place is a good one
   UInt<6> good_crossings = 0;    // in a row, for lock (and for catching)
   Ticks pull_in = 0;             // time limit from hand-over to lock
@@ -101,6 +106,8 @@ struct Words {
 // What a synthesis may leave out: parameters of every top.
 struct Parts {
   Parameter<true> hall_decoder;  // for Hall sensors, and to catch a rotor that turns
+  Parameter<true> ramp;          // the start by alignment and ramp
+  Parameter<true> follower;      // the start that follows the rotor
   Parameter<true> telemetry;     // its counters
 };
 

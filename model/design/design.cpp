@@ -208,6 +208,33 @@ void set_start(const Settings& s, Design& d) {
   p.brake_duty = std::clamp(1 - (e_brake - brake_current * m.r_loop) / s.inverter.bus_v, 0.0, 1.0);
   p.rest = t.rest_s;
   p.retries = t.retries;
+  p.method = t.method;
+}
+
+// The start that follows the rotor: nothing but looks and drives, whose times are bounds.
+void set_follower(const Settings& s, Design& d) {
+  const auto& t = s.start;
+  const auto& e = s.envelope;
+  const auto& m = d.motor;
+  auto& p = d.parameters.start;
+  const double bus = s.inverter.bus_v;
+  // The limit's current, or what bus and winding let flow.
+  const double most = std::min(s.sensors.limit_a, e.bus[1] * bus / (e.resistance[0] * m.r_loop));
+  // Two diodes and the lowest bus take the commutated current down, a tenth slower than that.
+  const double line = 2 * (s.motor.inductance_h - s.motor.mutual_h) * e.inductance[1];
+  const double decay = 1.1 * line * s.sensors.limit_a / (e.bus[0] * bus + 2 * s.inverter.diode_drop_v);
+  // The lightest rotor through 60 electrical degrees, and the heaviest with a third of the torque.
+  const double torque = m.k_e * e.flux[1] * most;
+  const double lightest =
+      std::sqrt(2 * kPi / 3 / s.motor.pole_pairs * e.inertia[0] * m.inertia / torque);
+  const double heaviest = lightest * std::sqrt(3 * e.inertia[1] / e.inertia[0]);
+  p.look = t.look_s.value_or(decay);
+  p.probe = t.probe_s.value_or(std::max(0.35 * lightest, 1.5 * decay));
+  p.still = int(std::lround(t.still.value_or(std::clamp(1.5 * heaviest / (p.probe + p.look), 2.0, 250.0))));
+  // So much that the current limit rules.
+  d.start_current = t.start_current_a.value_or(1.5 * s.sensors.limit_a);
+  p.start_duty = std::min(0.95, duty_for(s, d.start_current, m.r_loop));
+  p.reset_duty = t.find_duty.value_or(0.95);
 }
 
 void set_speed(const Settings& s, Design& d) {
@@ -283,6 +310,7 @@ Design design_drive(const Settings& s) {
   set_bridge(s, d.parameters);
   set_loop(s, d);
   set_start(s, d);
+  if (s.start.method == Method::kFollow) set_follower(s, d);
   const auto& start = d.parameters.start;
   auto& loop = d.parameters.loop;
   loop.minimum =

@@ -47,9 +47,12 @@ struct LoopParameters {
 };
 
 struct StartParameters {
+  Method method = Method::kRamp;
   double settle = 0, reset = 0;  // s
-  double reset_duty = 0, start_duty = 0;
+  double reset_duty = 0, start_duty = 0;  // kFollow: until the rotor is followed, and then
   double ramp = 0;       // steps/s^2
+  double look = 0, probe = 0;  // s
+  int still = 0;               // looks
   double hand_over = 0;  // steps/s
   double window = 0;     // turns of a step
   int good_crossings = 1;

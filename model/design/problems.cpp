@@ -123,7 +123,7 @@ void check_start(Findings& found, const Settings& s, const Design& d) {
     if (current <= least) {
       found.add(name, " is ", current, " A; must be above ", least, " A to overcome friction");
     }
-    if (current >= s.sensors.limit_a) {
+    if (current >= s.sensors.limit_a && p.start.method == Method::kRamp) {
       found.add(name, " is ", current, " A; must be below sensors.limit_a, ", s.sensors.limit_a);
     }
   }

@@ -19,6 +19,7 @@ enum class Shape { kTrapezoidal, kSinusoidal, kTable };
 enum class Reference { kVirtualNeutral, kHalfBus, kStarPoint };
 enum class Chopping { kHighSide, kComplementary };
 enum class Source { kBemf, kHall };
+enum class Method { kRamp, kFollow };
 enum class Sampling { kOnTime, kOffTime, kBoth };
 enum class Detector { kOncePerTurn, kEveryStep };
 enum class LoopForm { kPerSecond, kPerStep };
@@ -107,6 +108,7 @@ struct LoopSection {
 };
 
 struct StartSection {
+  Method method = Method::kRamp;
   double kappa_nm = 0, gamma = 4.28;     // Eqs. (19)-(22)
   std::optional<double> xi, k_v, t_a_s;  // Eq. (23)
   std::optional<double> settle_s, reset_s, reset_current_a, start_current_a;
@@ -119,6 +121,8 @@ struct StartSection {
   std::optional<double> brake_current_a;
   double rest_s = 0.05;
   int retries = 3;
+  std::optional<double> look_s, probe_s, find_duty;
+  std::optional<double> still;  // looks
 };
 
 struct SpeedSection {

@@ -33,6 +33,7 @@ constexpr auto enum_words(Reference) {
 }
 constexpr auto enum_words(Chopping) { return std::to_array({"high_side", "complementary"}); }
 constexpr auto enum_words(Source) { return std::to_array({"bemf", "hall"}); }
+constexpr auto enum_words(Method) { return std::to_array({"ramp", "follow"}); }
 constexpr auto enum_words(Sampling) { return std::to_array({"on_time", "off_time", "both"}); }
 constexpr auto enum_words(Detector) { return std::to_array({"once_per_turn", "every_step"}); }
 constexpr auto enum_words(DriveKind) { return std::to_array({"six_step", "sinusoidal"}); }
@@ -184,6 +185,11 @@ void for_each_key(S& s, Visitor&& visit) {
 
   section = "start";
   auto& t = s.start;
+  k("method", t.method, "", "follow: the steps follow the rotor; ramp: alignment and forced ramp, as in the paper");
+  k("look_s", t.look_s, "s", "follow: gates off before a look; default: until the limit's current is gone", 1e-6, 0.1);
+  k("probe_s", t.probe_s, "s", "follow: a drive between two looks; default: from the lightest rotor", 1e-6, 0.1);
+  k("still", t.still, "", "follow: looks without news before the field moves on; default: from the heaviest rotor", 1, 255);
+  k("find_duty", t.find_duty, "", "follow: until the rotor is followed; default: 0.95, so that the limit rules", 0.01, 1);
   k("kappa_nm", t.kappa_nm, "N m/rad", "Eq. (19); 0: from reset current and flux", 0, 1e3);
   k("gamma", t.gamma, "", "Eq. (22), aggregate loss constant", 0.1, 100);
   k("xi", t.xi, "", "Eq. (23), acceleration constant", 1e-3, 1e6);

@@ -1,6 +1,7 @@
 // See words.hpp for the formats.
 #include "model/design/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/design/quantiser.hpp"
@@ -35,8 +36,9 @@ LoopWords loop_words(Quantiser& word, const LoopParameters& p, double tick, doub
   return w;
 }
 
-StartWords start_words(Quantiser& word, const StartParameters& p, double tick, double hertz) {
-  StartWords w;
+StartWords start_words(Quantiser& word, const StartParameters& p, double tick, double hertz,
+                       double sample) {
+  StartWords w{.method = p.method};
   w.settle = word("start.settle", "s", p.settle, tick, 12);
   w.reset = word("start.reset", "s", p.reset, tick, 12);
   w.reset_duty = word("start.reset_duty", "", p.reset_duty, kDuty, 16, kDutyMost);
@@ -52,6 +54,9 @@ StartWords start_words(Quantiser& word, const StartParameters& p, double tick, d
   w.brake_duty = word("start.brake_duty", "", p.brake_duty, kDuty, 16, kDutyMost);
   w.rest = word("start.rest", "s", p.rest, tick, 12);
   w.retries = word("start.retries", "", p.retries, 1, 4);
+  w.look = word("start.look", "s", p.look, sample, 16);
+  w.probe = word("start.probe", "s", p.probe, sample, 16);
+  w.still = word("start.still", "", p.still, 1, 8);
   return w;
 }
 
@@ -99,7 +104,8 @@ Quantised quantise(const Parameters& p, double clock_hz) {
   const double tick = w.pwm.period * clock * w.pwm.tick_periods;
   const double hertz = std::ldexp(clock_hz, -32 - p.loop.divide);  // steps/s per LSB of a frequency
   w.loop = loop_words(word, p.loop, tick, clock_hz, hertz);
-  w.start = start_words(word, p.start, tick, hertz);
+  const double sample = std::max<Word>(w.bemf.sample_every, 1) * clock;
+  w.start = start_words(word, p.start, tick, hertz, sample);
   w.speed = speed_words(word, p.speed, w.loop.maximum, tick, hertz);
   const auto& g = p.protection;
   w.protection = {.misses = word("protection.misses", "", g.misses, 1, 6),

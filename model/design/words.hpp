@@ -46,6 +46,8 @@ struct StartWords {
   Word settle = 0, reset = 0, reset_duty = 0, start_duty = 0, ramp = 0, hand_over = 0, window = 0;
   Word good_crossings = 0, pull_in = 0, observe = 0, slow_down = 0, brake = 0, brake_duty = 0;
   Word rest = 0, retries = 0;
+  Method method = Method::kRamp;
+  Word look = 0, probe = 0, still = 0;
 };
 struct SpeedWords {
   Word target = 0, slew = 0, shift = 0, kp = 0, ki = 0, bemf = 0, loaded = 0;

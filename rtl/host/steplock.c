@@ -54,6 +54,19 @@ static int need_hall(const struct steplock_word *words, size_t count) {
   return hall;
 }
 
+/* Words of a start that this drive was synthesized without. */
+static int need_method(const struct steplock_word *words, size_t count, uint32_t capability) {
+  size_t i;
+  int lacks = 0;
+  for (i = 0; i < count; ++i) {
+    if (words[i].offset == STEPLOCK_START_LOCK) {
+      lacks = GET(START_LOCK_METHOD, words[i].value) ? !GET(CAPABILITY_FOLLOWER, capability)
+                                                     : !GET(CAPABILITY_RAMP, capability);
+    }
+  }
+  return lacks;
+}
+
 static enum steplock_result write_words(const struct steplock_bus *bus,
                                         const struct steplock_word *words, size_t count) {
   size_t i;
@@ -81,6 +94,10 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
   if (!GET(CAPABILITY_HALL, capability) && GET(CAPABILITY_KIND, capability) == STEPLOCK_SIX_STEP &&
       need_hall(words, count)) {
     return STEPLOCK_NO_HALL;
+  }
+  if (GET(CAPABILITY_KIND, capability) == STEPLOCK_SIX_STEP &&
+      need_method(words, count, capability)) {
+    return STEPLOCK_NO_METHOD;
   }
   result = need_stopped(bus);
   if (result != STEPLOCK_OK) return result;

@@ -26,7 +26,8 @@ enum steplock_result {
   STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
   STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
   STEPLOCK_NO_PERIOD,    /* the words leave PWM.period 0, or too short: the bridge stays off */
-  STEPLOCK_NO_HALL       /* the words ask for Hall sensors, whose decoder this drive was made without */
+  STEPLOCK_NO_HALL,      /* the words ask for Hall sensors, whose decoder this drive was made without */
+  STEPLOCK_NO_METHOD     /* the words ask for a start (START_LOCK.method) that this drive was made without */
 };
 
 enum steplock_kind { STEPLOCK_SIX_STEP = 1, STEPLOCK_SINUSOIDAL = 2 };

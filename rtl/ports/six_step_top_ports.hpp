@@ -46,11 +46,15 @@ void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {
   set_port(rtl.words_loop_scale_i, word_of(in.words.loop.scale, 26));
   set_port(rtl.words_loop_minimum_i, word_of(in.words.loop.minimum, 26));
   set_port(rtl.words_loop_maximum_i, word_of(in.words.loop.maximum, 26));
+  set_port(rtl.words_start_method_i, word_of(in.words.start.method, 1));
   set_port(rtl.words_start_settle_i, word_of(in.words.start.settle, 12));
   set_port(rtl.words_start_reset_i, word_of(in.words.start.reset, 12));
   set_port(rtl.words_start_reset_duty_i, word_of(in.words.start.reset_duty, 16));
   set_port(rtl.words_start_start_duty_i, word_of(in.words.start.start_duty, 16));
   set_port(rtl.words_start_ramp_i, word_of(in.words.start.ramp, 20));
+  set_port(rtl.words_start_look_i, word_of(in.words.start.look, 16));
+  set_port(rtl.words_start_probe_i, word_of(in.words.start.probe, 16));
+  set_port(rtl.words_start_still_i, word_of(in.words.start.still, 8));
   set_port(rtl.words_start_hand_over_i, word_of(in.words.start.hand_over, 26));
   set_port(rtl.words_start_window_i, word_of(in.words.start.window, 16));
   set_port(rtl.words_start_good_crossings_i, word_of(in.words.start.good_crossings, 6));
@@ -163,11 +167,18 @@ void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {
   set_number(in.words.loop.scale, stimulus.bits(26));
   set_number(in.words.loop.minimum, stimulus.bits(26));
   set_number(in.words.loop.maximum, stimulus.bits(26));
+  {
+    constexpr unsigned long long values[] = {0, 1};
+    set_number(in.words.start.method, values[stimulus.bits(1) % 2]);
+  }
   set_number(in.words.start.settle, stimulus.bits(12));
   set_number(in.words.start.reset, stimulus.bits(12));
   set_number(in.words.start.reset_duty, stimulus.bits(16));
   set_number(in.words.start.start_duty, stimulus.bits(16));
   set_number(in.words.start.ramp, stimulus.bits(20));
+  set_number(in.words.start.look, stimulus.bits(16));
+  set_number(in.words.start.probe, stimulus.bits(16));
+  set_number(in.words.start.still, stimulus.bits(8));
   set_number(in.words.start.hand_over, stimulus.bits(26));
   set_number(in.words.start.window, stimulus.bits(16));
   set_number(in.words.start.good_crossings, stimulus.bits(6));

@@ -34,6 +34,7 @@ class SkippingTop : public SixStepTop {
     const auto vco = turning(last);
     vco_.skip(vco, clocks);
     hall_.skip(clocks);
+    rotor_.skip(follows(in), clocks);
     filter_.skip(clocks);
     speed_.skip(last.frequency, clocks);
     pwm_.skip(clocks);
@@ -70,6 +71,9 @@ class SkippingTop : public SixStepTop {
     if (clocks == 0) return 0;
     clocks = std::min(clocks, vco_.quiet(turning(last)));
     clocks = std::min(clocks, hall_.quiet());
+    clocks = std::min(clocks, rotor_.quiet(follows(in)));
+    if (crossing_) return 0;
+    if (follow_) clocks = std::min(clocks, to_quarter(last));
     clocks = std::min(clocks, bemf_.quiet(sensed(in, last)));
     clocks = std::min(clocks, pwm_.quiet());
     clocks = std::min(clocks, limit_.quiet(chop_));
@@ -86,6 +90,18 @@ class SkippingTop : public SixStepTop {
     const bool same = out == last && *this == counted;
     out.step_phase = shown;
     return same;
+  }
+
+  RotorFollower::In follows(const In& in) const {
+    RotorFollower::In now;
+    now.on = follow_;
+    now.sample_every = in.words.bemf.sample_every;
+    return now;
+  }
+  // A rotor that is overdue is looked for once a quarter of the next step is over.
+  static std::uint64_t to_quarter(const Out& last) {
+    if (last.step_phase >= 0x4000 || last.frequency == 0) return ~std::uint64_t{0};
+    return (0x4000 - std::uint64_t{last.step_phase.raw()} - 1) * 0x10000 / last.frequency.raw();
   }
 
   VcoCounter::In turning(const Out& last) const {

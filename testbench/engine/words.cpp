@@ -13,6 +13,8 @@ static_assert(int(design::LoopForm::kPerSecond) == int(Bandwidth::kPerSecond));
 static_assert(int(design::LoopForm::kPerStep) == int(Bandwidth::kPerStep));
 static_assert(int(design::Source::kBemf) == int(Source::kBemf));
 static_assert(int(design::Source::kHall) == int(Source::kHall));
+static_assert(int(design::Method::kRamp) == int(Method::kRamp));
+static_assert(int(design::Method::kFollow) == int(Method::kFollow));
 
 }  // namespace
 
@@ -28,9 +30,10 @@ Words hls_words(const design::Words& d) {
                    .expected = d.loop.expected, .lead_error = d.loop.lead_error,
                    .delay = d.loop.delay, .ki = d.loop.ki, .kp = d.loop.kp, .pole = d.loop.pole,
                    .scale = d.loop.scale, .minimum = d.loop.minimum, .maximum = d.loop.maximum},
-          .start = {.settle = d.start.settle, .reset = d.start.reset,
+          .start = {.method = static_cast<Method>(d.start.method), .settle = d.start.settle, .reset = d.start.reset,
                     .reset_duty = d.start.reset_duty, .start_duty = d.start.start_duty,
-                    .ramp = d.start.ramp, .hand_over = d.start.hand_over,
+                    .ramp = d.start.ramp, .look = d.start.look, .probe = d.start.probe,
+                    .still = d.start.still, .hand_over = d.start.hand_over,
                     .window = d.start.window, .good_crossings = d.start.good_crossings,
                     .pull_in = d.start.pull_in, .observe = d.start.observe,
                     .slow_down = d.start.slow_down, .brake = d.start.brake,

@@ -89,6 +89,9 @@ std::string words_verilog(const Words& words, const std::string& name, double cl
   module.controls_and_gates();
   // Without Hall sensors, and without a look for a rotor that turns, nothing asks the decoder.
   module.part("WITH_HALL_DECODER", words.source == Source::kHall || words.start.observe != Ticks(0));
+  const bool follows = words.start.method == Method::kFollow;
+  module.part("WITH_RAMP", !follows);
+  module.part("WITH_FOLLOWER", follows);
   tie_words<SixStep>(module, words);
   return module.text("six_step", name, clock_hz);
 }

@@ -27,11 +27,13 @@ Json outcomes(const Rows& rows) {
 }
 
 Json spread(std::vector<double> values) {
-  if (values.empty()) return {{"min", nullptr}, {"median", nullptr}, {"max", nullptr}};
+  if (values.empty()) return {{"min", nullptr}, {"median", nullptr}, {"p90", nullptr}, {"p99", nullptr}, {"max", nullptr}};
   std::ranges::sort(values);
   const std::size_t n = values.size();
   const double median = (values[(n - 1) / 2] + values[n / 2]) / 2;
-  return {{"min", values.front()}, {"median", median}, {"max", values.back()}};
+  // The least value that so many per cent do not pass.
+  const auto part = [&](std::size_t percent) { return values[(n * percent + 99) / 100 - 1]; };
+  return {{"min", values.front()}, {"median", median}, {"p90", part(90)}, {"p99", part(99)}, {"max", values.back()}};
 }
 
 Json spread_of(const Rows& rows, const std::function<std::optional<double>(const Row&)>& value) {
@@ -52,6 +54,7 @@ void add_spreads(Json& j, const Rows& rows) {
   j["peak_current_a"] =
       spread_of(rows, [](const Row& r) { return std::optional(r.findings.peak_current_a); });
   j["kick_deg"] = spread_of(rows, [](const Row& r) { return r.findings.kick_deg; });
+  j["peak_speed"] = spread_of(rows, [](const Row& r) { return r.findings.peak_speed; });
 }
 
 Rows select(const std::vector<Row>& rows, const std::function<bool(const Row&)>& wanted) {

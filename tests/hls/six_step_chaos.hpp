@@ -16,7 +16,7 @@ inline Words quick_words() {
   w.bemf = {.blanking = 5, .sample_every = 3, .samples = 2};
   w.loop = {.ki = 655, .kp = 6554, .minimum = 1 << 16, .maximum = 1 << 25};
   w.start = {.settle = 2, .reset = 3, .reset_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xFFFFF,
-             .hand_over = 1 << 22, .window = 0x4000, .good_crossings = 2, .pull_in = 20,
+             .look = 2, .probe = 20, .still = 6, .hand_over = 1 << 22, .window = 0x4000, .good_crossings = 2, .pull_in = 20,
              .observe = 4, .slow_down = 4, .brake = 3, .brake_duty = 0x4000, .rest = 2,
              .retries = 15};
   w.speed = {.target = 1 << 23, .slew = 0xFFFFF, .shift = 9, .kp = 4096, .ki = 1000, .bemf = 0x2000,
@@ -55,6 +55,7 @@ struct Chaos {
     if (once_in(3000)) in.words.pwm.complementary = random() % 2;
     if (once_in(3000)) in.words.pwm.centred = random() % 2;
     if (once_in(3000)) in.words.pwm.dead_time = random() % 40;
+    if (once_in(20000)) in.words.start.method = Method(random() % 2);
     if (source) in.words.source = *source;
     return top.tick(in);
   }

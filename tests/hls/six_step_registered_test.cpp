@@ -38,20 +38,22 @@ TEST(SixStepRegistered, WhatWasWrittenIsReadBackInTheClockAfter) {
 
 TEST(SixStepRegistered, CapabilityTellsWhatIsLeftOut) {
   constexpr int capability = address_of(index_of("CAPABILITY"));
-  for (const bool hall : {false, true}) {
-    for (const bool counters : {false, true}) {
-      SixStepRegistered dut;
-      const Parts with{.hall_decoder = hall, .telemetry = counters};
-      const auto read = [&](int address) {
-        dut.tick({.with = with, .pins = {}, .request = reading(address)});
-        return dut.tick({.with = with}).data;
-      };
-      std::uint32_t expected = reset_of("CAPABILITY");
-      if (!hall) expected &= ~mask_of(field("CAPABILITY", "hall"));
-      if (!counters) expected &= ~mask_of(field("CAPABILITY", "counters"));
-      EXPECT_EQ(read(capability), UInt<32>::of(expected));
-      EXPECT_EQ(read(0), UInt<32>(kMapId)) << "and nothing else is changed";
+  constexpr std::uint32_t parts[] = {mask_of(field("CAPABILITY", "hall")), mask_of(field("CAPABILITY", "ramp")),
+                                     mask_of(field("CAPABILITY", "follower")), mask_of(field("CAPABILITY", "counters"))};
+  for (unsigned there = 0; there < 16; ++there) {
+    SixStepRegistered dut;
+    const auto has = [&](int part) { return (there >> part & 1) != 0; };
+    const Parts with{.hall_decoder = has(0), .ramp = has(1), .follower = has(2), .telemetry = has(3)};
+    const auto read = [&](int address) {
+      dut.tick({.with = with, .pins = {}, .request = reading(address)});
+      return dut.tick({.with = with}).data;
+    };
+    std::uint32_t expected = reset_of("CAPABILITY");
+    for (int part = 0; part < 4; ++part) {
+      if (!has(part)) expected &= ~parts[part];
     }
+    EXPECT_EQ(read(capability), UInt<32>::of(expected)) << there;
+    EXPECT_EQ(read(0), UInt<32>(kMapId)) << "and nothing else is changed";
   }
 }
 

@@ -25,6 +25,17 @@ TEST(SixStepSpi, TheCDriverRefusesHallWordsWithoutADecoder) {
     EXPECT_EQ(b.init(), STEPLOCK_OK) << "words of a drive without sensors";
   }
 }
+TEST(SixStepSpi, TheCDriverRefusesWordsOfAStartThatIsLeftOut) {
+  for (const bool follow : {false, true}) {
+    for (const bool there : {false, true}) {
+      SpiBench<SixStepSpi, SixStep> b;
+      (follow ? b.in.with.follower : b.in.with.ramp) = there;
+      const steplock_bus bus = b.bus();
+      const steplock_word words[] = {{STEPLOCK_START_LOCK, follow ? STEPLOCK_START_LOCK_METHOD_MASK : 0u}};
+      EXPECT_EQ(steplock_init(&bus, words, 1), there ? STEPLOCK_NO_PERIOD : STEPLOCK_NO_METHOD);
+    }
+  }
+}
 TEST(SixStepSpi, ACDriverThatFallsSilentTurnsTheBridgeOff) {
   a_c_driver_that_falls_silent_turns_the_bridge_off<SixStepSpi, SixStep>();
 }

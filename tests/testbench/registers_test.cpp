@@ -80,8 +80,8 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
     ++read;
   };
   std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
-  EXPECT_EQ(read, 56);
-  EXPECT_EQ(count(text, "    {STEPLOCK_"), 28);
+  EXPECT_EQ(read, 60);
+  EXPECT_EQ(count(text, "    {STEPLOCK_"), 30);
 }
 
 TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
@@ -123,19 +123,21 @@ TEST(Registers, TheConstantsAroundTheBareDriveAreItsWords) {
     EXPECT_EQ(std::stoul(found[2]), std::uint64_t{row.word} << unused) << port;
   }
   EXPECT_GT(quantised.rows.size(), 40u);
-  EXPECT_EQ(count(text, "      .words_"), 56);
+  EXPECT_EQ(count(text, "      .words_"), 60);
   EXPECT_NE(text.find("12000000 Hz"), std::string::npos);
 }
 
 TEST(Registers, ABareDriveThatNeverAsksTheHallDecoderIsPrintedWithoutIt) {
   Words words;
   const auto printed = [&] { return words_verilog(words, "drive", 12e6); };
-  EXPECT_NE(printed().find("six_step_bare #(.WITH_HALL_DECODER(0)) drive ("), std::string::npos);
+  EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(0), .WITH_RAMP(1), .WITH_FOLLOWER(0)) drive ("), std::string::npos);
+  words.start.method = Method::kFollow;
+  EXPECT_NE(printed().find(".WITH_RAMP(0), .WITH_FOLLOWER(1)) drive ("), std::string::npos) << "one start alone";
   words.start.observe = 1;
-  EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(1))"), std::string::npos) << "it looks for a rotor that turns";
+  EXPECT_NE(printed().find(".WITH_HALL_DECODER(1)"), std::string::npos) << "it looks for a rotor that turns";
   words.start.observe = 0;
   words.source = Source::kHall;
-  EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(1))"), std::string::npos) << "it has Hall sensors";
+  EXPECT_NE(printed().find(".WITH_HALL_DECODER(1)"), std::string::npos) << "it has Hall sensors";
 }
 
 TEST(Registers, TheConstantsAroundTheSinusoidalBareDriveAreItsWords) {

@@ -1,0 +1,152 @@
+// Follow law: what a look at the three back-EMFs says of a rotor, after the looks before it.
+//
+//     seen   = the step to drive a rotor in the code's sector, as believed: code u v w of the wanted way, inverted
+//              of the other
+//     turns  = (seen - step) mod 6, counted the wanted way
+//
+//     belief                 code, turns            then
+//     a rotor at rest        000, 111; its code     no news: the comparators' offsets show that code
+//                            another one            real; the step is the code's
+//     real                   000, 111; 0            no news
+//       the wanted way       +1                     on: one edge passed
+//                            -1, just passed one    no news: it chatters on that edge
+//                            -1                     it turns the other way; the opposite step
+//       the other way        -1                     on: one edge passed, backwards
+//                            +1, just passed one    no news
+//                            +1                     it turns the wanted way
+//       the wanted way       +2, just passed one    on: an edge went by unseen
+//       either               3                      it turned round: the same step is right as it is
+//                            all else               the wanted way; the code's step
+//     no news `still` times                         the next step, as with a rotor at rest: a dead centre
+//
+// "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
+// second on `changed` tells that the time since the one before is an interval.
+//
+//     latency      none     registers    those of Belief: 17 bits     multipliers  none
+//
+// Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
+
+#pragma once
+
+#include "hls/numeric/bits.hpp"
+#include "hls/six_step/divide_by_n.hpp"
+
+namespace steplock {
+
+struct FollowLaw {
+  struct Belief {
+    bool looked = false;  // there was a look, and `rest` is its code
+    bool real = false;    // a code was seen that is not that of a rotor at rest
+    bool back = false;    // it turns the other way
+    bool moved = false;   // and passed an edge since that is believed
+    UInt<2> edges = 0;    // passed the wanted way in a row, up to 3
+    UInt<3> rest = 0;     // code u v w of the rotor at rest
+    UInt<8> idle = 0;     // looks without news
+    bool sure() const { return edges.bit(1); }
+    bool operator==(const Belief&) const = default;
+  };
+
+  // What a code is beside the step that was driven, as believed.
+  struct Sight {
+    bool legal = false;     // neither 000 nor 111
+    bool rests = false;     // the code of the rotor at rest
+    bool here = false;      // turns are 0
+    bool on = false;        // one edge as believed
+    bool skipped = false;   // or two, of a rotor that moves
+    bool contrary = false;  // one the other way
+    bool across = false;    // three
+    bool tired = false;     // no news once more would be `still`
+    bool operator==(const Sight&) const = default;
+  };
+
+  struct News {
+    Belief belief;
+    bool goes = false;     // another step is to be driven
+    bool stands = false;   // the next one, without news
+    bool changed = false;  // a rotor that is followed passed an edge
+  };
+
+  // The step whose crossing ends the sector of this code, for a rotor that turns the wanted way: forward sectors and
+  // steps have the same numbers; backwards the step is one less.  Codes and sectors as HallDecoder has them.
+  static constexpr Step step_of(UInt<3> code, bool reverse) {
+    switch (int(code.raw())) {
+      case 0b101: return reverse ? Step(5) : Step(0);
+      case 0b100: return reverse ? Step(0) : Step(1);
+      case 0b110: return reverse ? Step(1) : Step(2);
+      case 0b010: return reverse ? Step(2) : Step(3);
+      case 0b011: return reverse ? Step(3) : Step(4);
+      default: return reverse ? Step(4) : Step(5);
+    }
+  }
+  // The code for which that is the step.
+  static constexpr UInt<3> code_of(Step step, bool reverse) {
+    switch (int((reverse ? next_step(step, false) : step).raw())) {
+      case 0: return 0b101;
+      case 1: return 0b100;
+      case 2: return 0b110;
+      case 3: return 0b010;
+      case 4: return 0b011;
+      default: return 0b001;
+    }
+  }
+  static constexpr UInt<3> bits(bool u, bool v, bool w) { return UInt<3>(u) << 2 | UInt<3>(v) << 1 | UInt<3>(w); }
+  static constexpr Step step_of(UInt<3> code, bool reverse, bool back) {
+    return step_of(back ? code ^ UInt<3>(7) : code, reverse);
+  }
+
+  // The codes are a ring of which each edge turns one bit, w, v, u, w, v, u from sector 0 on.  So which bits differ from
+  // the code that would be no news tells the turns: that edge's, its neighbour's, both (two edges), none or all.
+  static constexpr Sight see(UInt<3> code, Step step, bool reverse, const Belief& was, UInt<8> still) {
+    const UInt<3> other = code ^ code_of(step, reverse) ^ (was.back ? UInt<3>(7) : UInt<3>(0));
+    const bool w = step == 0 || step == 3, v = step == 1 || step == 4, u = !w && !v;
+    const UInt<3> ahead = bits(u, v, w), behind = reverse ? bits(v, w, u) : bits(w, u, v);
+    return {.legal = code != 0 && code != 7,
+            .rests = code == was.rest,
+            .here = other == 0,
+            .on = other == (was.back ? behind : ahead),
+            .skipped = other == (behind ^ UInt<3>(7)) && was.moved && !was.back,
+            .contrary = other == (was.back ? ahead : behind),
+            .across = other == 7,
+            .tired = was.idle + 1 >= still};
+  }
+
+  static constexpr News judge(const Belief& was, const Sight& sight, UInt<3> code) {
+    Belief now = was;
+    const bool on = sight.on || sight.skipped;
+    bool news = false, goes = false;
+    if (!was.real) {
+      const bool first = !was.looked;
+      now.looked = true;
+      if (first) now.rest = code;
+      now.real = !first && sight.legal && !sight.rests;
+      now.back = now.moved = false;
+      news = goes = sight.legal && (first || !sight.rests);
+    } else if (sight.legal && !sight.here) {
+      if (on) {
+        now.moved = true;
+        now.edges = was.back || was.edges == 3 ? was.edges : wrap<UInt<2>>(was.edges + 1);
+        news = was.edges != 0 || was.back;
+        goes = true;
+      } else if (!sight.contrary || !was.moved) {
+        now.back = (sight.contrary || sight.across) && !was.back;
+        now.moved = false;
+        now.edges = 0;
+        goes = !sight.across;
+      }
+    }
+    const bool stands = !news && sight.tired;
+    now.idle = news ? UInt<8>(0) : wrap<UInt<8>>(was.idle + 1);
+    if (stands) now = {.looked = true, .rest = code};
+    return {.belief = now,
+            .goes = goes || stands,
+            .stands = stands,
+            .changed = sight.on && sight.legal && was.real && !was.back && was.edges != 0};
+  }
+
+  // The step to drive after that.
+  static constexpr Step step_after(const News& news, UInt<3> code, Step step, bool reverse) {
+    return news.stands ? next_step(step, reverse) : step_of(code, reverse, news.belief.back);
+  }
+};
+
+}  // namespace steplock

@@ -1,0 +1,1 @@
+rtl/rotor_follower.sv
