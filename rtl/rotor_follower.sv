@@ -55,9 +55,9 @@ module rotor_follower #(
   logic sight_contrary;  // one the other way
   logic sight_across;  // three
   logic sight_tired;  // no news once more would be `still`
-  logic goes;  // what was judged of it
-  logic stands;
-  logic changes;
+  logic goes;  // what was judged of it: another step
+  logic stands;  // the next one, for want of news
+  logic changes;  // a rotor that is followed passed an edge
   logic overdue;  // the expected interval is over
   logic good;  // the last interval was as long as the one before
   logic out_drive;  // gates may be on
@@ -76,10 +76,10 @@ module rotor_follower #(
       logic crossed;
       logic ready;
       logic caught;
-      logic late;
       logic ends_either;
+      logic late;
+      logic ends_either_2;
       logic over;
-      logic ends_choice;
       logic ends;
       logic [1:0] choice_104;
       logic [1:0] choice_107;
@@ -89,7 +89,6 @@ module rotor_follower #(
       logic [5:0] wide_109;
       logic [7:0] choice_104_4;
       logic [7:0] either_111;
-      logic both_113;
       logic [8:0] choice_104_5;
       logic [8:0] either_112;
       logic [7:0] count_choice;
@@ -111,11 +110,12 @@ module rotor_follower #(
       crossed = at_bits[8] && crossing_i && belief_real;
       ready = (!good || fast_i) ? good : steady_i && !slow_i;
       caught = crossed && belief_edges[1] && ready;
+      ends_either = at_bits[8:7] == 2'd0 || caught;  // line 149
       late = belief_edges[1] && overdue && quarter_i;
-      ends_either = (crossed && !caught) || late;  // line 77
+      ends_either_2 = ends_either || crossed || late;  // line 149
       over = strobe && none;
-      ends_choice = (ends_either || !over) ? ends_either : !belief_edges[1] && at_bits[8];
-      ends = at_bits[8:7] != 2'd0 && ends_choice;
+      ends =
+          (ends_either_2 || !over) ? ends_either ^ ends_either_2 : !belief_edges[1] && at_bits[8];
       choice_104 = (ends || (at_bits[1] && !over) || at_bits[0]) ? 2'd2 : 2'd0;  // line 104
       choice_107 = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 107
       choice_104_2 = (choice_107 == 2'd0) ? 3'd0 : 3'd4;  // line 104
@@ -125,8 +125,7 @@ module rotor_follower #(
       choice_104_4 = ((at_bits[6] || !at_bits[7]) ? at_bits[6] : !(over || ends)) ? 8'd128 : 8'd0;
       either_111 =  // line 111
           {1'b0, {1'b0, wide_109 | {at_bits[4], 5'd0}} | {at_bits[5], 6'd0}} | choice_104_4;
-      both_113 = at_bits[7] && over;  // line 113
-      choice_104_5 = ((both_113 || at_bits[8]) && !ends) ? 9'd256 : 9'd0;  // line 104
+      choice_104_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
       either_112 = {1'b0, either_111} | choice_104_5;  // line 112
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
       news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:128
@@ -156,11 +155,13 @@ module rotor_follower #(
         logic count_choice_2;
         logic count_unequal;
         logic left_next_choice;
+        logic left_next_both;
         count_both = at_bits[7:1] & 7'h41;  // line 167
         count_choice_2 = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 99
         count_unequal = (at_bits[6:0] & 7'h41) != 7'd0;  // line 166
-        left_next_choice = (count_both == 7'd0) ? both_113 : count_both != 7'd0;
-        if (count_unequal || (over && left_next_choice)) begin
+        left_next_choice = (count_both == 7'd0) ? over && at_bits[7] : count_both != 7'd0;
+        left_next_both = over && left_next_choice;
+        if (count_unequal || left_next_both) begin
           if (at_bits[0]) begin
             left <= look_i;
           end else if (at_bits[7]) begin
@@ -380,7 +381,7 @@ module rotor_follower #(
     end
     good <= both_116 && belief_edges[1] && (update_i ? good_i : good);
     out_load <= both_116 && loads;
-    out_changed <= both_116 && at_bits[5] && changes;
+    out_changed <= both_116 && loads && changes;
     out_restart <= both_116 && at_bits[6];
     out_sure <= both_116 && belief_edges[1];
     if (rst) begin

@@ -132,6 +132,7 @@ module six_step_top #(
   logic lags;
   logic leads;
   logic slow;
+  logic reached;
   logic follow;
   logic steady;
   logic reverse;
@@ -298,6 +299,7 @@ module six_step_top #(
       .sure_i(rotor_sure),
       .leads_i(leads),
       .slow_i(slow),
+      .reached_i(reached),
       .at_i(divided_step),
       .lost_i(lost),
       .fatal_i(fatal),
@@ -429,6 +431,7 @@ module six_step_top #(
   wire [15:0] speed_duty;
   wire [13:0] speed_on_clocks;
   wire speed_slips;
+  wire speed_reached;
   speed_control speed (
       .clk(clk),
       .rst(rst),
@@ -453,7 +456,8 @@ module six_step_top #(
       .words_duty_slew_i(words_speed_duty_slew_i),
       .duty_o(speed_duty),
       .on_clocks_o(speed_on_clocks),
-      .slips_o(speed_slips)
+      .slips_o(speed_slips),
+      .reached_o(speed_reached)
   );
 
   wire pwm_on;
@@ -641,9 +645,10 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 232
-    leads <= !detector_error[15] && detector_error[14:13] != 2'd0;  // line 257
+    lags <= detector_error[15];  // line 233
+    leads <= !detector_error[15] && detector_error[14:13] != 2'd0;  // line 258
     slow <= filter_slow;
+    reached <= speed_reached;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
@@ -672,6 +677,7 @@ module six_step_top #(
       lags <= 1'b0;
       leads <= 1'b0;
       slow <= 1'b0;
+      reached <= 1'b0;
       follow <= 1'b0;
       steady <= 1'b0;
       reverse <= 1'b0;

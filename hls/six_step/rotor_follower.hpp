@@ -74,7 +74,7 @@ class RotorFollower {
     const bool ready = good_ && (in.fast || (in.steady && !in.slow));
     const bool caught = crossed && sure && ready;  // the drive goes on
     const bool late = sure && overdue_ && in.quarter;
-    const bool ends = drives() && ((crossed && !caught) || late || (over && !sure && at_.holds(Stage::kDrive)));
+    const bool ends = drives() && !caught && (crossed || late || (over && !sure && at_.holds(Stage::kDrive)));
 
     // A look's three questions, a clock each: what it shows, what that means, and which step follows.  The last one
     // stands first, so that each finds what the clock before left.
@@ -83,7 +83,7 @@ class RotorFollower {
       out_.step = FollowLaw::step_after({.belief = belief_, .stands = stands_}, code(), in.step, in.reverse);
     }
     out_.load = loads;
-    out_.changed = at_.holds(Stage::kLoad) && changes_;
+    out_.changed = loads && changes_;
     if (at_.holds(Stage::kJudge)) {
       const auto news = FollowLaw::judge(belief_, sight_, code());
       belief_ = news.belief;
@@ -185,9 +185,9 @@ class RotorFollower {
   UInt<4> w_ = 0;         // see u_
   FollowLaw::Belief belief_;
   FollowLaw::Sight sight_;  // of this look
-  bool goes_ = false;       // what was judged of it
-  bool stands_ = false;
-  bool changes_ = false;
+  bool goes_ = false;       // what was judged of it: another step
+  bool stands_ = false;     // the next one, for want of news
+  bool changes_ = false;    // a rotor that is followed passed an edge
   bool overdue_ = false;  // the expected interval is over
   bool good_ = false;     // the last interval was as long as the one before
   Out out_;

@@ -16,6 +16,7 @@ Drive::Drive(const design::Parameters& p)
       sequence_(p.start, p.source, p.pwm.tick()),
       protection_(p.protection, p.pwm.tick()),
       decoder_(p.bemf.samples * p.bemf.sample_every),
+      follower_(p.start, p.bemf.sample_every),
       guard_(p.pwm),
       target_(p.speed.target) {}
 
@@ -37,6 +38,8 @@ Mode Drive::mode() const {
       return Mode::kReset;
     case State::kBrake:
       return Mode::kBrake;
+    case State::kAccelerate:
+      return following() && !follower_.drives() ? Mode::kOff : Mode::kDrive;
     default:
       return commutating() ? Mode::kDrive : Mode::kOff;
   }
@@ -52,7 +55,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   const double freewheel = bemf_.freewheel();
   vco_.update(t, sequence_.reverse());
   bemf_.update(t, pins, bridge.value_or(Bridge{vco_.step(), limit_.on()}), vco_.phase(t),
-               sequence_.reverse(), commutating() && p_.source == design::Source::kBemf);
+               sequence_.reverse(), mode() == Mode::kDrive && p_.source == design::Source::kBemf);
 
   // Phase detector: the step that ended is the one before the present one.
   const int ended = (vco_.step() + (sequence_.reverse() ? 1 : 5)) % 6;
@@ -61,7 +64,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   detector_.update({.crossing = bemf_.crossing(),
                     .crossing_phase = bemf_.crossing_phase(),
                     .before_seen = before_seen,
-                    .step_ended = vco_.commutated() && commutating(),
+                    .step_ended = vco_.commutated() && commutating() && !following(),
                     .counts = u_rises || p_.loop.detector == design::Detector::kEveryStep,
                     .window = p_.start.window});
   if (loop_closed()) {
@@ -78,6 +81,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   caught_ = 0;
   if (sequence_.state() == State::kObserve) observe(t);
   if (hall && sequence_.locked()) follow_halls(t);
+  if (following()) follow_rotor(t, pins);
 
   protection_.update({.running = sequence_.locked(),
                       .tick = pwm_.tick(),
@@ -119,6 +123,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
 
   next_ = std::min(
       {pwm_.next(t), limit_.next(t), vco_.next(), bemf_.next(), decoder_.next(), guard_.next()});
+  if (following()) next_ = std::min({next_, follower_.next(), overdue_});
   if (next_ <= t) next_ = std::nextafter(t, kNever);
   return {.gates = guard_.gates(),
           .state = sequence_.state(),
@@ -161,6 +166,58 @@ void Drive::follow_halls(double t) {
   }
 }
 
+// The VCO stands while the steps follow the rotor; its frequency is that of the intervals between edges.
+void Drive::follow_rotor(double t, const Pins& pins) {
+  const double f = filter_.frequency();
+  const bool fast = f >= p_.start.hand_over, slow = f < p_.protection.stall;
+  const bool overdue = t >= overdue_;
+  follower_.update(t, {.comparator = {pins.comparator[0], pins.comparator[1], pins.comparator[2]},
+                       .crossing = bemf_.crossing(),
+                       .overdue = overdue,
+                       .ready = good_interval_ && (fast || (!slow && steady_ + 1 >= p_.start.good_crossings)),
+                       .step = vco_.step(),
+                       .reverse = sequence_.reverse()});
+  const auto measure = [&](double turns) {
+    interval_error_ = std::clamp(1 - turns, -0.5, 0.5);
+    filter_.catch_up(turns);
+  };
+  if (overdue) {
+    // A step's time more until the next look; twice that time without an edge halves the frequency.
+    if (f * (t - changed_) >= 2) {
+      measure(2);
+      good_interval_ = false;
+      steady_ = 0;
+    }
+    overdue_ = t + 1 / filter_.frequency();
+  }
+  if (follower_.loaded()) {
+    const double turns = f * (t - changed_);
+    if (follower_.changed()) {
+      good_interval_ = f > 0 && std::abs(1 - turns) < 0.125;
+      steady_ = good_interval_ ? steady_ + 1 : 0;
+      if (f > 0) {
+        measure(turns);
+      } else {
+        filter_.load(p_.start.hand_over);
+      }
+      // A step of a rotor near hand-over that was much shorter than the last one; one that was longer.
+      if (interval_error_ >= 0.125 && !slow) boost_ -= boost_ / 4;
+      if (interval_error_ < 0) boost_ = std::min(boost_ + boost_ / 4, p_.start.start_duty);
+    }
+    vco_.load(t, *follower_.loaded(), 0);
+    changed_ = t;
+    overdue_ = filter_.frequency() > 0 ? t + 1.25 / filter_.frequency() : kNever;
+  }
+  if (!follower_.sure()) {
+    boost_ = p_.start.reset_duty;
+    good_interval_ = false;
+  } else if (!was_sure_) {
+    boost_ = p_.start.start_duty;
+  }
+  was_sure_ = follower_.sure();
+  ramp_done_ = follower_.caught();
+}
+
 void Drive::enter_state(double t) {
   switch (sequence_.state()) {
     case State::kObserve:
@@ -169,7 +226,25 @@ void Drive::enter_state(double t) {
       steady_ = way_ = 0;
       changed_ = t;
       break;
+    case State::kPullIn:
+      if (!follows()) break;
+      vco_.load(t, vco_.step(), 0.5);
+      vco_.set_frequency(t, filter_.frequency());
+      detector_.restart();
+      holds_ = reached_was_ = false;
+      follower_.end();
+      break;
     case State::kAccelerate:
+      if (follows()) {
+        filter_.load(0);
+        vco_.stop(t);
+        changed_ = t;
+        overdue_ = kNever;
+        ramp_done_ = good_interval_ = was_sure_ = false;
+        steady_ = 0;
+        follower_.begin(t);
+        break;
+      }
       filter_.load(0);
       vco_.stop(t);
       vco_.load(t, sequence_.reverse() ? 0 : 3, 0.5);
@@ -222,6 +297,11 @@ void Drive::on_tick(double t) {
       duty = s.brake_duty;
       break;
     case State::kAccelerate:
+      if (follows()) {
+        if (f >= target_) boost_ = 0;
+        duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
+        break;
+      }
       filter_.load(std::min(f + ramp * p_.pwm.tick(), s.hand_over));
       vco_.set_frequency(t, filter_.frequency());
       ramp_done_ = filter_.frequency() >= s.hand_over;
@@ -229,12 +309,17 @@ void Drive::on_tick(double t) {
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     case State::kPullIn:
+      if (follows() && f >= target_) boost_ = 0;
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     default:
       break;
   }
-  if (sequence_.locked()) {
+  // Pulling in, a rotor that has the set speed is held there, from the second tick on.
+  const bool reached = follows() && sequence_.state() == State::kPullIn && f >= target_;
+  holds_ = reached && reached_was_;
+  reached_was_ = reached;
+  if (sequence_.locked() || holds_) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
                 detector_.hurries());
   } else {

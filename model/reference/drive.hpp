@@ -23,6 +23,7 @@
 #include "model/reference/oscillator.hpp"
 #include "model/reference/phase_locked_loop.hpp"
 #include "model/reference/protection.hpp"
+#include "model/reference/rotor_follower.hpp"
 #include "model/reference/sector_decoder.hpp"
 #include "model/reference/speed_control.hpp"
 #include "model/reference/start_sequence.hpp"
@@ -56,8 +57,11 @@ class Drive {
   void enter_state(double t);
   void observe(double t);
   void follow_halls(double t);
+  void follow_rotor(double t, const Pins&);
   void on_tick(double t);
-  double stronger(double duty) const { return sequence_.retries() > 1 ? 2 * duty : duty; }
+  bool follows() const { return p_.start.method == design::Method::kFollow; }
+  bool following() const { return follows() && sequence_.state() == State::kAccelerate; }
+  double stronger(double duty) const { return sequence_.retries() > 1 && !follows() ? 2 * duty : duty; }
   Mode mode() const;
   bool commutating() const;  // steps are applied
   bool loop_closed() const;
@@ -73,6 +77,7 @@ class Drive {
   StartSequence sequence_;
   Protection protection_;
   SectorDecoder decoder_;
+  RotorFollower follower_;
   GateGuard guard_;
 
   double target_, next_ = 0;
@@ -81,6 +86,9 @@ class Drive {
   int steady_ = 0, way_ = 0;  // changes in a row with a steady period, and their direction
   int caught_ = 0;
   bool limited_ = false, ramp_done_ = false;
+  bool good_interval_ = false, was_sure_ = false, holds_ = false, reached_was_ = false;
+  double overdue_ = kNever;   // when the rotor that is followed should have passed an edge, and a quarter more
+  double interval_error_ = 0;
 };
 
 }  // namespace steplock::reference

@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace steplock::reference {
+namespace {
+
+constexpr long kMostTicks = 4095;  // to follow a rotor that never comes to speed
+
+}  // namespace
 
 StartSequence::StartSequence(const design::StartParameters& p, design::Source source, double tick)
     : p_(p), source_(source), tick_(tick) {}
@@ -36,7 +41,9 @@ void StartSequence::begin_try() {
 // Nothing turns, as far as one can see.
 void StartSequence::stopped() {
   brakes_ = 0;
-  enter(stopping_ ? State::kIdle : State::kSettle);
+  enter(stopping_                                ? State::kIdle
+        : p_.method == design::Method::kFollow ? State::kAccelerate
+                                               : State::kSettle);
 }
 
 void StartSequence::fail(Reason why) {
@@ -99,7 +106,8 @@ void StartSequence::update(const In& in) {
       if (time_is_up(std::ldexp(p_.reset, std::min(retries_, 3)))) enter(State::kAccelerate);
       return;
     case State::kAccelerate:
-      if (in.ramp_done) enter(State::kPullIn);
+      if (in.ramp_done) return enter(State::kPullIn);
+      if (p_.method == design::Method::kFollow && ticks_ >= kMostTicks) fail(Reason::kNoLock);
       return;
     case State::kPullIn:
       if (in.updated) good_ = in.good ? good_ + 1 : 0;

@@ -1,6 +1,8 @@
 // Start sequence of Fig. 5, made safe: look for a spinning rotor, settle, reset, accelerate, pull
 // in, run; slow down and brake before a reversal or a stop; bounded retries, then a latched fault.
 //
+// With method kFollow the steps follow the rotor instead (rotor_follower.hpp): kObserve -> kAccelerate -> kPullIn.
+//
 //     kIdle -> kObserve -> kSettle -> kReset -> kAccelerate -> kPullIn -> kRun
 //                 |  caught, right way ---------------------------------^  |
 //                 |  caught, wrong way                               reverse, or stop by brake |
@@ -25,7 +27,7 @@ class StartSequence {
     Reason fatal = Reason::kNone, lost = Reason::kNone;  // from Protection
     bool fault_pin = false;
     bool updated = false, good = false;  // the phase detector took an error; it was a good one
-    bool ramp_done = false;
+    bool ramp_done = false;  // or the follower has caught the rotor
     double frequency = 0;  // steps/s
     int caught = 0;        // observing: the rotor turns, +1 as wanted, -1 the other way
   };

@@ -64,16 +64,26 @@ std::vector<Group> groups(const design::Settings& s, const design::Design& d) {
                   {"sampled_phase_margin_deg", d.sampled.phase_deg, "deg",
                    "as the drive computes it, at hand-over"},
                   {"sampled_gain_margin_db", d.sampled.gain_db, "dB", "likewise"}}});
-  all.push_back({"start", "start: Eqs. (18)-(23)",
-                 {{"kappa", d.kappa, "N m/rad", "stiffness at the reset position"},
-                  {"reset_time_formula", d.reset_time_formula, "s", "Eq. (22)"},
-                  {"reset_time", d.parameters.start.reset, "s", "as used"},
-                  {"settle_time", d.parameters.start.settle, "s", "as used"},
-                  {"acceleration_time", d.acceleration_time, "s", "to hand-over"},
-                  {"hand_over_rpm", d.hand_over_rpm, "rpm", ""},
-                  {"ramp_rpm_s", d.ramp_rpm_s, "rpm/s", ""},
-                  {"reset_current", d.reset_current, "A", ""},
-                  {"start_current", d.start_current, "A", ""}}});
+  const auto& start = d.parameters.start;
+  if (start.method == design::Method::kFollow) {
+    all.push_back({"start", "start: following the rotor",
+                   {{"look", start.look, "s", "gates off, until no current flows"},
+                    {"probe", start.probe, "s", "a drive between two looks"},
+                    {"still", double(start.still), "", "looks without news, until the field moves on"},
+                    {"hand_over_rpm", d.hand_over_rpm, "rpm", ""},
+                    {"start_current", d.start_current, "A", "beyond the limit, which therefore rules"}}});
+  } else {
+    all.push_back({"start", "start: Eqs. (18)-(23)",
+                   {{"kappa", d.kappa, "N m/rad", "stiffness at the reset position"},
+                    {"reset_time_formula", d.reset_time_formula, "s", "Eq. (22)"},
+                    {"reset_time", d.parameters.start.reset, "s", "as used"},
+                    {"settle_time", d.parameters.start.settle, "s", "as used"},
+                    {"acceleration_time", d.acceleration_time, "s", "to hand-over"},
+                    {"hand_over_rpm", d.hand_over_rpm, "rpm", ""},
+                    {"ramp_rpm_s", d.ramp_rpm_s, "rpm/s", ""},
+                    {"reset_current", d.reset_current, "A", ""},
+                    {"start_current", d.start_current, "A", ""}}});
+  }
   all.push_back({"speed", "speed control",
                  {{"kp", speed.kp, "1/(step/s)", "duty per error"},
                   {"ki", speed.ki, "1/step", "duty per error and second"},

@@ -27,8 +27,10 @@ double longest(const design::Settings& s, const design::Parameters& p) {
   double tries = 0;
   for (int k = 0; k <= t.retries; ++k) {
     const int gentle = std::min(k, 3);  // as StartSequence makes them: reset twice as long, the ramp a quarter as steep
-    tries += t.observe + std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle) +
-             t.pull_in + t.rest;
+    tries += t.observe + t.pull_in + t.rest;
+    tries += t.method == design::Method::kFollow
+                 ? 4095 * p.pwm.tick()
+                 : std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle);
   }
   const double brakes = t.slow_down + 20 * (t.brake + t.observe);
   return s.scenario.run_s + 2 * (tries + brakes + 10 * p.speed.target / p.speed.slew);

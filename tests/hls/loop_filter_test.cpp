@@ -244,6 +244,21 @@ RC_GTEST_PROP(LoopFilter, CatchingConvergesToOneOverTheInterval, ()) {
   RC_ASSERT(std::abs(f * interval - 1) < 2.0 / 65536 + 2 * interval / kTurn);
 }
 
+// Following a rotor begins at hand-over, with whatever error; from there it is catching, and the minimum is the bound.
+TEST(LoopFilter, FollowingBeginsAtHandOverAndThenIsCatching) {
+  In in{.loop = Loop::kFollow, .error = 0x7fff, .minimum = 1000, .maximum = Frequency::max(), .hand_over = 1 << 20};
+  LoopFilter dut;
+  EXPECT_EQ(update(dut, in), Frequency(1 << 20));
+  in.error = -0x8000;
+  EXPECT_EQ(update(dut, in), Frequency(1 << 19)) << "half";
+  for (int i = 0; i < 12; ++i) update(dut, in);
+  EXPECT_EQ(update(dut, in), Frequency(1000));
+  In stop = in;
+  stop.loop = Loop::kStop;
+  settle(dut, stop);
+  EXPECT_EQ(update(dut, in), Frequency(1 << 20)) << "and again";
+}
+
 // However soon after a result the next update comes, it takes the same clocks to the same frequency.
 TEST(LoopFilter, AnUpdateMayComeInAnyClockAfterAResult) {
   for (const Loop loop : {Loop::kTrack, Loop::kCatch}) {

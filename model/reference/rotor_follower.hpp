@@ -1,0 +1,156 @@
+// A start that follows the rotor, in doubles: drive a step, look with all gates off, and judge.
+//
+//     turns = (seen - step) mod 6, the wanted way; seen is the step whose crossing ends the sector looked at,
+//     for a rotor that is believed to turn the other way that of the inverted code
+//
+// Written from the table in docs/blocks/rotor_follower.md; the belief here is a direction, +1 or -1, and
+// a number of edges.  Times are seconds; the interval between two edges is measured by the caller.
+//
+// Doc: docs/theory.md   Test: tests/model/reference/reference_rotor_follower_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "model/design/parameters.hpp"
+#include "model/reference/pwm.hpp"
+#include "model/reference/signals.hpp"
+
+namespace steplock::reference {
+
+class RotorFollower {
+ public:
+  RotorFollower(const design::StartParameters& p, double sample_every) : p_(p), every_(sample_every) {}
+
+  void begin(double t) {
+    *this = RotorFollower(p_, every_);
+    look_from(t);
+  }
+  void end() { stage_ = Stage::kOff; }
+
+  struct In {
+    std::array<bool, 3> comparator = {};
+    bool crossing = false;  // of the driven step
+    bool overdue = false;   // the expected interval is over by a quarter
+    bool ready = false;     // fast enough, and steady
+    int step = 0;
+    bool reverse = false;
+  };
+  void update(double t, const In& in) {
+    loaded_.reset();
+    changed_ = caught_ = false;
+    if (stage_ == Stage::kDrive) {
+      const bool crossed = in.crossing && t >= believes_ && real_;
+      caught_ = crossed && sure() && in.ready;
+      const bool over = !sure() && t >= until_;
+      if (!caught_ && (crossed || over || (sure() && in.overdue))) look_from(t);
+    } else if (stage_ == Stage::kLook && t >= until_) {
+      for (int k = 0; k < 3; ++k) high_[std::size_t(k)] += in.comparator[std::size_t(k)];
+      until_ = t + every_;
+      if (++samples_ == kSamples) {
+        judge(in);
+        stage_ = Stage::kDrive;
+        believes_ = t + kSamples * every_;
+        until_ = believes_ + p_.probe;
+      }
+    }
+  }
+
+  bool drives() const { return stage_ == Stage::kDrive; }
+  std::optional<int> loaded() const { return loaded_; }  // in this update: the step to drive
+  bool changed() const { return changed_; }  // in this update: a rotor that is followed passed an edge
+  bool caught() const { return caught_; }    // in this update: hand over, in the middle of the step
+  bool sure() const { return edges_ >= 2; }
+  double next() const {
+    if (stage_ == Stage::kLook) return until_;
+    return stage_ == Stage::kDrive && !sure() ? until_ : kNever;
+  }
+
+ private:
+  static constexpr int kSamples = 15;
+  enum class Stage { kOff, kLook, kDrive };
+
+  void look_from(double t) {
+    stage_ = Stage::kLook;
+    until_ = t + p_.look;
+    samples_ = 0;
+    high_ = {};
+  }
+
+  // The sector, 0 to 5, or -1: no more than the signs of three back-EMFs 120 degrees apart.
+  static int sector_of(const std::array<bool, 3>& c) {
+    const std::array<bool, 3> signs[] = {{1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}};
+    const auto* at = std::find(std::begin(signs), std::end(signs), c);
+    return at == std::end(signs) ? -1 : int(at - std::begin(signs));
+  }
+
+  void judge(const In& in) {
+    std::array<bool, 3> code;
+    for (std::size_t k = 0; k < 3; ++k) code[k] = 2 * high_[k] > kSamples;
+    const int sector = sector_of(code), way = in.reverse ? -1 : 1;
+    // The step of a rotor that turns the wanted way, or opposite it.
+    const auto step_for = [&](int belief) {
+      return (sector + (in.reverse ? 5 : 0) + (belief < 0 ? 3 : 0)) % 6;
+    };
+    const auto go = [&](int step) { loaded_ = (step + 6) % 6; };
+    const auto doubt = [&](int belief) {
+      belief_ = belief;
+      moved_ = false;
+      edges_ = 0;
+    };
+    bool news = false;
+    if (!real_) {
+      const bool first = !rest_;
+      const bool other = !first && code != *rest_;
+      if (first) rest_ = code;
+      doubt(+1);
+      real_ = sector >= 0 && other;
+      news = sector >= 0 && (first || other);
+      if (news) go(step_for(+1));
+    } else if (sector >= 0) {
+      const int turns = ((step_for(belief_) - in.step) * way % 6 + 6) % 6;
+      const bool on = turns == (belief_ > 0 ? 1 : 5);
+      const bool skipped = turns == 2 && moved_ && belief_ > 0;
+      const bool contrary = turns == (belief_ > 0 ? 5 : 1);
+      if (on || skipped) {
+        changed_ = on && belief_ > 0 && edges_ >= 1;
+        news = belief_ < 0 || edges_ >= 1;
+        moved_ = true;
+        if (belief_ > 0) ++edges_;
+        go(step_for(belief_));
+      } else if (contrary && !moved_) {
+        doubt(-belief_);
+        go(step_for(belief_));
+      } else if (turns == 3) {
+        doubt(-belief_);
+      } else if (turns != 0 && !contrary) {
+        doubt(+1);
+        go(step_for(+1));
+      }
+    }
+    idle_ = news ? 0 : idle_ + 1;
+    if (idle_ >= p_.still && !news) {
+      doubt(+1);
+      real_ = false;
+      rest_ = code;
+      idle_ = 0;
+      go(in.step + way);
+    }
+  }
+
+  design::StartParameters p_;
+  double every_;
+  Stage stage_ = Stage::kOff;
+  double until_ = kNever, believes_ = kNever;  // of this stage; a crossing from then on
+  int samples_ = 0;
+  std::array<int, 3> high_ = {};
+  std::optional<std::array<bool, 3>> rest_;  // code of a rotor at rest
+  bool real_ = false, moved_ = false;
+  int belief_ = +1, edges_ = 0, idle_ = 0;
+  std::optional<int> loaded_;
+  bool changed_ = false, caught_ = false;
+};
+
+}  // namespace steplock::reference

@@ -1,0 +1,97 @@
+// The follower in doubles: it says of every belief what the table in docs/blocks/rotor_follower.md says, in time.
+#include "model/reference/rotor_follower.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplock::reference {
+namespace {
+
+constexpr double kEvery = 1e-6;
+constexpr std::array<std::array<bool, 3>, 6> kCodes = {{{1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}};
+
+struct Bench {
+  design::StartParameters p{.method = design::Method::kFollow, .look = 100e-6, .probe = 500e-6, .still = 20};
+  RotorFollower follower{p, kEvery};
+  RotorFollower::In in;
+  double t = 0;
+
+  explicit Bench(bool reverse = false) {
+    in.reverse = reverse;
+    follower.begin(0);
+  }
+  // Until the next look has been judged, with this code; returns the step it loads, or -1.
+  int look(int sector) {
+    in.comparator = kCodes[std::size_t((sector % 6 + 6) % 6)];
+    while (follower.drives()) step_once();
+    int loaded = -1;
+    while (!follower.drives()) {
+      step_once();
+      if (follower.loaded()) loaded = *follower.loaded();
+    }
+    if (loaded >= 0) in.step = loaded;
+    return loaded;
+  }
+  void step_once() {
+    t = std::min(follower.next(), t + 400e-6);  // one that is followed ends a drive by the caller's word alone
+    in.overdue = follower.drives() && follower.sure();
+    follower.update(t, in);
+    in.overdue = false;
+  }
+};
+
+TEST(ReferenceRotorFollower, GatesAreOffForTheLookAndItsSamplesAndOnForTheProbe) {
+  Bench b;
+  while (!b.follower.drives()) b.step_once();
+  EXPECT_NEAR(b.t, 100e-6 + 14 * kEvery, 1e-9);
+  const double began = b.t;
+  while (b.follower.drives()) b.step_once();
+  EXPECT_NEAR(b.t - began, 500e-6 + 15 * kEvery, 1e-9);
+}
+
+// Rest, then one sector after the other: real, edge, edge, measured; either way round.
+TEST(ReferenceRotorFollower, FollowsARotorEitherWay) {
+  for (const bool reverse : {false, true}) {
+    Bench b(reverse);
+    const int way = reverse ? -1 : 1, first = reverse ? -1 : 0;
+    b.look(0);
+    for (int k = 1; k <= 8; ++k) {
+      EXPECT_EQ(b.look(way * k), ((way * k + first) % 6 + 6) % 6) << k;
+      EXPECT_EQ(b.follower.sure(), k >= 3);
+    }
+  }
+}
+
+TEST(ReferenceRotorFollower, BrakesARotorThatTurnsTheOtherWayAndTurnsWithIt) {
+  Bench b;
+  b.look(0);
+  EXPECT_EQ(b.look(5), 5);      // real, and taken for one that turns the wanted way
+  EXPECT_EQ(b.look(4), 1);      // no: the opposite of step 4
+  EXPECT_EQ(b.look(3), 0);      // on backwards
+  EXPECT_EQ(b.look(0), -1);     // the code is inverted: it turned round, and step 0 is right
+  EXPECT_EQ(b.look(1), 1);
+  EXPECT_FALSE(b.follower.sure());
+  EXPECT_EQ(b.look(2), 2);
+  EXPECT_TRUE(b.follower.sure());
+}
+
+TEST(ReferenceRotorFollower, MovesTheFieldOnWithoutNews) {
+  Bench b;
+  b.look(2);
+  for (int k = 1; k < 20; ++k) ASSERT_EQ(b.look(2), -1) << k;
+  EXPECT_EQ(b.look(2), 3);
+}
+
+TEST(ReferenceRotorFollower, HandsOverAtACrossingOfARotorThatIsReady) {
+  Bench b;
+  for (int k = 0; k < 5; ++k) b.look(k);
+  ASSERT_TRUE(b.follower.sure());
+  b.in.crossing = b.in.ready = true;
+  b.follower.update(b.t + 1e-6, b.in);
+  EXPECT_FALSE(b.follower.caught()) << "too early in the drive";
+  b.follower.update(b.t + 100e-6, b.in);
+  EXPECT_TRUE(b.follower.caught());
+  EXPECT_TRUE(b.follower.drives());
+}
+
+}  // namespace
+}  // namespace steplock::reference
