@@ -20,12 +20,11 @@ void StartJudge::look(const plant::State& s) {
   }
   if (!first_angle_) {
     first_angle_ = s.electrical_angle;
-    if (settings_.at_rest) findings_.kick_deg = findings_.peak_speed = 0;
+    if (settings_.at_rest) findings_.kick_deg = 0;
   }
   if (!findings_.kick_deg) return;
   const double back = (*first_angle_ - s.electrical_angle) * way();
   findings_.kick_deg = std::max(*findings_.kick_deg, degrees(back));
-  findings_.peak_speed = std::max(*findings_.peak_speed, rpm(s.speed) / settings_.set_rpm);
 }
 
 void StartJudge::failed(bool claimed_lock, bool for_good, double time) {

@@ -44,7 +44,6 @@ struct Findings {
   std::optional<double> speed_time_s;  // from `run` to set speed
   std::optional<double> kick_deg;      // electrical, backwards, from where the rotor stood
   double peak_current_a = 0;
-  std::optional<double> peak_speed;    // from rest: the highest over the set speed
   int retries = 0;                     // failed tries
   int lost_locks = 0;                  // of them, after a claim of lock
   std::uint64_t slips = 0;             // six-step: steps; sinusoidal: times that the angle was lost

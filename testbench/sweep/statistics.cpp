@@ -54,7 +54,6 @@ void add_spreads(Json& j, const Rows& rows) {
   j["peak_current_a"] =
       spread_of(rows, [](const Row& r) { return std::optional(r.findings.peak_current_a); });
   j["kick_deg"] = spread_of(rows, [](const Row& r) { return r.findings.kick_deg; });
-  j["peak_speed"] = spread_of(rows, [](const Row& r) { return r.findings.peak_speed; });
 }
 
 Rows select(const std::vector<Row>& rows, const std::function<bool(const Row&)>& wanted) {
