@@ -24,7 +24,7 @@
 //
 //     latency      none     registers    those of Belief: 17 bits     multipliers  none
 //
-// Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
+// Doc: docs/blocks/rotor_follower.md   Test: tests/hls/follow_law_test.cpp
 
 #pragma once
 

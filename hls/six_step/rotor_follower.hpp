@@ -16,7 +16,7 @@
 //     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, if the
 //                  rotor is followed, until the expected interval is over by a quarter
 //     latency      1 clock: outputs are registers
-//     registers    84 bits     multipliers  none
+//     registers    86 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
 

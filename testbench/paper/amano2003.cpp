@@ -17,11 +17,9 @@ PaperPage amano2003_page(const design::Settings& drive, const PaperOptions& opti
   const auto sections = {start_sequence, loop_response, locked_state, steady_state, current_control,
                          varied_load,    high_speed,    against_hall, light_rotor};
   options.check_sections(1, static_cast<int>(sections.size()));
-  design::Settings as_printed = drive;
-  as_printed.start.method = design::Method::kRamp;  // alignment and forced ramp, Fig. 5
   int number = 0;
   for (const auto& section : sections) {
-    if (options.wants(++number)) page.sections.push_back(section(as_printed, options));
+    if (options.wants(++number)) page.sections.push_back(section(drive, options));
   }
   return page;
 }
