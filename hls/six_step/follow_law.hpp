@@ -4,6 +4,9 @@
 //              of the other
 //     turns  = (seen - step) mod 6, counted the wanted way
 //
+// A code that is not clear, the samples of a terminal near half and half, is no news either until an edge was passed: at
+// rest the comparators show their noise.
+//
 //     belief                 code, turns            then
 //     a rotor at rest        000, 111; its code     no news: the comparators' offsets show that code
 //                            another one            real; the step is the code's
@@ -48,7 +51,8 @@ struct FollowLaw {
 
   // What a code is beside the step that was driven, as believed.
   struct Sight {
-    bool legal = false;     // neither 000 nor 111
+    bool legal = false;     // neither 000 nor 111, and clear or of a rotor that has passed an edge
+    bool clear = false;     // hardly a sample said otherwise
     bool rests = false;     // the code of the rotor at rest
     bool here = false;      // turns are 0
     bool on = false;        // one edge as believed
@@ -96,11 +100,12 @@ struct FollowLaw {
 
   // The codes are a ring of which each edge turns one bit, w, v, u, w, v, u from sector 0 on.  So which bits differ from
   // the code that would be no news tells the turns: that edge's, its neighbour's, both (two edges), none or all.
-  static constexpr Sight see(UInt<3> code, Step step, bool reverse, const Belief& was, UInt<8> still) {
+  static constexpr Sight see(UInt<3> code, bool clear, Step step, bool reverse, const Belief& was, UInt<8> still) {
     const UInt<3> other = code ^ code_of(step, reverse) ^ (was.back ? UInt<3>(7) : UInt<3>(0));
     const bool w = step == 0 || step == 3, v = step == 1 || step == 4, u = !w && !v;
     const UInt<3> ahead = bits(u, v, w), behind = reverse ? bits(v, w, u) : bits(w, u, v);
-    return {.legal = code != 0 && code != 7,
+    return {.legal = code != 0 && code != 7 && (clear || was.edges != 0),
+            .clear = clear,
             .rests = code == was.rest,
             .here = other == 0,
             .on = other == (was.back ? behind : ahead),
@@ -117,7 +122,7 @@ struct FollowLaw {
     if (!was.real) {
       const bool first = !was.looked;
       now.looked = true;
-      if (first) now.rest = code;
+      if (first) now.rest = at_rest(sight, code);
       now.real = !first && sight.legal && !sight.rests;
       now.back = now.moved = false;
       news = goes = sight.legal && (first || !sight.rests);
@@ -136,12 +141,15 @@ struct FollowLaw {
     }
     const bool stands = !news && sight.tired;
     now.idle = news ? UInt<8>(0) : wrap<UInt<8>>(was.idle + 1);
-    if (stands) now = {.looked = true, .rest = code};
+    if (stands) now = {.looked = true, .rest = at_rest(sight, code)};
     return {.belief = now,
             .goes = goes || stands,
             .stands = stands,
             .changed = sight.on && sight.legal && was.real && !was.back && was.edges != 0};
   }
+
+  // What is not clear is the code of no sector.
+  static constexpr UInt<3> at_rest(const Sight& sight, UInt<3> code) { return sight.clear ? code : UInt<3>(0); }
 
   // The step to drive after that.
   static constexpr Step step_after(const News& news, UInt<3> code, Step step, bool reverse) {

@@ -12,8 +12,9 @@
 // start's: a heavy load would stop it else.
 //
 // Following, a rotor that is near hand-over and whose step was shorter than the last one by 1/8 gets a quarter less, so
-// that it arrives hardly accelerating; one whose step was longer gets a quarter more, from below the start's.  One that has the
-// set speed already, here or while pulling in, gets nothing above its back-EMF.
+// that it arrives hardly accelerating; one whose step was longer gets a quarter more, from below the start's.  At hand-over's
+// frequency it gets nothing above its back-EMF: what is measured then is a speed that lasts; so does one that has the set speed
+// while pulling in.
 //
 //     latency      1 clock from state to duty
 //     registers    18 bits     multipliers  none
@@ -36,6 +37,7 @@ class OpenLoopDuty {
     bool sure = false;       // and has it
     bool leads = false;      // which was faster by 1/8 than a step before
     bool near = false;       // and is near hand-over
+    bool fast = false;       // and has hand-over's frequency
     bool reached = false;    // the VCO has the set speed, or more
     bool commutate = false;  // strobe: a new step began
     bool lags = false;       // the last error was negative: the rotor lags the VCO
@@ -58,22 +60,24 @@ class OpenLoopDuty {
     const bool follows = in.follows && in.state.holds(State::kAccelerate);
     const Duty part = follows ? duty_ >> 2 : duty_ >> 5;
     const bool less = pulls_in || (in.leads && in.near);
-    if (in.reached && (pulls_in || follows)) {
+    if ((in.reached && (pulls_in || follows)) || (in.fast && follows)) {
       duty_ = 0;
-    } else if (pulls_in || (follows && in.sure && was_sure_)) {
+    } else if ((pulls_in && !followed_) || (follows && in.sure && was_sure_)) {
       if (in.commutate && (in.lags ? faded_ : less)) {
         // One adder for both directions: the 1 that the complement lacks is carried in from a bit below.
         const UInt<17> change = UInt<17>(in.lags ? part : wrap<Duty>(~part)) << 1 | UInt<17>(!in.lags);
         duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
       }
     } else {
-      duty_ = follows && !in.sure                                    ? in.reset_duty
+      duty_ = pulls_in                                               ? start >> 2
+              : follows && !in.sure                                  ? in.reset_duty
               : in.state.holds(State::kAccelerate)                   ? start
               : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
               : in.state.holds(State::kBrake)                        ? in.brake_duty
                                                                      : Duty(0);
     }
-    was_sure_ = in.sure;
+    was_sure_ = in.sure && !in.fast;
+    followed_ = follows;
     faded_ = faded;
     return out;
   }
@@ -93,6 +97,7 @@ class OpenLoopDuty {
   Duty duty_ = 0;       // u1.15, of the state a clock ago; in kPullIn it fades
   bool faded_ = false;  // it is below the start's
   bool was_sure_ = false;
+  bool followed_ = false;  // a clock ago
 };
 
 }  // namespace steplock

@@ -11,12 +11,13 @@
 // opposite one, which brakes it and turns it round.  Nothing is timed but by the rotor, so inertia does not matter.
 //
 // Two edges in a row the wanted way: the rotor is followed (`sure`); from the next one on `changed` measures the
-// intervals.  `caught`, at a crossing: fast enough for the PLL, and steady.
+// intervals.  `caught`, at a crossing: fast enough for the PLL, before the last interval already, and that was as long as the
+// one before.
 //
-//     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, if the
-//                  rotor is followed, until the expected interval is over by a quarter
+//     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, once
+//                  an interval was measured, until the expected one is over by a quarter
 //     latency      1 clock: outputs are registers
-//     registers    86 bits     multipliers  none
+//     registers    88 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
 
@@ -74,7 +75,7 @@ class RotorFollower {
     const bool ready = good_ && (in.fast || (in.steady && !in.slow));
     const bool caught = crossed && sure && ready;  // the drive goes on
     const bool late = sure && overdue_ && in.quarter;
-    const bool ends = drives() && !caught && (crossed || late || (over && !sure && at_.holds(Stage::kDrive)));
+    const bool ends = drives() && !caught && (crossed || late || (over && !timed_ && at_.holds(Stage::kDrive)));
 
     // A look's three questions, a clock each: what it shows, what that means, and which step follows.  The last one
     // stands first, so that each finds what the clock before left.
@@ -91,7 +92,7 @@ class RotorFollower {
       stands_ = news.stands;
       changes_ = news.changed;
     }
-    if (at_.holds(Stage::kSee)) sight_ = FollowLaw::see(code(), in.step, in.reverse, belief_, in.still);
+    if (at_.holds(Stage::kSee)) sight_ = FollowLaw::see(code(), clear(), in.step, in.reverse, belief_, in.still);
     out_.restart = at_.holds(Stage::kTurn);
     out_.caught = caught;
 
@@ -99,7 +100,8 @@ class RotorFollower {
     count(in, over, ends);
     // The expected interval is over: said once, for a look to be taken.
     overdue_ = !loads && !ends && (overdue_ || in.elapsed);
-    good_ = sure && (in.update ? in.good : good_);
+    good_ = sure && (in.update ? in.good && (in.fast || in.steady) : good_);
+    timed_ = sure && (in.update || timed_);
 
     const auto to = [](Stage stage, bool yes) { return Stages(stage).when(yes); };
     const bool drove = drives();
@@ -151,6 +153,10 @@ class RotorFollower {
   // Eight of fifteen: the upper bit.
   UInt<3> code() const { return UInt<3>(u_.bit(3)) << 2 | UInt<3>(v_.bit(3)) << 1 | UInt<3>(w_.bit(3)); }
 
+  // Fewer than four of fifteen said otherwise.
+  static bool clear(UInt<4> high) { return high.bit(3) == high.bit(2); }
+  bool clear() const { return clear(u_) && clear(v_) && clear(w_); }
+
   void sample(const In& in) {
     if (at_.holds(Stage::kDecay)) {
       u_ = v_ = w_ = 0;
@@ -189,6 +195,7 @@ class RotorFollower {
   bool stands_ = false;     // the next one, for want of news
   bool changes_ = false;    // a rotor that is followed passed an edge
   bool overdue_ = false;  // the expected interval is over
+  bool timed_ = false;    // an interval was measured: there is one to expect
   bool good_ = false;     // the last interval was as long as the one before
   Out out_;
 };

@@ -104,6 +104,7 @@ class StartSequence {
                                        .sure = in.sure,
                                        .leads = in.leads,
                                        .near = !in.slow,
+                                       .fast = in.fast,
                                        .reached = in.reached && follows(in),
                                        .commutate = in.commutate,
                                        .lags = in.lags,

@@ -108,7 +108,7 @@ struct LoopSection {
 };
 
 struct StartSection {
-  Method method = Method::kRamp;
+  Method method = Method::kFollow;
   double kappa_nm = 0, gamma = 4.28;     // Eqs. (19)-(22)
   std::optional<double> xi, k_v, t_a_s;  // Eq. (23)
   std::optional<double> settle_s, reset_s, reset_current_a, start_current_a;

@@ -34,6 +34,7 @@ class RotorFollower {
     std::array<bool, 3> comparator = {};
     bool crossing = false;  // of the driven step
     bool overdue = false;   // the expected interval is over by a quarter
+    bool update = false;    // an interval was measured
     bool ready = false;     // fast enough, and steady
     int step = 0;
     bool reverse = false;
@@ -41,10 +42,11 @@ class RotorFollower {
   void update(double t, const In& in) {
     loaded_.reset();
     changed_ = caught_ = false;
+    timed_ = sure() && (timed_ || in.update);
     if (stage_ == Stage::kDrive) {
       const bool crossed = in.crossing && t >= believes_ && real_;
       caught_ = crossed && sure() && in.ready;
-      const bool over = !sure() && t >= until_;
+      const bool over = !timed_ && t >= until_;
       if (!caught_ && (crossed || over || (sure() && in.overdue))) look_from(t);
     } else if (stage_ == Stage::kLook && t >= until_) {
       for (int k = 0; k < 3; ++k) high_[std::size_t(k)] += in.comparator[std::size_t(k)];
@@ -65,7 +67,7 @@ class RotorFollower {
   bool sure() const { return edges_ >= 2; }
   double next() const {
     if (stage_ == Stage::kLook) return until_;
-    return stage_ == Stage::kDrive && !sure() ? until_ : kNever;
+    return stage_ == Stage::kDrive && !timed_ ? until_ : kNever;
   }
 
  private:
@@ -89,7 +91,9 @@ class RotorFollower {
   void judge(const In& in) {
     std::array<bool, 3> code;
     for (std::size_t k = 0; k < 3; ++k) code[k] = 2 * high_[k] > kSamples;
-    const int sector = sector_of(code), way = in.reverse ? -1 : 1;
+    const bool clear = std::all_of(high_.begin(), high_.end(), [](int n) { return n < 4 || n > kSamples - 4; });
+    const int sector = clear || edges_ > 0 ? sector_of(code) : -1, way = in.reverse ? -1 : 1;
+    const std::array<bool, 3> now_at_rest = clear ? code : std::array<bool, 3>{};
     // The step of a rotor that turns the wanted way, or opposite it.
     const auto step_for = [&](int belief) {
       return (sector + (in.reverse ? 5 : 0) + (belief < 0 ? 3 : 0)) % 6;
@@ -104,7 +108,7 @@ class RotorFollower {
     if (!real_) {
       const bool first = !rest_;
       const bool other = !first && code != *rest_;
-      if (first) rest_ = code;
+      if (first) rest_ = now_at_rest;
       doubt(+1);
       real_ = sector >= 0 && other;
       news = sector >= 0 && (first || other);
@@ -134,7 +138,7 @@ class RotorFollower {
     if (idle_ >= p_.still && !news) {
       doubt(+1);
       real_ = false;
-      rest_ = code;
+      rest_ = now_at_rest;
       idle_ = 0;
       go(in.step + way);
     }
@@ -150,7 +154,7 @@ class RotorFollower {
   bool real_ = false, moved_ = false;
   int belief_ = +1, edges_ = 0, idle_ = 0;
   std::optional<int> loaded_;
-  bool changed_ = false, caught_ = false;
+  bool changed_ = false, caught_ = false, timed_ = false;
 };
 
 }  // namespace steplock::reference

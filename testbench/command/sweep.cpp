@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> files;
-  std::string out, page, shard = "0/1";
+  std::string out, page, judged, shard = "0/1";
   SweepKind kind;
   std::optional<design::DriveKind> drive_kind;
   std::uint64_t runs = 100;
@@ -58,7 +58,19 @@ int conclude(const SweepSetup& setup, const SweepEnd& end, const fs::path& folde
   return passed(present, end.rows) ? kWell : kFailed;
 }
 
-int run_sweep(const Arguments& arguments) {
+std::uint64_t seed_of(const std::string& digest) {
+  constexpr std::size_t kDigits = 12;
+  std::uint64_t seed = 0;
+  const char* const end = digest.data() + std::min(kDigits, digest.size());
+  const auto [at, error] = std::from_chars(digest.data(), end, seed, 16);
+  if (digest.size() < kDigits || error != std::errc() || at != end) {
+    throw BadInput(fmt::format("--seed-from is {}; write a digest of 12 hexadecimal digits or more, such as tools/starts makes", digest));
+  }
+  return seed;
+}
+
+int run_sweep(Arguments arguments) {
+  if (!arguments.judged.empty()) arguments.kind.seed = seed_of(arguments.judged);
   const Shard shard = parse_shard(arguments.shard);
   if (arguments.kind.matrix == Matrix::kDisturb && arguments.kind.outside > 0) {
     throw BadInput("--outside is for starts; leave it out with --matrix disturb");
@@ -73,7 +85,8 @@ int run_sweep(const Arguments& arguments) {
   for (const DriveFile& file : files) {
     if (sinusoidal) check_words(file);
   }
-  const SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
+  SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
+  setup.judged = arguments.judged;
   const fs::path folder = arguments.out.empty() ? fs::path("out/sweep") : fs::path(arguments.out);
   SweepEnd end;
   const auto began = std::chrono::steady_clock::now();
@@ -112,7 +125,10 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
       "sweep", "Simulate many runs, drawn at random from the drives' envelopes, and count.");
   command->add_option("FILE", a->files, "drive files")->required();
   command->add_option("--runs", a->runs, "runs in total (default 100)")->check(CLI::Range(1, 100000000));
-  command->add_option("--seed", a->kind.seed, "of the sweep (default 1)");
+  CLI::Option* const seed = command->add_option("--seed", a->kind.seed, "of the sweep (default 1)");
+  command->add_option("--seed-from", a->judged,
+                      "a digest in hexadecimal, whose first 12 digits are the seed; the page names it (tools/starts)")
+      ->excludes(seed);
   command->add_option("--jobs", a->jobs, "processes (default: as many as cores)")->check(CLI::Range(1, 4096));
   command->add_option("--shard", a->shard, "i/n: only every n-th run, i from 0 to n - 1; see merge");
   command->add_option("--out", a->out, "folder (default out/sweep)");

@@ -4,8 +4,10 @@
 
 namespace steplock {
 
-PaperPage amano2003_page(const design::Settings& drive, const PaperOptions& options) {
+PaperPage amano2003_page(const design::Settings& file, const PaperOptions& options) {
   using namespace amano2003;
+  design::Settings drive = file;
+  drive.start.method = design::Method::kRamp;  // the paper's
   PaperPage page{
       .name = "amano2003",
       .title = "Amano et al. 2003, side by side",

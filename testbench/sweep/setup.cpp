@@ -55,7 +55,8 @@ SweepSetup sweep_setup(const SweepKind& kind, std::uint64_t runs, const std::vec
       throw BadInput(fmt::format("{}:1: drive.kind is another than that of {}; sweep each kind by itself",
                                  file.path, files.front().path));
     }
-    setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight});
+    const bool six_step = setup.drive_kind == design::DriveKind::kSixStep;
+    setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight, six_step ? file.settings.sensors.limit_a : 0});
   }
   return setup;
 }
@@ -85,6 +86,7 @@ std::string setup_text(const SweepSetup& s) {
   Json j;
   const bool sinusoidal = s.drive_kind == design::DriveKind::kSinusoidal;
   if (sinusoidal) j["drive_kind"] = "sinusoidal";  // what says nothing is of six-step drives
+  if (!s.judged.empty()) j["judged"] = s.judged;
   j["seed"] = s.kind.seed;
   j["matrix"] = s.kind.matrix == Matrix::kDisturb ? "disturb" : "start";
   j["outside"] = s.kind.outside;
@@ -92,6 +94,7 @@ std::string setup_text(const SweepSetup& s) {
   j["runs"] = s.runs;
   for (const SweepDrive& d : s.drives) {
     j["drives"].push_back({{"name", d.name}, {"fingerprint", d.fingerprint}, {"weight", d.weight}});
+    if (d.limit_a > 0) j["drives"].back()["limit_a"] = d.limit_a;
   }
   return j.dump(2) + "\n";
 }
@@ -107,9 +110,10 @@ SweepSetup read_setup(const std::string& path) {
               .outside = j.at("outside"),
               .rtl = j.at("rtl")};
     if (j.value("drive_kind", "six_step") == "sinusoidal") s.drive_kind = design::DriveKind::kSinusoidal;
+    s.judged = j.value("judged", "");
     s.runs = j.at("runs");
     for (const Json& d : j.at("drives")) {
-      s.drives.push_back({d.at("name"), d.at("fingerprint"), d.at("weight")});
+      s.drives.push_back({d.at("name"), d.at("fingerprint"), d.at("weight"), d.value("limit_a", 0.0)});
     }
     return s;
   } catch (const Json::exception& e) {

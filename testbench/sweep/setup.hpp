@@ -25,6 +25,7 @@ struct SweepDrive {
   std::string name;         // the file's, without folder and ending
   std::string fingerprint;
   double weight = 1;
+  double limit_a = 0;       // its current limit, of which peaks are a part; 0: it has none
 };
 
 struct SweepSetup {
@@ -32,6 +33,7 @@ struct SweepSetup {
   design::DriveKind drive_kind = design::DriveKind::kSixStep;  // of all the drives
   std::uint64_t runs = 0;
   std::vector<SweepDrive> drives;
+  std::string judged = "";  // the digest that the seed follows from (tools/starts), if it does
 };
 
 // Throws BadInput if two files have the same name, or are of two kinds of drive.

@@ -12,6 +12,11 @@ const char* name_of(Outcome o) {
   return kNames[static_cast<int>(o)];
 }
 
+const char* name_of(Cause c) {
+  constexpr const char* kNames[] = {"lock_lost", "outrun", "not_pulled_in", "wrong_way", "too_weak", "not_followed"};
+  return kNames[static_cast<int>(c)];
+}
+
 double WitnessSettings::electrical_turn_s() const { return 60 / (std::abs(set_rpm) * pole_pairs); }
 
 void StartJudge::look(const plant::State& s) {
@@ -20,9 +25,11 @@ void StartJudge::look(const plant::State& s) {
   }
   if (!first_angle_) {
     first_angle_ = s.electrical_angle;
-    if (settings_.at_rest) findings_.kick_deg = 0;
+    if (settings_.at_rest) findings_.kick_deg = findings_.peak_speed = 0;
   }
   if (!findings_.kick_deg) return;
+  const double turned = rpm(s.speed) * way() / std::abs(settings_.set_rpm);
+  findings_.peak_speed = std::max(*findings_.peak_speed, turned);
   const double back = (*first_angle_ - s.electrical_angle) * way();
   findings_.kick_deg = std::max(*findings_.kick_deg, degrees(back));
 }
@@ -33,6 +40,17 @@ void StartJudge::failed(bool claimed_lock, bool for_good, double time) {
   if (!for_good) return;
   findings_.outcome = Outcome::kLatched;
   findings_.end_s = time;
+}
+
+void StartJudge::caused(const plant::State& s, bool claimed_lock, bool pulled_in, double drive_rpm) {
+  const double rotor = rpm(s.speed) * way(), slow = kSlow * std::abs(settings_.set_rpm);
+  const Cause cause = claimed_lock                           ? Cause::kLockLost
+                      : pulled_in && rotor < drive_rpm / 2   ? Cause::kOutrun
+                      : pulled_in                            ? Cause::kNotPulledIn
+                      : rotor < -slow                        ? Cause::kWrongWay
+                      : rotor < slow                         ? Cause::kTooWeak
+                                                             : Cause::kNotFollowed;
+  findings_.causes += (findings_.causes.empty() ? "" : "+") + std::string(name_of(cause));
 }
 
 void StartJudge::claims(bool lock, double time) {

@@ -8,6 +8,15 @@
 //                      and kNoticeTime later the drive still claims that lock
 //     unfinished       none of these when the time was over
 //
+// A try that failed has a cause, told from the rotor's true motion when it was given up:
+//
+//     lock_lost        after a claim of lock
+//     outrun           while pulling in: the rotor turns at less than half the VCO's speed
+//     not_pulled_in    while pulling in, otherwise
+//     wrong_way        before that: it turns the other way
+//     too_weak         before that: it stands, or turns at less than kSlow of the set speed
+//     not_followed     before that, otherwise: it turns, and the drive did not see how
+//
 // What a slip is, the witness of each kind says.  One that the drive notices ends the try, not the run:
 // it may start again.
 //
@@ -16,6 +25,7 @@
 
 #include <deque>
 #include <optional>
+#include <string>
 
 #include "model/plant/plant.hpp"
 #include "testbench/engine/watch.hpp"
@@ -25,6 +35,10 @@ namespace steplock {
 
 enum class Outcome { kStarted, kLatched, kSilentStepOut, kUnfinished };
 const char* name_of(Outcome);
+
+enum class Cause { kLockLost, kOutrun, kNotPulledIn, kWrongWay, kTooWeak, kNotFollowed };
+inline constexpr int kCauses = 6;
+const char* name_of(Cause);
 
 struct WitnessSettings {
   double run_s = 0;             // when `run` rises
@@ -44,6 +58,8 @@ struct Findings {
   std::optional<double> speed_time_s;  // from `run` to set speed
   std::optional<double> kick_deg;      // electrical, backwards, from where the rotor stood
   double peak_current_a = 0;
+  std::optional<double> peak_speed;    // of a rotor that stood: its highest, over the set speed
+  std::string causes;                  // of each failed try, with + between them
   int retries = 0;                     // failed tries
   int lost_locks = 0;                  // of them, after a claim of lock
   std::uint64_t slips = 0;             // six-step: steps; sinusoidal: times that the angle was lost
@@ -53,14 +69,16 @@ struct Findings {
 class StartJudge {
  public:
   static constexpr double kHeldTurns = 24, kAtSpeed = 0.03, kNoticeTime = 0.5,
-                          kOtherSpeed = 0.25, kStandStill = 0.01;
+                          kOtherSpeed = 0.25, kStandStill = 0.01, kSlow = 0.02;
   static constexpr std::size_t kAtSpeedTurns = 6;
 
   explicit StartJudge(const WitnessSettings& settings) : settings_(settings) {}
 
   // At every gate edge, where the current of a chopped motor has its peaks.
   void look(const plant::State&);
-  void failed(bool claimed_lock, bool for_good, double time);  // a try; its reason is the caller's
+  // A try; its reason is the caller's.  `pulled_in`: it was given up while pulling in.
+  void failed(bool claimed_lock, bool for_good, double time);
+  void caused(const plant::State&, bool claimed_lock, bool pulled_in, double drive_rpm);
   void claims(bool lock, double time);                         // from now on
   void slipped(std::uint64_t in_total, double time);
   // Once per electrical turn of set speed, from next_look() on.  `drive_rpm`: what the drive takes for

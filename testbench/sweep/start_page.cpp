@@ -8,28 +8,100 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string three(const Json& s) {
-  if (s["min"].is_null()) return "-";
-  return fmt::format("{:.3g} / {:.3g} / {:.3g}", s["min"].get<double>(), s["median"].get<double>(),
-                     s["max"].get<double>());
+std::string spread(const Json& s, const std::vector<const char*>& parts) {
+  std::string t;
+  for (const char* part : parts) {
+    const std::string value = s[part].is_null() ? "-" : fmt::format("{:.3g}", s[part].get<double>());
+    t += (t.empty() ? "" : " / ") + value;
+  }
+  return t;
 }
 
-std::string line(const std::string& name, const Json& part, const Json& spreads) {
-  std::string t = "| " + name;
-  for (const char* key : {"runs", "started", "started_after_retries", "latched", "silent_step_outs", "unfinished"}) {
+std::string percent(double share, int digits = 2) { return fmt::format("{:.{}f} %", 100 * share, digits); }
+
+double first_share(const Json& part) {
+  return part["runs"] == 0 ? 0 : part["first_try"].get<double>() / part["runs"].get<double>();
+}
+
+std::string outcomes_line(const std::string& name, const Json& part) {
+  std::string t = fmt::format("| {} | {} | {} | {} | {}", name, part["runs"].get<int>(), part["started"].get<int>(),
+                              percent(first_share(part)), percent(part["first_try_at_least"].get<double>()));
+  for (const char* key : {"started_after_retries", "latched", "silent_step_outs", "unfinished"}) {
     t += fmt::format(" | {}", part[key].get<int>());
   }
-  for (const char* key : {"lock_time_s", "speed_time_s", "kick_deg", "peak_current_a"}) {
-    t += " | " + three(spreads[key]);
+  return t + fmt::format(" | {} |\n", percent(part["lost_at_most"].get<double>(), 3));
+}
+
+std::string spreads_line(const std::string& name, const Json& s, bool six_step) {
+  std::string t = fmt::format("| {} | {} | {} | {}", name, spread(s["lock_time_s"], {"min", "median", "p99", "max"}),
+                              spread(s["speed_time_s"], {"min", "median", "max"}),
+                              spread(s["kick_deg"], {"median", "p90", "p99", "max"}));
+  t += " | " + spread(s["peak_current_a"], {"median", "max"});
+  if (six_step) {
+    t += " | " + spread(s["peak_over_limit"], {"median", "p99", "max"}) + " | " + spread(s["peak_speed"], {"median", "p99", "max"});
   }
   return t + " |\n";
 }
 
+std::string causes_table(const Json& j) {
+  std::string t = "## Failed tries\n\nWhat the rotor did when a try was given up ([how it is told](sweep.md#a-run)).\n\n| drive ";
+  std::string rule = "|---";
+  for (const auto& [cause, n] : j["inside"]["causes"].items()) t += "| " + cause + " ", rule += "|---:";
+  t += "|\n" + rule + "|\n";
+  const auto line = [&](const std::string& name, const Json& causes) {
+    t += "| " + name + " ";
+    for (const auto& [cause, n] : causes.items()) t += fmt::format("| {} ", n.get<int>());
+    t += "|\n";
+  };
+  for (const auto& [name, part] : j["per_drive"].items()) line(name, part["causes"]);
+  line("all", j["inside"]["causes"]);
+  return t + "\n";
+}
+
+// What a start should be, and what it is.
+std::string goals(const Json& j) {
+  std::string t = "## Goals\n\n| what | goal | measured | met |\n|---|---|---|---|\n";
+  const auto row = [&](const char* what, const char* goal, const std::string& measured, bool met) {
+    t += fmt::format("| {} | {} | {} | {} |\n", what, goal, measured, met ? "yes" : "no");
+  };
+  const auto below = [&](const char* what, const char* key, const char* part, double bound) {
+    if (j[key][part].is_null()) return;
+    const double x = j[key][part].get<double>();
+    t += fmt::format("| {} | at most {:g} | {:.3g} | {} |\n", what, bound, x, x <= bound ? "yes" : "no");
+  };
+  const Json& inside = j["inside"];
+  double least = 1;
+  std::string worst;
+  for (const auto& [name, part] : j["per_drive"].items()) {
+    if (part["runs"] != 0 && first_share(part) <= least) least = first_share(part), worst = name;
+  }
+  const double lost_bound = inside["lost_at_most"].get<double>();
+  row("started at the first try", "at least 99.5 %", percent(first_share(inside)), first_share(inside) >= 0.995);
+  row("the drive with the fewest", "at least 98.5 %", percent(least) + ", " + worst, least >= 0.985);
+  row("lost", "none, 95 % bound below 0.03 %",
+      fmt::format("{}, below {}", inside["runs"].get<int>() - inside["started"].get<int>(), percent(lost_bound, 3)),
+      inside["runs"] == inside["started"] && lost_bound < 0.0003);
+  below("peak current over the limit, highest", "peak_over_limit", "max", 1.15);
+  below("time to lock, s: median", "lock_time_s", "median", 0.2);
+  below("time to lock, s: 99 %", "lock_time_s", "p99", 2);
+  below("time to lock, s: longest", "lock_time_s", "max", 5);
+  below("kick backwards, electrical degrees: 90 %", "kick_deg", "p90", 150);
+  below("kick backwards, electrical degrees: 99 %", "kick_deg", "p99", 360);
+  below("speed from rest over the set speed, highest", "peak_speed", "max", 1.1);
+  return t + "\n";
+}
+
 std::string six_step_head(const SweepSetup& setup, const std::string& outside) {
+  const std::string seed = setup.judged.empty() ? fmt::format("--seed {}", setup.kind.seed)
+                                                : "--seed-from " + setup.judged.substr(0, 16);
   std::string t = fmt::format(
-      "# Starts\n\nPrinted by `steplock sweep drives/*.toml --runs {} --seed {}{} --page docs/starts.md`; the test "
+      "# Starts\n\nPrinted by `steplock sweep drives/*.toml --runs {} {}{} --page docs/starts.md`; the test "
       "`all_of_300_drawn_starts_succeed_and_rtl_agrees` repeats its first runs and fails when they are not the page's.\n\n",
-      setup.runs, setup.kind.seed, outside);
+      setup.runs, seed, outside);
+  if (!setup.judged.empty()) {
+    t += fmt::format("Nobody chose the seed, {}: it follows from a digest of what is judged ([blocks, design, drive files and "
+                     "judge](sweep.md#the-published-page)), so that nothing was tuned on these motors.\n\n", setup.kind.seed);
+  }
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
        "resistance, inductance, flux, comparators, and whether the rotor turns already, either way. The drive's words stay "
        "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, "
@@ -62,17 +134,26 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   std::string t = sinusoidal ? sinusoidal_head(setup, outside) : six_step_head(setup, outside);
   t += fmt::format("{} runs; engine `fixed`, {} runs repeated on the RTL, {} of them differ on any clock.\n\n", rows.size(),
                    j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
-  t += "Times from `run`, kicks backwards from rest in electrical degrees, peaks of any phase; each as min / median / max.\n\n"
-       "| drive | runs | started | after retries | latched | silent | unfinished | lock, s | set speed, s | kick, deg | peak, A |\n"
-       "|---|---:|---:|---:|---:|---:|---:|---|---|---|---|\n";
-  for (const auto& [name, part] : j["per_drive"].items()) t += line(name, part, part);
-  t += line("all, inside the envelope", j["inside"], j);
+  t += "*At least* and *lost at most* are exact binomial bounds with 95 % confidence.\n\n"
+       "| drive | runs | started | first try | at least | after retries | latched | silent | unfinished | lost at most |\n"
+       "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  for (const auto& [name, part] : j["per_drive"].items()) t += outcomes_line(name, part);
+  t += outcomes_line("all, inside the envelope", j["inside"]);
   if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
     t += fmt::format("\nOutside the envelope: {} runs, {} started, {} latched, {} silent, {} unfinished.\n", o["runs"].get<int>(),
                      o["started"].get<int>(), o["latched"].get<int>(), o["silent_step_outs"].get<int>(),
                      o["unfinished"].get<int>());
   }
-  t += fmt::format("\n![Time to lock](figures/{0}_lock_time.svg)\n\n![Peak current](figures/{0}_peak_current.svg)\n",
+  t += fmt::format("\nTimes from `run`, kicks backwards from rest in electrical degrees, peaks of any phase{}.\n\n"
+                   "| drive | lock, s: min / median / 99 % / max | set speed, s: min / median / max | kick: median / 90 % / 99 % / max "
+                   "| peak, A: median / max |{}\n|---|---|---|---|---|{}\n",
+                   sinusoidal ? "" : ", also over the current limit; the highest speed of a rotor that stood, over the set speed",
+                   sinusoidal ? "" : " peak over limit: median / 99 % / max | speed: median / 99 % / max |",
+                   sinusoidal ? "" : "---|---|");
+  for (const auto& [name, part] : j["per_drive"].items()) t += spreads_line(name, part, !sinusoidal);
+  t += spreads_line("all, inside the envelope", j, !sinusoidal) + "\n";
+  if (!sinusoidal) t += goals(j) + causes_table(j);
+  t += fmt::format("![Time to lock](figures/{0}_lock_time.svg)\n\n![Peak current](figures/{0}_peak_current.svg)\n",
                    sinusoidal ? "sinusoidal_starts" : "starts");
   const auto failed = failures(rows);
   if (failed.empty()) return t;

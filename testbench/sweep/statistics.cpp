@@ -1,6 +1,7 @@
 #include "testbench/sweep/statistics.hpp"
 
 #include "testbench/sweep/disturbance_statistics.hpp"
+#include "testbench/sweep/share.hpp"
 
 #include <fmt/format.h>
 
@@ -48,12 +49,52 @@ std::optional<double> if_started(const Row& r, const std::optional<double>& x) {
   return r.findings.outcome == Outcome::kStarted ? x : std::nullopt;
 }
 
-void add_spreads(Json& j, const Rows& rows) {
+double limit_of(const SweepSetup& setup, const Row& r) {
+  const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
+  return d == setup.drives.end() ? 0 : d->limit_a;
+}
+
+std::size_t first_try(const Rows& rows) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      rows, [](const Row* r) { return r->findings.outcome == Outcome::kStarted && r->findings.retries == 0; }));
+}
+
+// Of all failed tries.
+Json causes(const Rows& rows) {
+  Json j = Json::object();
+  for (int k = 0; k < kCauses; ++k) {
+    const std::string name = name_of(static_cast<Cause>(k));
+    std::size_t n = 0;
+    for (const Row* r : rows) {
+      const std::string all = "+" + r->findings.causes + "+";
+      for (std::size_t at = 0; (at = all.find("+" + name + "+", at)) != all.npos; ++at) ++n;
+    }
+    j[name] = n;
+  }
+  return j;
+}
+
+void add_starts(Json& j, const SweepSetup& setup, const Rows& rows) {
+  const std::size_t first = first_try(rows), lost = rows.size() - count(rows, Outcome::kStarted);
+  j["started_after_retries"] = count(rows, Outcome::kStarted) - first;
+  j["first_try"] = first;
+  j["first_try_at_least"] = share_at_least(first, rows.size());
+  j["lost_at_most"] = share_at_most(lost, rows.size());
+  if (setup.drive_kind == design::DriveKind::kSixStep) j["causes"] = causes(rows);
+}
+
+void add_spreads(Json& j, const SweepSetup& setup, const Rows& rows) {
   j["lock_time_s"] = spread_of(rows, [](const Row& r) { return if_started(r, r.findings.lock_time_s); });
   j["speed_time_s"] = spread_of(rows, [](const Row& r) { return if_started(r, r.findings.speed_time_s); });
   j["peak_current_a"] =
       spread_of(rows, [](const Row& r) { return std::optional(r.findings.peak_current_a); });
   j["kick_deg"] = spread_of(rows, [](const Row& r) { return r.findings.kick_deg; });
+  if (setup.drive_kind != design::DriveKind::kSixStep) return;
+  j["peak_speed"] = spread_of(rows, [](const Row& r) { return r.findings.peak_speed; });
+  j["peak_over_limit"] = spread_of(rows, [&](const Row& r) {
+    const double limit = limit_of(setup, r);
+    return limit > 0 ? std::optional(r.findings.peak_current_a / limit) : std::nullopt;
+  });
 }
 
 Rows select(const std::vector<Row>& rows, const std::function<bool(const Row&)>& wanted) {
@@ -62,11 +103,6 @@ Rows select(const std::vector<Row>& rows, const std::function<bool(const Row&)>&
     if (wanted(r)) some.push_back(&r);
   }
   return some;
-}
-
-std::size_t with_retries(const Rows& rows) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      rows, [](const Row* r) { return r->findings.outcome == Outcome::kStarted && r->findings.retries > 0; }));
 }
 
 }  // namespace
@@ -108,17 +144,17 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
   j["outside_envelope"] = outside.size();
   j["passed"] = passed(setup, rows);
   j["inside"] = outcomes(inside);
-  j["inside"]["started_after_retries"] = with_retries(inside);
+  add_starts(j["inside"], setup, inside);
   j["outside_of_envelope"] = outcomes(outside);
-  add_spreads(j, inside);
+  add_spreads(j, setup, inside);
   j["rtl_repeats"] = on_rtl.size();
   j["rtl_differing"] = std::ranges::count_if(on_rtl, [](const Row* r) { return r->rtl != "equal"; });
   j["per_drive"] = Json::object();
   for (const SweepDrive& d : setup.drives) {
     const Rows mine = select(rows, [&](const Row& r) { return !r.outside && r.drive == d.name; });
     Json& part = j["per_drive"][d.name] = outcomes(mine);
-    part["started_after_retries"] = with_retries(mine);
-    add_spreads(part, mine);
+    add_starts(part, setup, mine);
+    add_spreads(part, setup, mine);
   }
   j["failures"] = Json::array();
   for (const Row* r : failures(rows)) {

@@ -18,7 +18,7 @@ Witness::Witness(const WitnessSettings& settings, Recorder* recorder)
 void Witness::changed(const plant::State& s, Watch was, Watch now, const DriveView& view,
                       double load_nm) {
   start_.look(s);
-  if (now.state() != was.state()) entered(was.state(), now.state(), now.reason(), s.time);
+  if (now.state() != was.state()) entered(s, was.state(), now, view);
   if (!claims_lock(now.state())) judge_.released();
   if (now.step() != was.step() && claims_lock(now.state())) {
     judge_.commutated(s.electrical_angle, was.step(), now.step());
@@ -43,12 +43,14 @@ void Witness::pins_changed(double time, const plant::Pins& pins) {
   if (recorder_) recorder_->pins_changed(time, pins);
 }
 
-void Witness::entered(State was, State is, Reason reason, double time) {
+void Witness::entered(const plant::State& s, State was, Watch now, const DriveView& view) {
+  const State is = now.state();
   if (is == State::kRest || is == State::kFault) {
-    start_.failed(claims_lock(was), is == State::kFault, time);
-    start_.findings().reason = reason;
+    start_.failed(claims_lock(was), is == State::kFault, s.time);
+    start_.caused(s, claims_lock(was), was == State::kPullIn, rpm_of_steps(view.steps_per_second, pole_pairs_));
+    start_.findings().reason = now.reason();
   }
-  if (claims_lock(is) != claims_lock(was)) start_.claims(claims_lock(is), time);
+  if (claims_lock(is) != claims_lock(was)) start_.claims(claims_lock(is), s.time);
 }
 
 }  // namespace steplock

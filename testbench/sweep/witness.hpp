@@ -28,7 +28,7 @@ class Witness {
   const Findings& findings() const { return start_.findings(); }
 
  private:
-  void entered(State was, State is, Reason, double time);
+  void entered(const plant::State&, State was, Watch now, const DriveView&);
 
   int pole_pairs_;
   Recorder* recorder_;

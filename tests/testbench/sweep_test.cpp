@@ -195,7 +195,10 @@ TEST(SweepStatistics, AreMinMedianMaxOfWhatStartedInside) {
   rows[3].findings.outcome = Outcome::kLatched;
   SweepSetup setup;
   setup.runs = 4;
-  setup.drives = {{"a", "", 1}};
+  setup.drives = {{"a", "", 1, 20}};
+  rows[0].findings.retries = 2;
+  rows[0].findings.causes = "outrun+outrun";
+  rows[3].findings.causes = "lock_lost";
   auto j = sweep_json(setup, rows);
   EXPECT_EQ(j["runs"], 4);
   EXPECT_EQ(j["started"], 3);
@@ -204,6 +207,12 @@ TEST(SweepStatistics, AreMinMedianMaxOfWhatStartedInside) {
   EXPECT_EQ(j["lock_time_s"]["median"], 2);
   EXPECT_EQ(j["lock_time_s"]["max"], 3);
   EXPECT_EQ(j["peak_current_a"]["median"], 25);
+  EXPECT_EQ(j["peak_over_limit"]["max"], 2);
+  EXPECT_EQ(j["inside"]["first_try"], 2);
+  EXPECT_EQ(j["inside"]["started_after_retries"], 1);
+  EXPECT_EQ(j["inside"]["causes"]["outrun"], 2);
+  EXPECT_EQ(j["inside"]["causes"]["lock_lost"], 1);
+  EXPECT_EQ(j["inside"]["causes"]["too_weak"], 0);
   EXPECT_FALSE(passed(setup, rows));
   rows[3].outside = true;
   EXPECT_TRUE(passed(setup, rows)) << "outside, a latched fault is as it must be";

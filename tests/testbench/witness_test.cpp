@@ -42,12 +42,16 @@ class Story {
     }
   }
   void current(double amps) { state_.current = {amps, -amps, 0}; }
+  void speed(double rad_per_s) {
+    state_.speed = rad_per_s;
+    witness_.changed(state_, was_, was_, view_, 0);
+  }
   void turn_back(double deg) { state_.electrical_angle -= deg * kPi / 180; }
   const Findings& findings() const { return witness_.findings(); }
 
  private:
   void change(Watch now) {
-    witness_.changed(state_, was_, now, {}, 0);
+    witness_.changed(state_, was_, now, view_, 0);
     was_ = now;
   }
   Witness witness_;
@@ -140,6 +144,36 @@ TEST(Witness, TheKickIsTheFarthestWayBackFromRest) {
   Story spinning(false);
   spinning.step(3, -60);
   EXPECT_FALSE(spinning.findings().kick_deg);
+}
+
+// 600 r/min are 62.8 rad/s, and as many in electrical terms: 60 steps a second.
+TEST(Witness, EachFailedTryHasTheCauseThatTheRotorsMotionTells) {
+  const auto cause = [](double rad_per_s, State state) {
+    Story story;
+    story.enter(state);
+    story.speed(rad_per_s);
+    story.enter(State::kRest, Reason::kNoLock);
+    return story.findings().causes;
+  };
+  EXPECT_EQ(cause(62.8, State::kRun), "lock_lost");
+  EXPECT_EQ(cause(31.3, State::kPullIn), "outrun");
+  EXPECT_EQ(cause(31.5, State::kPullIn), "not_pulled_in");
+  EXPECT_EQ(cause(-1.3, State::kAccelerate), "wrong_way");
+  EXPECT_EQ(cause(-1.2, State::kAccelerate), "too_weak");
+  EXPECT_EQ(cause(1.2, State::kAccelerate), "too_weak");
+  EXPECT_EQ(cause(1.3, State::kAccelerate), "not_followed");
+  Story story;
+  for (const State state : {State::kPullIn, State::kRest, State::kAccelerate, State::kFault}) story.enter(state);
+  EXPECT_EQ(story.findings().causes, "outrun+too_weak");
+}
+
+TEST(Witness, TheHighestSpeedIsThatOfARotorThatStood) {
+  Story story;
+  for (const double rad_per_s : {0.0, 62.83185307, 94.24777961, -200.0, 30.0}) story.speed(rad_per_s);
+  EXPECT_NEAR(*story.findings().peak_speed, 1.5, 1e-9);
+  Story spinning(false);
+  spinning.speed(60);
+  EXPECT_FALSE(spinning.findings().peak_speed);
 }
 
 TEST(Witness, ThePeakIsTheLargestOfAnyPhaseEitherWay) {
