@@ -4,6 +4,7 @@
 //     kAccelerate        start_duty        likewise
 //       following        reset_duty until the rotor is followed, then start_duty: see below
 //     kPullIn            start_duty, which fades by 1/32 per step
+//       following        1/8 of start_duty, until speed control takes over
 //     kBrake             brake_duty
 //     all others         0
 //
@@ -13,8 +14,7 @@
 //
 // Following, a rotor that is near hand-over and whose step was shorter than the last one by 1/8 gets a quarter less, so
 // that it arrives hardly accelerating; one whose step was longer gets a quarter more, from below the start's.  At hand-over's
-// frequency it gets nothing above its back-EMF: what is measured then is a speed that lasts; so does one that has the set speed
-// while pulling in.
+// frequency it gets nothing above its back-EMF: what is measured then is a speed that lasts.
 //
 //     latency      1 clock from state to duty
 //     registers    18 bits     multipliers  none
@@ -33,12 +33,11 @@ class OpenLoopDuty {
   struct In {
     States state = State::kIdle;
     bool strong = false;     // two tries failed
-    bool follows = false;    // kAccelerate follows the rotor
+    bool follows = false;    // the start follows the rotor
     bool sure = false;       // and has it
     bool leads = false;      // which was faster by 1/8 than a step before
     bool near = false;       // and is near hand-over
     bool fast = false;       // and has hand-over's frequency
-    bool reached = false;    // the VCO has the set speed, or more
     bool commutate = false;  // strobe: a new step began
     bool lags = false;       // the last error was negative: the rotor lags the VCO
     Duty reset_duty = 0;     // u1.15
@@ -60,16 +59,16 @@ class OpenLoopDuty {
     const bool follows = in.follows && in.state.holds(State::kAccelerate);
     const Duty part = follows ? duty_ >> 2 : duty_ >> 5;
     const bool less = pulls_in || (in.leads && in.near);
-    if ((in.reached && (pulls_in || follows)) || (in.fast && follows)) {
+    if (in.fast && follows) {
       duty_ = 0;
-    } else if ((pulls_in && !followed_) || (follows && in.sure && was_sure_)) {
+    } else if ((pulls_in && !in.follows) || (follows && in.sure && was_sure_)) {
       if (in.commutate && (in.lags ? faded_ : less)) {
         // One adder for both directions: the 1 that the complement lacks is carried in from a bit below.
         const UInt<17> change = UInt<17>(in.lags ? part : wrap<Duty>(~part)) << 1 | UInt<17>(!in.lags);
         duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
       }
     } else {
-      duty_ = pulls_in                                               ? start >> 2
+      duty_ = pulls_in                                               ? start >> 3
               : follows && !in.sure                                  ? in.reset_duty
               : in.state.holds(State::kAccelerate)                   ? start
               : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
@@ -77,7 +76,6 @@ class OpenLoopDuty {
                                                                      : Duty(0);
     }
     was_sure_ = in.sure && !in.fast;
-    followed_ = follows;
     faded_ = faded;
     return out;
   }
@@ -97,7 +95,6 @@ class OpenLoopDuty {
   Duty duty_ = 0;       // u1.15, of the state a clock ago; in kPullIn it fades
   bool faded_ = false;  // it is below the start's
   bool was_sure_ = false;
-  bool followed_ = false;  // a clock ago
 };
 
 }  // namespace steplock

@@ -126,7 +126,6 @@ class SixStepTop {
                                     .sure = rotor.sure,
                                     .leads = leads_,
                                     .slow = slow_,
-                                    .reached = reached_,
                                     .at = divided_.step,
                                     .lost = lost_,
                                     .fatal = fatal_,
@@ -257,7 +256,6 @@ class SixStepTop {
     lags_ = detector.error.negative();
     leads_ = detector.error >= kLead;
     slow_ = filter.slow;
-    reached_ = speed.reached;
     follow_ = start.follow;
     steady_ = start.steady;
     reverse_ = start.reverse;
@@ -321,7 +319,6 @@ class SixStepTop {
   bool lags_ = false;
   bool leads_ = false;
   bool slow_ = false;
-  bool reached_ = false;
   bool follow_ = false;
   bool steady_ = false;
   bool reverse_ = false;

@@ -53,11 +53,10 @@ class SpeedControl {
     Duty duty = 0;         // u1.15
     Clocks on_clocks = 0;  // clocks of on-time per period
     bool slips = false;    // in speed control: more than slip above what the speed takes
-    bool reached = false;  // the reference (outside speed control: the frequency) is not below the target
   };
 
   Out tick(const In& in) {
-    const Out out{.duty = duty_, .on_clocks = on_clocks_, .slips = slips_, .reached = falls_};
+    const Out out{.duty = duty_, .on_clocks = on_clocks_, .slips = slips_};
     const bool control = control_;
     const bool of_duty = at_.holds(Stage::kOnClocks);
     const bool multiplies = of_error_ || of_duty || at_.holds(Stage::kBemf);

@@ -59,7 +59,6 @@ class StartSequence {
     bool sure = false;                // it has the rotor
     bool leads = false;               // the last error was 1/8 or more: that step was short
     bool slow = false;                // the VCO's frequency is below stall
-    bool reached = false;             // it is the set speed's, or more
     Step at = 0;                      // the present step
     bool lost = false;                // protection: give up this try
     bool fatal = false;               // protection: latch
@@ -105,7 +104,6 @@ class StartSequence {
                                        .leads = in.leads,
                                        .near = !in.slow,
                                        .fast = in.fast,
-                                       .reached = in.reached && follows(in),
                                        .commutate = in.commutate,
                                        .lags = in.lags,
                                        .reset_duty = in.words.reset_duty,
@@ -134,10 +132,10 @@ class StartSequence {
     boosts_ = next.holds_one_of(State::kAccelerate, State::kPullIn);
     drives_ = next.holds_one_of(State::kAccelerate, State::kPullIn, State::kRun, State::kSlowDown);
     enables_ = drives_ || next.holds_one_of(State::kBrake, State::kSettle, State::kReset);
-    // One tick later than the duty that is left is the back-EMF's alone.
-    if (in.tick) holds_ = in.reached && reached_was_;
-    if (in.tick) reached_was_ = in.reached && follows(in);
-    if (!at_.holds(State::kPullIn)) holds_ = false;
+    // A tick later than the duty of the pulling in, which the integral then has.
+    if (in.tick) holds_ = boosted_;
+    if (in.tick) boosted_ = follows(in);
+    if (!at_.holds(State::kPullIn)) holds_ = boosted_ = false;
     const bool hall = in.source == Source::kHall;
     const bool runs = next.holds_one_of(State::kRun, State::kSlowDown);
     sectors_ = next.holds(State::kObserve) || (runs && hall) ||
@@ -278,7 +276,7 @@ class StartSequence {
                : tracks_                                          ? Loop::kTrack
                : at_.holds(State::kAccelerate) && !follows_rotor ? Loop::kRamp
                                                                   : Loop::kStop;
-    // A rotor that follows and has the set speed is held there, locked or not: what brought it up would bring it past.
+    // A rotor that was followed has a speed that is known and lasts: it is controlled, locked or not.
     out.mode = out.running || holds_  ? SpeedMode::kControl
                : observes || boosts_ ? SpeedMode::kAboveBemf
                                      : SpeedMode::kFixed;
@@ -302,8 +300,8 @@ class StartSequence {
   bool boosts_ = false;         // one of those whose duty comes above the back-EMF's
   bool sectors_ = false;        // a state in which the loop follows sectors: of a follower from its second clock on, after
                                 // one in which all that was measured before is forgotten
-  bool holds_ = false;          // while pulling in: speed control holds the set speed
-  bool reached_was_ = false;    // a tick ago
+  bool holds_ = false;          // while pulling in: speed control has the duty
+  bool boosted_ = false;        // while pulling in: a tick has passed
   bool tracks_ = false;         // or the crossings
   bool entered_ = false;        // this is the first clock of the state
   bool braking_ = false;        // a braking interval begins
