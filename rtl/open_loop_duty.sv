@@ -6,11 +6,9 @@ module open_loop_duty (
     input  logic        rst,  // synchronous, active high
     input  logic [10:0] state_bits_i,
     input  logic        strong_i,  // two tries failed
-    input  logic        follows_i,  // kAccelerate follows the rotor
+    input  logic        follows_i,  // the start follows the rotor
     input  logic        sure_i,  // and has it
-    input  logic        leads_i,  // which was faster by 1/8 than a step before
-    input  logic        near_i,  // and is near hand-over
-    input  logic        reached_i,  // the VCO has the set speed, or more
+    input  logic        fast_i,  // and has the frequency of hand-over
     input  logic        commutate_i,  // strobe: a new step began
     input  logic        lags_i,  // the last error was negative: the rotor lags the VCO
     input  logic [15:0] reset_duty_i,  // u1.15
@@ -20,51 +18,49 @@ module open_loop_duty (
 );
   logic [15:0] duty;  // u1.15, of the state a clock ago; in kPullIn it fades
   logic faded;  // it is below the start's
-  logic was_sure;
 
-  wire follows = follows_i && state_bits_i[5];
-  wire [15:0] part = duty >> (follows ? 3'd2 : 3'd5);
-  wire lags_inverse = !lags_i;  // line 66
-  wire [16:0] change = {part ^ {16{lags_inverse}}, 1'b0} | {16'd0, lags_inverse};
-  wire [16:0] duty_next_sum = {duty, 1'b1} + change;  // line 67
   wire [15:0] start =
       strong_i ? ((start_duty_i[15:14] == 2'd0) ? {start_duty_i[14:0], 1'b0} : 16'd32768) :
       start_duty_i;
+  wire lags_inverse = !lags_i;
+  wire [12:0] change = {{1'b0, duty[15:5]} ^ {12{lags_inverse}}, 1'b0} | {12'd0, lags_inverse};
+  wire [16:0] change_2 = {{4{change[12]}}, change};
+  wire [16:0] duty_next_sum = {duty, 1'b1} + change_2;  // line 61
 
   always_ff @(posedge clk) begin
-    if (reached_i && (state_bits_i[6] || follows)) begin
-      duty <= 16'd0;
-    end else if (state_bits_i[6] || (follows && sure_i && was_sure)) begin
-      logic less;
-      less = state_bits_i[6] || (leads_i && near_i);
-      if (commutate_i && (lags_i ? faded : less)) begin
+    if (state_bits_i[6]) begin
+      if (follows_i) begin
+        duty <= {3'd0, start[15:3]};
+      end else if (commutate_i && (lags_inverse || faded)) begin
         duty <= duty_next_sum[16:1];
       end
-    end else if (follows && !sure_i) begin
-      duty <= reset_duty_i;
-    end else if (state_bits_i[5]) begin
-      duty <= start;
-    end else if (state_bits_i[4:3] == 2'd0) begin
-      if (state_bits_i[2]) begin
-        duty <= brake_duty_i;
+    end else if (!(state_bits_i[5] && follows_i) || sure_i) begin
+      if (!state_bits_i[5] || (follows_i && fast_i)) begin
+        if (state_bits_i[4:3] == 2'd0) begin
+          if (state_bits_i[2]) begin
+            duty <= brake_duty_i;
+          end else begin
+            duty <= 16'd0;
+          end
+        end else if (strong_i) begin
+          if (reset_duty_i[15:14] == 2'd0) begin
+            duty <= {reset_duty_i[14:0], 1'b0};
+          end else begin
+            duty <= 16'd32768;
+          end
+        end else begin
+          duty <= reset_duty_i;
+        end
       end else begin
-        duty <= 16'd0;
-      end
-    end else if (strong_i) begin
-      if (reset_duty_i[15:14] == 2'd0) begin
-        duty <= {reset_duty_i[14:0], 1'b0};
-      end else begin
-        duty <= 16'd32768;
+        duty <= start;
       end
     end else begin
       duty <= reset_duty_i;
     end
-    faded <= duty < start;  // line 56
-    was_sure <= sure_i;
+    faded <= duty < start;  // line 54
     if (rst) begin
       duty <= 16'd0;
       faded <= 1'b0;
-      was_sure <= 1'b0;
     end
   end
 

@@ -130,9 +130,7 @@ module six_step_top #(
   logic update;
   logic good;
   logic lags;
-  logic leads;
   logic slow;
-  logic reached;
   logic follow;
   logic steady;
   logic reverse;
@@ -297,9 +295,6 @@ module six_step_top #(
       .follower_drives_i(rotor_drive),
       .caught_i(rotor_caught),
       .sure_i(rotor_sure),
-      .leads_i(leads),
-      .slow_i(slow),
-      .reached_i(reached),
       .at_i(divided_step),
       .lost_i(lost),
       .fatal_i(fatal),
@@ -431,7 +426,6 @@ module six_step_top #(
   wire [15:0] speed_duty;
   wire [13:0] speed_on_clocks;
   wire speed_slips;
-  wire speed_reached;
   speed_control speed (
       .clk(clk),
       .rst(rst),
@@ -456,8 +450,7 @@ module six_step_top #(
       .words_duty_slew_i(words_speed_duty_slew_i),
       .duty_o(speed_duty),
       .on_clocks_o(speed_on_clocks),
-      .slips_o(speed_slips),
-      .reached_o(speed_reached)
+      .slips_o(speed_slips)
   );
 
   wire pwm_on;
@@ -645,10 +638,8 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 233
-    leads <= !detector_error[15] && detector_error[14:13] != 2'd0;  // line 258
+    lags <= detector_error[15];  // line 230
     slow <= filter_slow;
-    reached <= speed_reached;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
@@ -675,9 +666,7 @@ module six_step_top #(
       update <= 1'b0;
       good <= 1'b0;
       lags <= 1'b0;
-      leads <= 1'b0;
       slow <= 1'b0;
-      reached <= 1'b0;
       follow <= 1'b0;
       steady <= 1'b0;
       reverse <= 1'b0;

@@ -25,8 +25,7 @@ module speed_control (
     input  logic [11:0] words_duty_slew_i,  // u1.15 per tick
     output logic [15:0] duty_o,  // u1.15
     output logic [13:0] on_clocks_o,  // clocks of on-time per period
-    output logic        slips_o,  // in speed control: more than slip above what the speed takes
-    output logic        reached_o  // the reference (outside speed control: the frequency) is not below the target
+    output logic        slips_o  // in speed control: more than slip above what the speed takes
 );
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
@@ -62,11 +61,11 @@ module speed_control (
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
-  wire [26:0] multiplicand_choice =  // line 113
+  wire [26:0] multiplicand_choice =  // line 112
       of_error ? reference[26:0] : {11'd0, at_bits[16] ? duty : 16'd0};
-  wire [26:0] multiplicand_choice_2 =  // line 116
+  wire [26:0] multiplicand_choice_2 =  // line 115
       of_error ? ~{1'b0, frequency_i} : {1'b0, at_bits[16] ? 26'd0 : frequency_i};
-  wire [16:0] at_bits_next_joined = {at_bits[15:0], at_bits[16]};  // line 85
+  wire [16:0] at_bits_next_joined = {at_bits[15:0], at_bits[16]};  // line 84
   wire [16:0] at_bits_next_choice =
       control ? at_bits_next_joined :
       at_bits[3] ? 17'd4096 :
@@ -93,24 +92,24 @@ module speed_control (
       .ends_o(multiplier_ends)
   );
 
-  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 158
+  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 157
   wire at_high_2 = at_high || (high_was && !below);
-  wire both_68 = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 68
-  wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 176
-  wire moved_either = !at_bits[11] || hurries_i;  // line 212
-  wire [12:0] moved_differ = {1'b0, words_duty_slew_i} ^ {13{moved_either}};  // line 212
+  wire both_67 = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 67
+  wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 175
+  wire moved_either = !at_bits[11] || hurries_i;  // line 211
+  wire [12:0] moved_differ = {1'b0, words_duty_slew_i} ^ {13{moved_either}};  // line 211
   wire [17:0] moved_2 = {2'd0, duty_next} + {{5{moved_differ[12]}}, moved_differ};
-  wire bound_both = !at_bits[8] && !at_bits[11] && (control || !at_bits[3]);  // line 184
-  wire [16:0] bound_choice =  // line 184
+  wire bound_both = !at_bits[8] && !at_bits[11] && (control || !at_bits[3]);  // line 183
+  wire [16:0] bound_choice =  // line 183
       bound_both ? ((!at_bits[12] && !at_bits[13]) ? {1'b0, duty_next} : moved) :
       {1'b0, words_maximum_i};
   wire [16:0] bound = ((at_bits[10:7] & 4'h9) == 4'd0) ? bound_choice : {1'b0, words_minimum_i};
-  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 130
-  wire choose_either = at_bits[6] || !multiplier_ends;  // line 192
-  wire choose_choice = choose_either ? at_bits[6] : at_bits[10];  // line 192
+  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 129
+  wire choose_either = at_bits[6] || !multiplier_ends;  // line 191
+  wire choose_choice = choose_either ? at_bits[6] : at_bits[10];  // line 191
   wire inverse = !(choose_either || !at_bits[3]);
   wire sums_next = inverse || choose_choice;
-  wire low_next_choice = (at_bits[13] || !multiplier_done) ? at_bits[13] : at_bits[10];  // line 193
+  wire low_next_choice = (at_bits[13] || !multiplier_done) ? at_bits[13] : at_bits[10];  // line 192
   wire high_next_either = (control && at_bits[12]) || (multiplier_done && !control && at_bits[3]);
 
   always_ff @(posedge clk) begin
@@ -128,10 +127,10 @@ module speed_control (
       end
     end
     of_error <= at_bits[4] || at_bits[9] || (of_error && !multiplier_done);
-    starts <= (at_bits[15:2] & 14'h2085) != 14'd0;  // line 80
-    control <= mode_i == SpeedMode_kControl;  // line 78
-    whole <= (at_bits[10:6] & 5'h11) != 5'd0;  // line 76
-    alone <= mode_i == SpeedMode_kFixed || at_bits[6];  // line 77
+    starts <= (at_bits[15:2] & 14'h2085) != 14'd0;  // line 79
+    control <= mode_i == SpeedMode_kControl;  // line 77
+    whole <= (at_bits[10:6] & 5'h11) != 5'd0;  // line 75
+    alone <= mode_i == SpeedMode_kFixed || at_bits[6];  // line 76
     if (work_sum[21] ? high : low) begin
       if (sums) begin
         logic [17:0] base;
@@ -139,7 +138,7 @@ module speed_control (
         logic [19:0] total_choice;
         base = whole ? integral[33:16] : {2'd0, control ? slip_i : fixed_duty_i};
         base_2 = {{3{base[17]}}, base};
-        total_choice = alone ? 20'd0 : multiplier_product[31:12];  // line 151
+        total_choice = alone ? 20'd0 : multiplier_product[31:12];  // line 150
         work <= base_2 + {total_choice[19], total_choice};
       end else begin
         work <= {4'd0, ~not_limit};
@@ -154,7 +153,7 @@ module speed_control (
       if (multiplier_done) begin
         logic winds_up;
         winds_up = multiplier_product[31] ? at_low : at_high || limited;
-        adds <= both_68 && !winds_up;
+        adds <= both_67 && !winds_up;
         addend <= {{2{multiplier_product[31]}}, multiplier_product[31:0]};
       end else begin
         adds <= 1'b0;
@@ -168,7 +167,7 @@ module speed_control (
     end else begin
       moved <= moved_2[16:0];
     end
-    not_limit <= ~bound;  // line 184
+    not_limit <= ~bound;  // line 183
     if (at_bits[1]) begin
       logic [20:0] moved_3;
       moved_3 = {1'b0, rises ? words_slew_i : 20'd0} | (falls ? ~{1'b0, words_slew_i} : 21'd0);
@@ -180,28 +179,28 @@ module speed_control (
     end else begin
       reference <= {2'd0, frequency_i};
     end
-    not_target <= ~{1'b0, target_i};  // line 146
-    passes <= at_bits[2] && control && (rises ^ !slew_sum[28]);  // line 141
-    duty <= duty_next;  // line 176
+    not_target <= ~{1'b0, target_i};  // line 145
+    passes <= at_bits[2] && control && (rises ^ !slew_sum[28]);  // line 140
+    duty <= duty_next;  // line 175
     if (multiplier_done && at_bits[16]) begin
       on_clocks <= multiplier_product[28:15];
     end
-    slips <= (!at_bits[15] || control) && (at_bits[4] ? !work_sum[21] : slips);  // line 176
+    slips <= (!at_bits[15] || control) && (at_bits[4] ? !work_sum[21] : slips);  // line 175
     if (limited_i || !limited) begin
       limited <= limited_i;
     end else begin
       logic integrated;
-      integrated = both_68 && multiplier_done;
+      integrated = both_67 && multiplier_done;
       limited <= !integrated && control;
     end
     sums <= sums_next;
     low <= inverse || choose_choice || at_bits[7] || low_next_choice;
     high <= sums_next || (at_bits[11:8] & 4'h9) != 4'd0 || high_next_either;
-    low_was <= low && !sums;  // line 190
-    high_was <= high && !sums;  // line 191
-    below <= !work_sum[21];  // line 158
-    at_high <= !at_bits[7] && at_high_2;  // line 182
-    at_low <= !at_bits[7] && (at_low || (low_was && below));  // line 74
+    low_was <= low && !sums;  // line 189
+    high_was <= high && !sums;  // line 190
+    below <= !work_sum[21];  // line 157
+    at_high <= !at_bits[7] && at_high_2;  // line 181
+    at_low <= !at_bits[7] && (at_low || (low_was && below));  // line 73
     if (rst) begin
       at_bits <= 17'd1;
       of_error <= 1'b0;
@@ -239,7 +238,6 @@ module speed_control (
   assign duty_o = duty;
   assign on_clocks_o = on_clocks;
   assign slips_o = slips;
-  assign reached_o = falls;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_target_i, multiplier_product[42:32], work_sum[20:0], slew_sum[27:0]};

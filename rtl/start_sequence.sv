@@ -42,9 +42,6 @@ module start_sequence #(
     input  logic        follower_drives_i,  // the rotor follower: gates may be on
     input  logic        caught_i,  // strobe: and the rotor can be handed over, in the middle of the present step
     input  logic        sure_i,  // it has the rotor
-    input  logic        leads_i,  // the last error was 1/8 or more: that step was short
-    input  logic        slow_i,  // the VCO's frequency is below stall
-    input  logic        reached_i,  // it is the set speed's, or more
     input  logic [2:0]  at_i,  // the present step
     input  logic        lost_i,  // protection: give up this try
     input  logic        fatal_i,  // protection: latch
@@ -90,8 +87,8 @@ module start_sequence #(
   logic enables;  // or one of the others in which gates may be on
   logic boosts;  // one of those whose duty comes above the back-EMF's
   logic sectors;  // a state in which the loop follows sectors: of a follower from its second clock on, after
-  logic holds;  // while pulling in: speed control holds the set speed
-  logic reached_was;  // a tick ago
+  logic holds;  // while pulling in: speed control has the duty
+  logic boosted;  // while pulling in: a tick has passed
   logic tracks;  // or the crossings
   logic entered;  // this is the first clock of the state
   logic braking;  // a braking interval begins
@@ -150,17 +147,16 @@ module start_sequence #(
       .strong_o(counters_strong)
   );
 
-  wire both_107 = reached_i && words_method_i;  // line 107
   wire [2:0] state_either = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
-  wire [1:0] state_choice = at_bits[6] ? 2'd2 : 2'd0;  // line 251
-  wire [3:0] state_wide =  // line 251
+  wire [1:0] state_choice = at_bits[6] ? 2'd2 : 2'd0;  // line 246
+  wire [3:0] state_wide =  // line 246
       {1'b0,
       state_either | (at_bits[5] ? 3'd5 : 3'd0) | {state_choice[1], state_choice} |
       {3{at_bits[7]}}};
   wire [3:0] state_either_2 = state_wide | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);
   wire follows_rotor = at_bits[5] && words_method_i;
   wire rests = follows_rotor && !follower_drives_i;
-  wire [1:0] present_pattern_choice = (drives && !rests) ? 2'd2 : 2'd0;  // line 267
+  wire [1:0] present_pattern_choice = (drives && !rests) ? 2'd2 : 2'd0;  // line 262
   wire [4:0] present_pattern_wide = {3'd0, present_pattern_choice | {1'b0, !enables || rests}};
 
   wire [15:0] open_loop_duty;
@@ -171,9 +167,7 @@ module start_sequence #(
       .strong_i(counters_strong),
       .follows_i(words_method_i),
       .sure_i(sure_i),
-      .leads_i(leads_i),
-      .near_i(!slow_i),
-      .reached_i(both_107),
+      .fast_i(fast_i),
       .commutate_i(commutate_i),
       .lags_i(lags_i),
       .reset_duty_i(words_reset_duty_i),
@@ -182,53 +176,53 @@ module start_sequence #(
       .duty_o(open_loop_duty)
   );
 
-  wire reverse_inverse = !reverse;  // line 291
+  wire reverse_inverse = !reverse;  // line 286
   wire to_high = sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0];  // divide_by_n.hpp:29
   wire three_or_four = sector_i[0] ? sector_i[1] : sector_i[2];  // divide_by_n.hpp:27
   wire [2:0] next_step =  // divide_by_n.hpp:30
       (to_high ? 3'd4 : 3'd0) | {1'b0, three_or_four ? 2'd2 : 2'd0} | {2'd0, !sector_i[0]};
-  wire failed_next_either =  // line 192
+  wire failed_next_either =  // line 187
       (at_bits[6] && counters_over && !counters_enough) || (at_bits[8:7] != 2'd0 && lost_i);
-  wire arrives = words_method_i ? caught_i : fast_i;  // line 160
-  wire failed_next_choice =  // line 114
+  wire arrives = words_method_i ? caught_i : fast_i;  // line 155
+  wire failed_next_choice =  // line 109
       at_bits[5] ? !(arrives || !counters_over) || failed_next_either : failed_next_either;
   wire brakes =
       (!command_brake_to_stop_i || at_bits[8:7] != 2'd0) ? command_brake_to_stop_i :
       at_bits[2:1] != 2'd0;
-  wire choose_either = command_run_i || brakes;  // line 181
-  wire goes_both = !fatal_i && choose_either;  // line 184
-  wire choose_either_2 = at_bits[10] || !command_configured_i;  // line 184
+  wire choose_either = command_run_i || brakes;  // line 176
+  wire goes_both = !fatal_i && choose_either;  // line 179
+  wire choose_either_2 = at_bits[10] || !command_configured_i;  // line 179
   wire goes = !choose_either_2 && goes_both;
   wire failed_next = goes && failed_next_choice;
-  wire [9:0] at_bits_next_choice = (failed_next && !counters_tried) ? 10'd512 : 10'd0;  // line 224
+  wire [9:0] at_bits_next_choice = (failed_next && !counters_tried) ? 10'd512 : 10'd0;  // line 219
   wire rearm = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);
   wire trips = command_configured_i && fatal_i;
   wire moves_trips = at_bits[10] ? !rearm : trips;
-  wire turns_round = command_reverse_i ^ reverse;  // line 114
-  wire turns_round_either = !command_run_i || turns_round;  // line 208
-  wire choose_either_3 = !at_bits[8] || lost_i;  // line 190
+  wire turns_round = command_reverse_i ^ reverse;  // line 109
+  wire turns_round_either = !command_run_i || turns_round;  // line 203
+  wire choose_either_3 = !at_bits[8] || lost_i;  // line 185
   wire braking_next_both = !choose_either_3 && turns_round_either && (counters_over || !fast_i);
-  wire choose_differ = counters_turns_reverse ^ reverse;  // line 114
-  wire choose_both = at_bits[1] && counters_enough;  // line 189
-  wire braking_next_choice =  // line 114
+  wire choose_differ = counters_turns_reverse ^ reverse;  // line 109
+  wire choose_both = at_bits[1] && counters_enough;  // line 184
+  wire braking_next_choice =  // line 109
       choose_both ? !command_run_i || choose_differ || braking_next_both : braking_next_both;
   wire braking_next = goes && braking_next_choice;
-  wire [10:0] at_bits_next_choice_2 =  // line 224
+  wire [10:0] at_bits_next_choice_2 =  // line 219
       (moves_trips || (braking_next && counters_braked) || (failed_next && counters_tried)) ?
       11'd1024 : 11'd0;
-  wire moves_tries_both = at_bits[9] && counters_over;  // line 188
-  wire looks_both = OBSERVES && !source_i;  // line 162
-  wire looks_both_2 = looks_both && words_observe_i != 12'd0;  // line 162
-  wire choose_both_2 = at_bits[2] && counters_over;  // line 187
-  wire moves_tries_choice =  // line 114
+  wire moves_tries_both = at_bits[9] && counters_over;  // line 183
+  wire looks_both = OBSERVES && !source_i;  // line 157
+  wire looks_both_2 = looks_both && words_observe_i != 12'd0;  // line 157
+  wire choose_both_2 = at_bits[2] && counters_over;  // line 182
+  wire moves_tries_choice =  // line 109
       choose_both_2 ? command_run_i || looks_both_2 || moves_tries_both : moves_tries_both;
-  wire moves_tries_either = at_bits[0] || moves_tries_choice;  // line 114
+  wire moves_tries_either = at_bits[0] || moves_tries_choice;  // line 109
   wire moves_tries = goes && moves_tries_either;
-  wire [3:0] admit_choice =  // line 242
+  wire [3:0] admit_choice =  // line 237
       (!moves_tries || looks_both_2 || source_i || words_method_i) ? 4'd0 : 4'd8;
-  wire [5:0] admit_choice_2 =  // line 243
+  wire [5:0] admit_choice_2 =  // line 238
       (moves_tries && !(looks_both_2 || source_i) && words_method_i) ? 6'd32 : 6'd0;
-  wire [5:0] admit_choice_wide = {2'd0, admit_choice};  // line 242
+  wire [5:0] admit_choice_wide = {2'd0, admit_choice};  // line 237
   wire [1:0] admit_choice_3 = (moves_tries && looks_both && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
   wire moves_stops = choose_either_2 ? !at_bits[10] || rearm : !(choose_either || fatal_i);
   wire wanted_inverse = !(counters_enough || counters_over);
@@ -236,15 +230,15 @@ module start_sequence #(
   wire missed = at_bits[1] && !counters_enough && counters_over;
   wire gives_up =
       choose_both_2 && !command_run_i && (!OBSERVES || source_i || words_observe_i == 12'd0);
-  wire [2:0] wanted_choice_2 = (at_bits[2] && !counters_over) ? 3'd4 : 3'd0;  // line 224
+  wire [2:0] wanted_choice_2 = (at_bits[2] && !counters_over) ? 3'd4 : 3'd0;  // line 219
   wire [2:0] wanted_wide = {1'b0, wanted_choice | {1'b0, (missed && !command_run_i) || gives_up}};
   wire begins = missed && command_run_i;
-  wire [3:0] wanted_choice_3 =  // line 224
+  wire [3:0] wanted_choice_3 =  // line 219
       ((words_method_i || begins) ? !words_method_i : at_bits[3] && !counters_over) ? 4'd8 : 4'd0;
-  wire [4:0] wanted_choice_4 =  // line 224
+  wire [4:0] wanted_choice_4 =  // line 219
       (!words_method_i && (counters_over ? at_bits[3] : at_bits[4])) ? 5'd16 : 5'd0;
   wire [4:0] wanted_wide_2 = {1'b0, {1'b0, wanted_wide | wanted_choice_2} | wanted_choice_3};
-  wire wanted_either = !at_bits[5] || arrives || counters_over;  // line 232
+  wire wanted_either = !at_bits[5] || arrives || counters_over;  // line 227
   wire [5:0] wanted_choice_5 =
       words_method_i ?
       (begins ? 6'd32 :
@@ -253,50 +247,47 @@ module start_sequence #(
       (at_bits[4] && counters_over) ? 6'd32 :
       wanted_either ? 6'd0 :
       6'd32;
-  wire [5:0] wanted_wide_3 = {1'b0, wanted_wide_2 | wanted_choice_4};  // line 230
-  wire admit_both = at_bits[5] && arrives;  // line 233
+  wire [5:0] wanted_wide_3 = {1'b0, wanted_wide_2 | wanted_choice_4};  // line 225
+  wire admit_both = at_bits[5] && arrives;  // line 228
   wire [6:0] wanted_choice_6 = (admit_both || (at_bits[6] && wanted_inverse)) ? 7'd64 : 7'd0;
   wire caught = choose_both && command_run_i && !choose_differ;
   wire locks = at_bits[6] && counters_enough;
-  wire wanted_either_2 = caught || locks;  // line 235
-  wire admit_both_2 = command_run_i && !turns_round;  // line 235
+  wire wanted_either_2 = caught || locks;  // line 230
+  wire admit_both_2 = command_run_i && !turns_round;  // line 230
   wire on = at_bits[8:7] != 2'd0 && !lost_i;
-  wire [7:0] wanted_choice_7 =  // line 224
+  wire [7:0] wanted_choice_7 =  // line 219
       ((wanted_either_2 || !on) ? wanted_either_2 : admit_both_2) ? 8'd128 : 8'd0;
   wire [7:0] wanted_wide_4 = {1'b0, {1'b0, wanted_wide_3 | wanted_choice_5} | wanted_choice_6};
-  wire [8:0] wanted_choice_8 =  // line 236
+  wire [8:0] wanted_choice_8 =  // line 231
       (on && turns_round_either && (at_bits[7] || (!counters_over && fast_i))) ? 9'd256 : 9'd0;
-  wire [8:0] wanted_wide_5 = {1'b0, wanted_wide_4 | wanted_choice_7};  // line 235
-  wire [9:0] wanted_choice_9 = (at_bits[9] && !counters_over) ? 10'd512 : 10'd0;  // line 224
+  wire [8:0] wanted_wide_5 = {1'b0, wanted_wide_4 | wanted_choice_7};  // line 230
+  wire [9:0] wanted_choice_9 = (at_bits[9] && !counters_over) ? 10'd512 : 10'd0;  // line 219
   wire [9:0] wanted = {1'b0, wanted_wide_5 | wanted_choice_8} | wanted_choice_9;
-  wire [9:0] admit = (moves_stops || moves_trips) ? 10'd0 : wanted;  // line 238
-  wire [9:0] admit_wide = {8'd0, admit_choice_3 | {1'b0, moves_stops}};  // line 239
-  wire [9:0] admit_2 = admit_wide | admit;  // line 239
+  wire [9:0] admit = (moves_stops || moves_trips) ? 10'd0 : wanted;  // line 233
+  wire [9:0] admit_wide = {8'd0, admit_choice_3 | {1'b0, moves_stops}};  // line 234
+  wire [9:0] admit_2 = admit_wide | admit;  // line 234
   wire [7:0] admit_choice_4 = (moves_tries && !looks_both_2 && source_i) ? 8'd128 : 8'd0;
-  wire [9:0] admit_3 = admit_2 | {2'd0, admit_choice_4};  // line 240
-  wire [9:0] admit_wide_2 = {4'd0, admit_choice_wide | admit_choice_2};  // line 242
-  wire [9:0] admit_4 = admit_wide_2 | admit_3;  // line 242
-  wire [2:0] admit_choice_5 = (braking_next && !counters_braked) ? 3'd4 : 3'd0;  // line 224
-  wire [9:0] admit_5 = admit_4 | {7'd0, admit_choice_5};  // line 243
+  wire [9:0] admit_3 = admit_2 | {2'd0, admit_choice_4};  // line 235
+  wire [9:0] admit_wide_2 = {4'd0, admit_choice_wide | admit_choice_2};  // line 237
+  wire [9:0] admit_4 = admit_wide_2 | admit_3;  // line 237
+  wire [2:0] admit_choice_5 = (braking_next && !counters_braked) ? 3'd4 : 3'd0;  // line 219
+  wire [9:0] admit_5 = admit_4 | {7'd0, admit_choice_5};  // line 238
   wire [10:0] at_bits_next = {1'b0, at_bits_next_choice} | at_bits_next_choice_2 | {1'b0, admit_5};
-  wire boosts_next = admit_4[5] || admit[6];  // line 133
-  wire either_134 = boosts_next || admit_3[7];  // line 134
+  wire boosts_next = admit_4[5] || admit[6];  // line 128
+  wire either_129 = boosts_next || admit_3[7];  // line 129
   wire runs = admit_3[7] || admit[8];
-  wire holds_next_choice = tick_i ? reached_i && reached_was : holds;  // line 137
-  wire began_next = moves_tries && at_bits[0];  // line 117
+  wire began_next = moves_tries && at_bits[0];  // line 112
   wire load_step_next_both = at_bits[1] && admit_3[7];
 
   always_ff @(posedge clk) begin
-    at_bits <= at_bits_next;  // line 245
-    drives <= either_134 || admit[8];
-    enables <= either_134 || admit[8] || !(!admit_5[2] && !admit_4[3]) || admit[4];
-    boosts <= boosts_next;  // line 133
+    at_bits <= at_bits_next;  // line 240
+    drives <= either_129 || admit[8];
+    enables <= either_129 || admit[8] || !(!admit_5[2] && !admit_4[3]) || admit[4];
+    boosts <= boosts_next;  // line 128
     sectors <= admit_2[1] || (runs && source_i) || (at_bits[5] && admit_4[5] && words_method_i);
-    holds <= at_bits[6] && holds_next_choice;  // line 139
-    if (tick_i) begin
-      reached_was <= both_107;
-    end
-    tracks <= admit[6] || (runs && !source_i);  // line 144
+    holds <= at_bits[6] && (tick_i ? boosted : holds);  // line 134
+    boosted <= at_bits[6] && (tick_i ? words_method_i : boosted);  // line 134
+    tracks <= admit[6] || (runs && !source_i);  // line 139
     if (began_next) begin
       entered <= 1'b1;
       reason <= Reason_kNone;
@@ -307,12 +298,12 @@ module start_sequence #(
         logic entered_next_choice_2;
         logic entered_next_inverse;
         logic entered_next_either;
-        entered_next_choice = choose_either_3 ? at_bits[8] : admit_both_2 || !fast_i;  // line 193
-        entered_next_choice_2 =  // line 193
+        entered_next_choice = choose_either_3 ? at_bits[8] : admit_both_2 || !fast_i;  // line 188
+        entered_next_choice_2 =  // line 188
             at_bits[7] ? lost_i || !command_run_i || turns_round || entered_next_choice :
             entered_next_choice;
         entered_next_inverse = !(!at_bits[0] && (!counters_over || (at_bits & 11'h481) != 11'd0));
-        entered_next_either =  // line 201
+        entered_next_either =  // line 196
             entered_next_inverse || (counters_enough && (at_bits[6:1] & 6'h21) != 6'd0);
         entered <=
             entered_next_either ||
@@ -321,10 +312,10 @@ module start_sequence #(
         entered <= (at_bits & 11'h401) == 11'd0 || (at_bits[0] && trips) || (at_bits[10] && rearm);
       end
       if (!at_bits[10]) begin
-        logic both_114;
-        both_114 = command_configured_i && goes_both;  // line 114
-        if ((both_114 && failed_next_choice) || at_bits_next[10]) begin
-          if (both_114 && braking_next_choice) begin
+        logic both_109;
+        both_109 = command_configured_i && goes_both;  // line 109
+        if ((both_109 && failed_next_choice) || at_bits_next[10]) begin
+          if (both_109 && braking_next_choice) begin
             reason <= Reason_kCannotStop;
           end else if (fatal_i || lost_i) begin
             reason <= cause_i;
@@ -332,12 +323,12 @@ module start_sequence #(
             reason <= Reason_kNoLock;
           end
         end
-        if (both_114 && moves_tries_either) begin
+        if (both_109 && moves_tries_either) begin
           reverse <= command_reverse_i;
         end
       end
     end
-    braking <= braking_next;  // line 114
+    braking <= braking_next;  // line 109
     if (words_method_i) begin
       if (at_bits[5]) begin
         if (admit[6] || !at_bits[1]) begin
@@ -355,8 +346,8 @@ module start_sequence #(
     end else begin
       load_step <= admit_3[7];
     end
-    began <= began_next;  // line 117
-    failed <= failed_next;  // line 114
+    began <= began_next;  // line 112
+    failed <= failed_next;  // line 109
     clear_was <= command_clear_fault_i;
     if (rst) begin
       at_bits <= 11'd1;
@@ -365,7 +356,7 @@ module start_sequence #(
       boosts <= 1'b0;
       sectors <= 1'b0;
       holds <= 1'b0;
-      reached_was <= 1'b0;
+      boosted <= 1'b0;
       tracks <= 1'b0;
       entered <= 1'b0;
       braking <= 1'b0;

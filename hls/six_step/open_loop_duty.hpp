@@ -2,7 +2,7 @@
 //
 //     kSettle, kReset    reset_duty        twice that with `strong`, up to 100 %
 //     kAccelerate        start_duty        likewise
-//       following        reset_duty until the rotor is followed, then start_duty: see below
+//       following        reset_duty until the rotor is followed, then start_duty, then 0: see below
 //     kPullIn            start_duty, which fades by 1/32 per step
 //       following        1/8 of start_duty, until speed control takes over
 //     kBrake             brake_duty
@@ -12,12 +12,11 @@
 // away from the loop.  A rotor that lags has too little torque and gets 1/32 more per step, up to the
 // start's: a heavy load would stop it else.
 //
-// Following, a rotor that is near hand-over and whose step was shorter than the last one by 1/8 gets a quarter less, so
-// that it arrives hardly accelerating; one whose step was longer gets a quarter more, from below the start's.  At hand-over's
-// frequency it gets nothing above its back-EMF: what is measured then is a speed that lasts.
+// A rotor that is followed and has hand-over's frequency gets nothing above its back-EMF: what is measured then is a speed
+// that lasts, and the PLL finds a rotor that hardly accelerates.
 //
 //     latency      1 clock from state to duty
-//     registers    18 bits     multipliers  none
+//     registers    17 bits     multipliers  none
 //
 // Doc: docs/blocks/open_loop_duty.md   Test: tests/hls/open_loop_duty_test.cpp
 
@@ -35,9 +34,7 @@ class OpenLoopDuty {
     bool strong = false;     // two tries failed
     bool follows = false;    // the start follows the rotor
     bool sure = false;       // and has it
-    bool leads = false;      // which was faster by 1/8 than a step before
-    bool near = false;       // and is near hand-over
-    bool fast = false;       // and has hand-over's frequency
+    bool fast = false;       // and has the frequency of hand-over
     bool commutate = false;  // strobe: a new step began
     bool lags = false;       // the last error was negative: the rotor lags the VCO
     Duty reset_duty = 0;     // u1.15
@@ -55,27 +52,22 @@ class OpenLoopDuty {
     const Out out{.duty = duty_};
     const Duty start = stronger(in.start_duty, in.strong);
     const bool faded = duty_ < start;
-    const bool pulls_in = in.state.holds(State::kPullIn);
-    const bool follows = in.follows && in.state.holds(State::kAccelerate);
-    const Duty part = follows ? duty_ >> 2 : duty_ >> 5;
-    const bool less = pulls_in || (in.leads && in.near);
-    if (in.fast && follows) {
-      duty_ = 0;
-    } else if ((pulls_in && !in.follows) || (follows && in.sure && was_sure_)) {
-      if (in.commutate && (in.lags ? faded_ : less)) {
+    const bool pulls_in = in.state.holds(State::kPullIn), accelerates = in.state.holds(State::kAccelerate);
+    const Duty part = duty_ >> 5;
+    if (pulls_in && !in.follows) {
+      if (in.commutate && (!in.lags || faded_)) {
         // One adder for both directions: the 1 that the complement lacks is carried in from a bit below.
         const UInt<17> change = UInt<17>(in.lags ? part : wrap<Duty>(~part)) << 1 | UInt<17>(!in.lags);
         duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
       }
     } else {
       duty_ = pulls_in                                               ? start >> 3
-              : follows && !in.sure                                  ? in.reset_duty
-              : in.state.holds(State::kAccelerate)                   ? start
+              : accelerates && in.follows && !in.sure                ? in.reset_duty
+              : accelerates && !(in.follows && in.fast)              ? start
               : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
               : in.state.holds(State::kBrake)                        ? in.brake_duty
                                                                      : Duty(0);
     }
-    was_sure_ = in.sure && !in.fast;
     faded_ = faded;
     return out;
   }
@@ -94,7 +86,6 @@ class OpenLoopDuty {
 
   Duty duty_ = 0;       // u1.15, of the state a clock ago; in kPullIn it fades
   bool faded_ = false;  // it is below the start's
-  bool was_sure_ = false;
 };
 
 }  // namespace steplock

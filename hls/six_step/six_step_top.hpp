@@ -124,8 +124,6 @@ class SixStepTop {
                                     .follower_drives = rotor.drive,
                                     .caught = rotor.caught,
                                     .sure = rotor.sure,
-                                    .leads = leads_,
-                                    .slow = slow_,
                                     .at = divided_.step,
                                     .lost = lost_,
                                     .fatal = fatal_,
@@ -254,7 +252,6 @@ class SixStepTop {
     update_ = detector.update;
     good_ = detector.good;
     lags_ = detector.error.negative();
-    leads_ = detector.error >= kLead;
     slow_ = filter.slow;
     follow_ = start.follow;
     steady_ = start.steady;
@@ -289,7 +286,6 @@ class SixStepTop {
   bool operator==(const SixStepTop&) const = default;
 
  protected:  // testbench/engine/skipping_top.hpp counts with these
-  static constexpr PhaseError kLead = 0x2000;  // s0.16: a step shorter by 1/8 than the one before
 
   Synchroniser synchroniser_;
   HallDecoder hall_;
@@ -317,7 +313,6 @@ class SixStepTop {
   bool update_ = false;
   bool good_ = false;
   bool lags_ = false;
-  bool leads_ = false;
   bool slow_ = false;
   bool follow_ = false;
   bool steady_ = false;

@@ -57,8 +57,6 @@ class StartSequence {
     bool follower_drives = false;     // the rotor follower: gates may be on
     bool caught = false;              // strobe: and the rotor can be handed over, in the middle of the present step
     bool sure = false;                // it has the rotor
-    bool leads = false;               // the last error was 1/8 or more: that step was short
-    bool slow = false;                // the VCO's frequency is below stall
     Step at = 0;                      // the present step
     bool lost = false;                // protection: give up this try
     bool fatal = false;               // protection: latch
@@ -101,8 +99,6 @@ class StartSequence {
                                        .strong = counts.strong,
                                        .follows = follows(in),
                                        .sure = in.sure,
-                                       .leads = in.leads,
-                                       .near = !in.slow,
                                        .fast = in.fast,
                                        .commutate = in.commutate,
                                        .lags = in.lags,

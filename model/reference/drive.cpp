@@ -111,7 +111,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   // A rotor started with more torque than it needs leads the field; less and less lets it fall back
   // to where its crossings show, whatever flux and bus voltage really are.
   // A rotor that lags has too little and gets more, up to the start's.
-  if (sequence_.state() == State::kPullIn && vco_.commutated()) {
+  if (sequence_.state() == State::kPullIn && !follows() && vco_.commutated()) {
     const bool lags = detector_.error() < 0;
     if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
@@ -174,11 +174,12 @@ void Drive::follow_rotor(double t, const Pins& pins) {
   follower_.update(t, {.comparator = {pins.comparator[0], pins.comparator[1], pins.comparator[2]},
                        .crossing = bemf_.crossing(),
                        .overdue = overdue,
+                       .update = measured_,
                        .ready = good_interval_ && (fast || (!slow && steady_ + 1 >= p_.start.good_crossings)),
                        .step = vco_.step(),
                        .reverse = sequence_.reverse()});
+  measured_ = false;
   const auto measure = [&](double turns) {
-    interval_error_ = std::clamp(1 - turns, -0.5, 0.5);
     filter_.catch_up(turns);
   };
   if (overdue) {
@@ -193,28 +194,22 @@ void Drive::follow_rotor(double t, const Pins& pins) {
   if (follower_.loaded()) {
     const double turns = f * (t - changed_);
     if (follower_.changed()) {
-      good_interval_ = f > 0 && std::abs(1 - turns) < 0.125;
-      steady_ = good_interval_ ? steady_ + 1 : 0;
+      // Of a rotor that was fast before, and so hardly accelerated; or of one that has been steady for long.
+      const bool good = f > 0 && std::abs(1 - turns) < 0.125;
+      good_interval_ = good && (fast || steady_ + 1 >= p_.start.good_crossings);
+      steady_ = good ? steady_ + 1 : 0;
+      measured_ = true;
       if (f > 0) {
         measure(turns);
       } else {
         filter_.load(p_.start.hand_over);
       }
-      // A step of a rotor near hand-over that was much shorter than the last one; one that was longer.
-      if (interval_error_ >= 0.125 && !slow) boost_ -= boost_ / 4;
-      if (interval_error_ < 0) boost_ = std::min(boost_ + boost_ / 4, p_.start.start_duty);
     }
     vco_.load(t, *follower_.loaded(), 0);
     changed_ = t;
     overdue_ = filter_.frequency() > 0 ? t + 1.25 / filter_.frequency() : kNever;
   }
-  if (!follower_.sure()) {
-    boost_ = p_.start.reset_duty;
-    good_interval_ = false;
-  } else if (!was_sure_) {
-    boost_ = p_.start.start_duty;
-  }
-  was_sure_ = follower_.sure();
+  if (!follower_.sure()) good_interval_ = false;
   ramp_done_ = follower_.caught();
 }
 
@@ -231,7 +226,7 @@ void Drive::enter_state(double t) {
       vco_.load(t, vco_.step(), 0.5);
       vco_.set_frequency(t, filter_.frequency());
       detector_.restart();
-      holds_ = reached_was_ = false;
+      holds_ = boosted_ = false;
       follower_.end();
       break;
     case State::kAccelerate:
@@ -240,7 +235,7 @@ void Drive::enter_state(double t) {
         vco_.stop(t);
         changed_ = t;
         overdue_ = kNever;
-        ramp_done_ = good_interval_ = was_sure_ = false;
+        ramp_done_ = good_interval_ = measured_ = false;
         steady_ = 0;
         follower_.begin(t);
         break;
@@ -298,7 +293,8 @@ void Drive::on_tick(double t) {
       break;
     case State::kAccelerate:
       if (follows()) {
-        if (f >= target_) boost_ = 0;
+        // One that has hand-over's frequency coasts, so that it is known when it is handed over.
+        boost_ = !follower_.sure() ? s.reset_duty : f < s.hand_over ? s.start_duty : 0;
         duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
         break;
       }
@@ -309,16 +305,16 @@ void Drive::on_tick(double t) {
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     case State::kPullIn:
-      if (follows() && f >= target_) boost_ = 0;
+      if (follows()) boost_ = s.start_duty / 8;
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     default:
       break;
   }
-  // Pulling in, a rotor that has the set speed is held there, from the second tick on.
-  const bool reached = follows() && sequence_.state() == State::kPullIn && f >= target_;
-  holds_ = reached && reached_was_;
-  reached_was_ = reached;
+  // A rotor that was followed is controlled while it is pulled in, from the second tick on.
+  const bool pulls_in = follows() && sequence_.state() == State::kPullIn;
+  holds_ = pulls_in && boosted_;
+  boosted_ = pulls_in;
   if (sequence_.locked() || holds_) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
                 detector_.hurries());

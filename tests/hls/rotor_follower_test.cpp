@@ -52,8 +52,9 @@ TEST(RotorFollower, ADriveLastsForFifteenSamplesAndItsProbe) {
   EXPECT_NEAR(b.until(false), (15 + 65) * 4, 4);
 }
 
-TEST(RotorFollower, TheMajorityOfFifteenSamplesIsTheCode) {
-  for (const int high : {7, 8}) {
+// Once an edge was passed; before that fewer than four may say otherwise, else there is no step.
+TEST(RotorFollower, TwelveOfFifteenSamplesAreAClearCode) {
+  for (const int high : {0, 3, 4, 11, 12, 15}) {
     Bench b;
     int step = -1;
     for (int i = 0; i < 200 && !b.out.drive; ++i) {
@@ -65,8 +66,49 @@ TEST(RotorFollower, TheMajorityOfFifteenSamplesIsTheCode) {
       b.clock();
       if (b.out.load) step = int(b.out.step.raw());
     }
-    // v for 8 of 15 makes 110, for 7 it stays 101.
-    EXPECT_EQ(step, high == 8 ? 2 : 0) << high;
+    // v makes 110, w 101.
+    EXPECT_EQ(step, high >= 12 ? 2 : high <= 3 ? 0 : -1) << high;
+  }
+}
+
+// Edge, and one that went by unseen: followed, but no interval was measured that could be over.
+TEST(RotorFollower, WithoutAnIntervalADriveOfARotorThatIsFollowedEndsAfterItsProbe) {
+  Bench b;
+  for (const int sector : {0, 1, 2, 3, 5}) {
+    b.code(kCodes[sector]);
+    b.until(true);
+    EXPECT_EQ(b.in.step, Step(sector));
+    if (sector < 5) b.until(false);
+  }
+  b.clock();
+  EXPECT_TRUE(b.out.sure);
+  EXPECT_NEAR(b.until(false), (15 + 65) * 4, 6) << "no update came";
+  b.until(true);
+  b.in.update = true;
+  b.clock();
+  b.in.update = false;
+  EXPECT_EQ(b.until(false), 5000) << "until the VCO says that it is over";
+}
+
+// A good interval of a rotor that was not fast before may end at any speed: it accelerates.
+TEST(RotorFollower, HandsOverOnlyWhatWasFastThroughoutTheLastInterval) {
+  for (const bool fast_before : {false, true}) {
+    Bench b;
+    for (const int sector : {0, 1, 2, 3}) {
+      b.code(kCodes[sector]);
+      b.until(true);
+      if (sector < 3) b.until(false);
+    }
+    b.in.fast = fast_before;
+    b.in.update = b.in.good = true;
+    b.clock();
+    b.in.update = false;
+    b.in.fast = true;
+    for (int i = 0; i < 100; ++i) b.clock();
+    b.in.crossing = true;
+    b.clock();
+    b.in.crossing = false;
+    EXPECT_EQ(b.clock().caught, fast_before);
   }
 }
 

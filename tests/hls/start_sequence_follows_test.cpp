@@ -74,13 +74,17 @@ TEST(StartSequenceFollows, HandsOverInTheMiddleOfThePresentStep) {
   EXPECT_EQ(out.loop, Loop::kTrack);
 }
 
-TEST(StartSequenceFollows, ASpeedThatIsReachedIsHeldFromTheNextTickOn) {
+// One tick for the duty of the pulling in, with which the control's integral begins.
+TEST(StartSequenceFollows, ARotorThatIsHandedOverIsControlledFromTheSecondTickOn) {
   Bench bench;
   bench.until(State::kAccelerate);
-  EXPECT_EQ(bench.caught(4).mode, SpeedMode::kAboveBemf);
-  bench.in.reached = true;
-  EXPECT_EQ(bench.clock().mode, SpeedMode::kAboveBemf);
-  EXPECT_EQ(bench.clock().mode, SpeedMode::kControl);
+  for (int tries = 0; tries < 2; ++tries) {
+    EXPECT_EQ(bench.caught(4).mode, SpeedMode::kAboveBemf);
+    EXPECT_EQ(bench.clock().mode, SpeedMode::kAboveBemf);
+    EXPECT_EQ(bench.clock().mode, SpeedMode::kControl);
+    bench.until(State::kRest);
+    EXPECT_NE(bench.until(State::kAccelerate).mode, SpeedMode::kControl);
+  }
 }
 
 TEST(StartSequenceFollows, ARotorThatNeverComesFailsEveryTryAfterTheSameTime) {

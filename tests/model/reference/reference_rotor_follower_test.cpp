@@ -34,6 +34,7 @@ struct Bench {
   void step_once() {
     t = std::min(follower.next(), t + 400e-6);  // one that is followed ends a drive by the caller's word alone
     in.overdue = follower.drives() && follower.sure();
+    in.update = follower.changed();
     follower.update(t, in);
     in.overdue = false;
   }
