@@ -126,15 +126,17 @@ DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
     // The load of this one comes later.
     run.conditions.load = run.conditions.fan = 0;
     run.conditions.inductance = inductance_for(file, run.disturbance);
+    // Outside the envelope, so the looks of a follower are too short for it.
+    run.file.start.method = design::Method::kRamp;
   }
   run.settings = settings_under(file, run.conditions, seed);
   if (file.drive.kind == design::DriveKind::kSinusoidal) {
     run.limit_s = sinusoidal::longest_start(file);
     return run;
   }
-  run.parameters = design::design_drive(file).parameters;
+  run.parameters = design::design_drive(run.file).parameters;
   run.words = hls_words(design::quantise(run.parameters, file.control.clock_hz).words);
-  run.limit_s = longest(file, run.parameters);
+  run.limit_s = longest(run.file, run.parameters);
   return run;
 }
 
