@@ -92,6 +92,7 @@ TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
                     "start.start_current_a"));
   EXPECT_TRUE(
       names(only_problem([](S s) {
+                      s.start.method = Method::kRamp;  // the follower's current is the limit's
                       s.start.start_current_a = 20;
                       s.start.reset_current_a = 2;
                     }),
