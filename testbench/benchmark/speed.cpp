@@ -229,8 +229,6 @@ void print_page(const Least& least) {
   fmt::print(fmt::runtime(kPage), static_cast<double>(scene().clocks()) / 1e6);
   for (const Row& row : kRows)
     fmt::print("| {} | {:.1f} | {:.3f} |\n", row.what, rate(least, row) / 1e6, ratio(least, row));
-  fmt::print("\nMotor, inverter and bench cost the RTL engine {:.0f} % of its time.\n",
-             100 * (1 - rate(least, kRows[1]) / rate(least, kRows[0])));
 }
 
 // The ratio that the page shows of an engine.
