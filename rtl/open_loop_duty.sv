@@ -28,34 +28,34 @@ module open_loop_duty (
   wire [16:0] duty_next_sum = {duty, 1'b1} + change_2;  // line 61
 
   always_ff @(posedge clk) begin
-    if (state_bits_i[6]) begin
-      if (follows_i) begin
+    if (!state_bits_i[6] || follows_i) begin
+      logic fast;
+      fast = state_bits_i[5] && follows_i && sure_i && fast_i;
+      if (state_bits_i[6] || fast) begin
         duty <= {3'd0, start[15:3]};
-      end else if (commutate_i && (lags_inverse || faded)) begin
-        duty <= duty_next_sum[16:1];
-      end
-    end else if (!(state_bits_i[5] && follows_i) || sure_i) begin
-      if (!state_bits_i[5] || (follows_i && fast_i)) begin
-        if (state_bits_i[4:3] == 2'd0) begin
-          if (state_bits_i[2]) begin
-            duty <= brake_duty_i;
-          end else begin
-            duty <= 16'd0;
-          end
-        end else if (strong_i) begin
-          if (reset_duty_i[15:14] == 2'd0) begin
-            duty <= {reset_duty_i[14:0], 1'b0};
-          end else begin
-            duty <= 16'd32768;
-          end
-        end else begin
+      end else if (state_bits_i[5]) begin
+        if (follows_i && !sure_i) begin
           duty <= reset_duty_i;
+        end else begin
+          duty <= start;
+        end
+      end else if (state_bits_i[4:3] == 2'd0) begin
+        if (state_bits_i[2]) begin
+          duty <= brake_duty_i;
+        end else begin
+          duty <= 16'd0;
+        end
+      end else if (strong_i) begin
+        if (reset_duty_i[15:14] == 2'd0) begin
+          duty <= {reset_duty_i[14:0], 1'b0};
+        end else begin
+          duty <= 16'd32768;
         end
       end else begin
-        duty <= start;
+        duty <= reset_duty_i;
       end
-    end else begin
-      duty <= reset_duty_i;
+    end else if (commutate_i && (lags_inverse || faded)) begin
+      duty <= duty_next_sum[16:1];
     end
     faded <= duty < start;  // line 54
     if (rst) begin

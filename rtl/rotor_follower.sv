@@ -30,7 +30,8 @@ module rotor_follower #(
     output logic        changed_o,  // strobe, with `load`: a rotor that is followed went on to the next sector
     output logic        restart_o,  // strobe: a drive begins
     output logic        caught_o,  // strobe: hand over, the crossing is now
-    output logic        sure_o  // the rotor is followed
+    output logic        sure_o,  // the rotor is followed
+    output logic        blocked_o  // strobe: three steps in a row moved nothing
 );
   logic [8:0] at_bits;
   logic [7:0] prescale;  // clocks to the next strobe
@@ -47,6 +48,7 @@ module rotor_follower #(
   logic [1:0] belief_edges;  // passed the wanted way in a row, up to 3
   logic [2:0] belief_rest;  // code u v w of the rotor at rest
   logic [7:0] belief_idle;  // looks without news
+  logic [1:0] belief_stood;  // times that it was too many of them, in a row
   logic sight_legal;  // neither 000 nor 111, and clear or of a rotor that has passed an edge
   logic sight_clear;  // hardly a sample said otherwise
   logic sight_rests;  // the code of the rotor at rest
@@ -69,12 +71,13 @@ module rotor_follower #(
   logic out_restart;  // strobe: a drive begins
   logic out_caught;  // strobe: hand over, the crossing is now
   logic out_sure;  // the rotor is followed
+  logic out_blocked;  // strobe: three steps in a row moved nothing
 
-  wire both_118 = on_i && FOLLOWS;  // line 118
+  wire both_121 = on_i && FOLLOWS;  // line 121
   wire loads = at_bits[5] && goes;
 
   always_ff @(posedge clk) begin
-    if (both_118) begin
+    if (both_121) begin
       logic crossed;
       logic ready;
       logic caught;
@@ -83,16 +86,16 @@ module rotor_follower #(
       logic ends_either_2;
       logic over;
       logic ends;
-      logic [1:0] choice_106;
       logic [1:0] choice_109;
-      logic [2:0] choice_106_2;
-      logic [3:0] choice_106_3;
-      logic [3:0] wide_109;
-      logic [5:0] wide_111;
-      logic [7:0] choice_106_4;
-      logic [7:0] either_113;
-      logic [8:0] choice_106_5;
-      logic [8:0] either_114;
+      logic [1:0] choice_112;
+      logic [2:0] choice_109_2;
+      logic [3:0] choice_109_3;
+      logic [3:0] wide_112;
+      logic [5:0] wide_114;
+      logic [7:0] choice_109_4;
+      logic [7:0] either_116;
+      logic [8:0] choice_109_5;
+      logic [8:0] either_117;
       logic [7:0] count_choice;
       logic news;
       logic on;
@@ -102,72 +105,66 @@ module rotor_follower #(
       logic now_back;
       logic judge_both;
       logic judge_either;
-      logic judge_choice_2;
-      logic judge_both_2;
       logic judge_both_3;
-      logic judge_both_4;
       logic [1:0] now_edges;
       logic [1:0] now_edges_choice;
       logic [1:0] now_edges_2;
       logic [1:0] now_edges_3;
-      logic [1:0] choice_2;
+      logic [1:0] choice_3;
       logic [2:0] code;
       logic [2:0] now_rest;
       logic [2:0] now_rest_2;
       logic [2:0] now_rest_3;
-      logic [2:0] choice_3;
+      logic [2:0] choice_4;
       logic [7:0] now_idle;
-      logic [7:0] choice_4;
+      logic [7:0] choice_5;
       logic to_middle;
       crossed = at_bits[8] && crossing_i && belief_real;
       ready = (!good || fast_i) ? good : steady_i && !slow_i;
       caught = crossed && belief_edges[1] && ready;
-      ends_either = at_bits[8:7] == 2'd0 || caught;  // line 151
+      ends_either = at_bits[8:7] == 2'd0 || caught;  // line 154
       late = belief_edges[1] && overdue && quarter_i;
-      ends_either_2 = ends_either || crossed || late;  // line 151
+      ends_either_2 = ends_either || crossed || late;  // line 154
       over = strobe && none;
       ends = (ends_either_2 || !over) ? ends_either ^ ends_either_2 : !timed && at_bits[8];
-      choice_106 = (ends || (at_bits[1] && !over) || at_bits[0]) ? 2'd2 : 2'd0;  // line 106
-      choice_109 = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 109
-      choice_106_2 = (choice_109 == 2'd0) ? 3'd0 : 3'd4;  // line 106
-      choice_106_3 = (at_bits[2] && over) ? 4'd8 : 4'd0;  // line 106
-      wide_109 = {1'b0, {1'b0, choice_106} | choice_106_2};  // line 109
-      wide_111 = {1'b0, {1'b0, wide_109 | choice_106_3} | {at_bits[3], 4'd0}};  // line 111
-      choice_106_4 = ((at_bits[6] || !at_bits[7]) ? at_bits[6] : !(over || ends)) ? 8'd128 : 8'd0;
-      either_113 =  // line 113
-          {1'b0, {1'b0, wide_111 | {at_bits[4], 5'd0}} | {at_bits[5], 6'd0}} | choice_106_4;
-      choice_106_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
-      either_114 = {1'b0, either_113} | choice_106_5;  // line 114
+      choice_109 = (ends || (at_bits[1] && !over) || at_bits[0]) ? 2'd2 : 2'd0;  // line 109
+      choice_112 = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 112
+      choice_109_2 = (choice_112 == 2'd0) ? 3'd0 : 3'd4;  // line 109
+      choice_109_3 = (at_bits[2] && over) ? 4'd8 : 4'd0;  // line 109
+      wide_112 = {1'b0, {1'b0, choice_109} | choice_109_2};  // line 112
+      wide_114 = {1'b0, {1'b0, wide_112 | choice_109_3} | {at_bits[3], 4'd0}};  // line 114
+      choice_109_4 = ((at_bits[6] || !at_bits[7]) ? at_bits[6] : !(over || ends)) ? 8'd128 : 8'd0;
+      either_116 =  // line 116
+          {1'b0, {1'b0, wide_114 | {at_bits[4], 5'd0}} | {at_bits[5], 6'd0}} | choice_109_4;
+      choice_109_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
+      either_117 = {1'b0, either_116} | choice_109_5;  // line 117
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
-      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:133
-      on = sight_on || sight_skipped;  // follow_law.hpp:120
-      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:128
-      judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 89
-      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:142
-      now_back = (sight_contrary || sight_across) && !belief_back;  // follow_law.hpp:136
-      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:135
-      judge_either = on || judge_both;  // line 89
-      judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
-      judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 89
-      judge_both_3 = sight_legal && !sight_here;  // line 89
-      judge_both_4 = !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved);
+      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:136
+      on = sight_on || sight_skipped;  // follow_law.hpp:123
+      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:131
+      judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 91
+      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:145
+      now_back = (sight_contrary || sight_across) && !belief_back;  // follow_law.hpp:139
+      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:138
+      judge_either = on || judge_both;  // line 91
+      judge_both_3 = sight_legal && !sight_here;  // line 91
       now_edges = (!belief_back && belief_edges != 2'd3) ? belief_edges + 2'd1 : belief_edges;
-      now_edges_choice =  // line 89
+      now_edges_choice =  // line 91
           on ? now_edges :
           judge_both ? belief_edges :
           2'd0;
       now_edges_2 = (belief_real && judge_both_3) ? now_edges_choice : belief_edges;
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
-      choice_2 = at_bits[4] ? now_edges_3 : belief_edges;
-      code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 154
-      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:152
+      choice_3 = at_bits[4] ? now_edges_3 : belief_edges;
+      code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 157
+      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:157
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
-      choice_3 = at_bits[4] ? now_rest_3 : belief_rest;
+      choice_4 = at_bits[4] ? now_rest_3 : belief_rest;
       now_idle = (judge_choice || sight_tired) ? 8'd0 : belief_idle + 8'd1;
-      choice_4 = at_bits[4] ? now_idle : belief_idle;
+      choice_5 = at_bits[4] ? now_idle : belief_idle;
       to_middle = (step_i[1] ^ step_i[0]) && !step_i[2];  // divide_by_n.hpp:28
-      at_bits <= either_114;
+      at_bits <= either_117;
       prescale <= count_choice;
       strobe <= count_choice[7:1] == 7'd0;
       if (ends) begin
@@ -180,9 +177,9 @@ module rotor_follower #(
         logic count_unequal;
         logic left_next_choice;
         logic left_next_both;
-        count_both = at_bits[7:1] & 7'h41;  // line 173
-        count_choice_2 = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 100
-        count_unequal = (at_bits[6:0] & 7'h41) != 7'd0;  // line 172
+        count_both = at_bits[7:1] & 7'h41;  // line 176
+        count_choice_2 = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 103
+        count_unequal = (at_bits[6:0] & 7'h41) != 7'd0;  // line 175
         left_next_choice = (count_both == 7'd0) ? over && at_bits[7] : count_both != 7'd0;
         left_next_both = over && left_next_choice;
         if (count_unequal || left_next_both) begin
@@ -215,31 +212,62 @@ module rotor_follower #(
         end
       end
       if (at_bits[4]) begin
-        logic now_real;
-        logic goes_3;
-        now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:126
-        goes_3 =
-            belief_real ? sight_legal && !sight_here && (on || (!judge_both && !sight_across)) :
-            goes_2;
         belief_looked <= stands_2 || !belief_real || belief_looked;
-        belief_real <= !stands_2 && (belief_real || now_real);
-        belief_back <= judge_both_2;
-        belief_moved <= judge_both_4;
-        goes <= goes_3 || stands_2;
+        if (stands_2) begin
+          belief_real <= 1'b0;
+          belief_back <= 1'b0;
+          belief_moved <= 1'b0;
+          belief_stood <= belief_stood + 2'd1;
+          goes <= 1'b1;
+        end else begin
+          logic now_real;
+          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:129
+          belief_real <= belief_real || now_real;
+          if (belief_real) begin
+            if (sight_legal) begin
+              if (sight_here) begin
+                goes <= 1'b0;
+              end else begin
+                if (on) begin
+                  goes <= 1'b1;
+                end else begin
+                  belief_back <= judge_both ? belief_back : now_back;
+                  goes <= !judge_both && !sight_across;
+                end
+                belief_moved <= judge_either;
+              end
+            end else begin
+              goes <= 1'b0;
+            end
+          end else begin
+            belief_back <= 1'b0;
+            belief_moved <= 1'b0;
+            goes <= goes_2;
+          end
+          if (judge_choice) begin
+            belief_stood <= 2'd0;
+          end
+        end
         stands <= stands_2;
         changes <= sight_on && sight_legal && belief_real && !belief_back && belief_edges != 2'd0;
+        out_blocked <= stands_2 && belief_stood == 2'd2;
+      end else begin
+        out_blocked <= 1'b0;
       end
-      belief_edges <= choice_2;
-      belief_rest <= choice_3;
-      belief_idle <= choice_4;
+      belief_edges <= choice_3;
+      belief_rest <= choice_4;
+      belief_idle <= choice_5;
       if (at_bits[3]) begin
+        logic judge_choice_2;
+        logic judge_both_2;
         logic choice;
+        logic choice_2;
         logic clear;
         logic three_or_four;
         logic [2:0] next_step_either;
         logic [2:0] code_of_choice;
         logic [1:0] code_of_choice_2;
-        logic [2:0] code_of;  // follow_law.hpp:104
+        logic [2:0] code_of;  // follow_law.hpp:107
         logic [2:0] see_differ;
         logic [2:0] other;
         logic v_2;
@@ -251,13 +279,18 @@ module rotor_follower #(
         logic [2:0] behind_2;
         logic [2:0] behind_3;
         logic [2:0] ahead;
+        judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
+        judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 91
         choice = at_bits[4] ? judge_both_2 : belief_back;
-        clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 95
+        choice_2 =
+            at_bits[4] ? !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
+            belief_moved;
+        clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 98
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:87
-        code_of_choice_2 =  // follow_law.hpp:104
+        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:90
+        code_of_choice_2 =  // follow_law.hpp:107
             (code_of_choice == 3'd3) ? 2'd2 :
             (code_of_choice == 3'd4) ? 2'd3 :
             2'd1;
@@ -267,11 +300,11 @@ module rotor_follower #(
           3'd2: code_of = 3'd6;
           default: code_of = {1'b0, code_of_choice_2};
         endcase
-        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:104
-        other = see_differ ^ code;  // follow_law.hpp:104
-        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:105
-        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:105
-        u_2 = !(w_2 || v_2);  // follow_law.hpp:105
+        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:107
+        other = see_differ ^ code;  // follow_law.hpp:107
+        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:108
+        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:108
+        u_2 = !(w_2 || v_2);  // follow_law.hpp:108
         behind = (v_2 ? 3'd4 : 3'd0) | {1'b0, w_2 ? 2'd2 : 2'd0} | {2'd0, u_2};
         case (step_i)
           3'd0, 3'd3, 3'd1, 3'd4: begin
@@ -283,19 +316,18 @@ module rotor_follower #(
             ahead_choice = 3'd4;
           end
         endcase
-        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:96
-        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:106
-        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:96
-        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_2 != 2'd0);
+        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:99
+        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:109
+        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:99
+        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_3 != 2'd0);
         sight_clear <= clear;
-        sight_rests <= code == choice_3;
+        sight_rests <= code == choice_4;
         sight_here <= see_differ == code;
         sight_on <= other == (choice ? behind_3 : ahead);
-        sight_skipped <=
-            other == ~behind_3 && (at_bits[4] ? judge_both_4 : belief_moved) && !choice;
+        sight_skipped <= other == ~behind_3 && choice_2 && !choice;
         sight_contrary <= other == (choice ? ahead : behind_3);
         sight_across <= other == 3'd7;
-        sight_tired <= ({1'b0, still_i} <= {1'b0, choice_4} + 9'd1);
+        sight_tired <= ({1'b0, still_i} <= {1'b0, choice_5} + 9'd1);
       end
       if (belief_edges[1]) begin
         if (update_i) begin
@@ -306,7 +338,7 @@ module rotor_follower #(
         good <= 1'b0;
         out_caught <= 1'b0;
       end
-      out_drive <= (either_113[7] || either_114[8]) && at_bits[8:7] != 2'd0;
+      out_drive <= (either_116[7] || either_117[8]) && at_bits[8:7] != 2'd0;
       if (at_bits[5]) begin
         if (stands) begin
           logic three_or_four_2;
@@ -321,7 +353,7 @@ module rotor_follower #(
               (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle_2 ? 2'd2 : 2'd0} | {2'd0, !step_i[0]};
         end else begin
           logic [2:0] code_2;
-          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:98
+          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:101
           case (code_2)
             3'd2: out_step <= {1'b0, reverse_i ? 2'd2 : 2'd3};
             3'd3: begin
@@ -366,6 +398,7 @@ module rotor_follower #(
       belief_edges <= 2'd0;
       belief_rest <= 3'd0;
       belief_idle <= 8'd0;
+      belief_stood <= 2'd0;
       sight_legal <= 1'b0;
       sight_clear <= 1'b0;
       sight_rests <= 1'b0;
@@ -383,12 +416,13 @@ module rotor_follower #(
       out_drive <= 1'b0;
       out_step <= 3'd0;
       out_caught <= 1'b0;
+      out_blocked <= 1'b0;
     end
-    timed <= both_118 && belief_edges[1] && (update_i || timed);
-    out_load <= both_118 && loads;
-    out_changed <= both_118 && loads && changes;
-    out_restart <= both_118 && at_bits[6];
-    out_sure <= both_118 && belief_edges[1];
+    timed <= both_121 && belief_edges[1] && (update_i || timed);
+    out_load <= both_121 && loads;
+    out_changed <= both_121 && loads && changes;
+    out_restart <= both_121 && at_bits[6];
+    out_sure <= both_121 && belief_edges[1];
     if (rst) begin
       at_bits <= 9'd1;
       prescale <= 8'd0;
@@ -405,6 +439,7 @@ module rotor_follower #(
       belief_edges <= 2'd0;
       belief_rest <= 3'd0;
       belief_idle <= 8'd0;
+      belief_stood <= 2'd0;
       sight_legal <= 1'b0;
       sight_clear <= 1'b0;
       sight_rests <= 1'b0;
@@ -427,6 +462,7 @@ module rotor_follower #(
       out_restart <= 1'b0;
       out_caught <= 1'b0;
       out_sure <= 1'b0;
+      out_blocked <= 1'b0;
     end
   end
 
@@ -437,4 +473,5 @@ module rotor_follower #(
   assign restart_o = out_restart;
   assign caught_o = out_caught;
   assign sure_o = out_sure;
+  assign blocked_o = out_blocked;
 endmodule

@@ -68,19 +68,22 @@ module sinusoidal_sequence (
   logic regulated;  // their first on-times stand
   logic first_half;  // of the pattern
   logic reverse;
+  logic refused;  // `run` was up before the words were valid: that is no wish to start
   logic entered;
 
   wire regulating =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire run = command_run_i && command_configured_i;
-  wire walk_both = timer == 20'd0 && first_half;  // line 169
-  wire leave_differ = command_reverse_i ^ reverse;
+  wire refused_next_either = refused || !command_configured_i;  // line 88
+  wire refused_next = command_run_i && refused_next_either;
+  wire run = command_run_i && command_configured_i && !refused_next;
+  wire walk_both = timer == 20'd0 && first_half;  // line 170
+  wire leave_differ = command_reverse_i ^ reverse;  // line 134
   wire leave = !run || leave_differ;
-  wire either_93 = state == SinusoidalState_kFault || command_configured_i;  // line 93
-  wire either_93_2 = either_93 || state == SinusoidalState_kIdle;  // line 93
-  wire both_91 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 91
-  wire both_89 = state != SinusoidalState_kFault && fault_pin_i;  // line 89
+  wire either_94 = state == SinusoidalState_kFault || command_configured_i;  // line 94
+  wire either_94_2 = either_94 || state == SinusoidalState_kIdle;  // line 94
+  wire both_92 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 92
+  wire both_90 = state != SinusoidalState_kFault && fault_pin_i;  // line 90
   wire [19:0] timer_next_choice = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
   wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
   wire [19:0] trust_next_choice_2 =  // line 86
@@ -88,30 +91,30 @@ module sinusoidal_sequence (
       trust_next_choice;
   wire [1:0] modulated_next_sum = modulated + {1'b0, period_i && regulated && modulated != 2'd3};
   wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 84
-  wire both_4 = command_configured_i && failed_i != SinusoidalReason_kNone;
-  wire either_133 = !command_run_i || leave_differ;  // line 133
+  wire both_3 = command_configured_i && failed_i != SinusoidalReason_kNone;
+  wire both_4 = command_run_i && refused;
+  wire both_97 = command_run_i && !both_4;  // line 97
+  wire either_134 = !both_97 || leave_differ;  // line 134
 
   always_ff @(posedge clk) begin
-    if (both_89 || both_91) begin
+    if (both_90 || both_92) begin
       state <= SinusoidalState_kFault;
       timer <= timer_next_choice;
       trust <= trust_next_choice_2;
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
-    end else if (either_93_2) begin
+    end else if (either_94_2) begin
       logic last;
       logic state_next_both;
       logic both_2;
-      logic both_3;
       last = tries < words_retries_i;
       state_next_both = timer == 20'd0 && !first_half;
-      both_2 = run && measured_i && words_arbitrary_i;
-      both_3 = run && failed_i == SinusoidalReason_kNone && found_i;
+      both_2 = failed_i == SinusoidalReason_kNone && found_i;
       if (state == SinusoidalState_kIdle) begin
         if (run) begin
           state <= SinusoidalState_kCalibrate;
         end
-      end else if (either_93) begin
+      end else if (either_94) begin
         if (state == SinusoidalState_kCalibrate) begin
           if (run) begin
             if (measured_i) begin
@@ -126,7 +129,7 @@ module sinusoidal_sequence (
         end else begin
           logic [3:0] state_next_choice;
           logic [3:0] state_next_choice_2;
-          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 164
+          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 165
           state_next_choice_2 = (timer == 20'd0) ? state_next_choice : state;
           if (state == SinusoidalState_kPilot) begin
             if (run) begin
@@ -173,7 +176,7 @@ module sinusoidal_sequence (
         state <= SinusoidalState_kIdle;
       end
       if (state == SinusoidalState_kCalibrate) begin
-        if (both_2) begin
+        if (run && measured_i && words_arbitrary_i) begin
           timer <= words_give_up_i;
           trust <= words_lock_i;
         end else begin
@@ -192,7 +195,7 @@ module sinusoidal_sequence (
         logic [19:0] timer_next_choice_2;
         timer_next_choice_2 = (timer == 20'd0) ? words_rest_i : timer_next_choice;
         if (state == SinusoidalState_kPilot) begin
-          if (both_3) begin
+          if (run && both_2) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
@@ -239,24 +242,31 @@ module sinusoidal_sequence (
       end
       case (state)
         SinusoidalState_kIdle: begin
-          if (run) begin
+          if (command_run_i && !refused && command_configured_i) begin
             tries <= 4'd0;
             reverse <= command_reverse_i;
           end
           modulated <= modulated_next_sum;
         end
         SinusoidalState_kCalibrate: begin
-          if (both_2) begin
-            modulated <= 2'd0;
-            regulated <= 1'b0;
+          if (measured_i) begin
+            if (command_run_i) begin
+              if (refused_next_either) begin
+                modulated <= modulated_next_sum;
+              end else begin
+                if (words_arbitrary_i) begin
+                  modulated <= 2'd0;
+                end else begin
+                  modulated <= modulated_next_sum;
+                end
+                regulated <= !words_arbitrary_i && regulated;
+                first_half <= !words_arbitrary_i || first_half;
+              end
+            end else begin
+              modulated <= modulated_next_sum;
+            end
           end else begin
             modulated <= modulated_next_sum;
-            if (measured_i) begin
-              if (run) begin
-                regulated <= !words_arbitrary_i && regulated;
-              end
-              first_half <= (run && !words_arbitrary_i) || first_half;
-            end
           end
         end
         SinusoidalState_kPilot, SinusoidalState_kStarting, SinusoidalState_kRun,
@@ -264,30 +274,31 @@ module sinusoidal_sequence (
           logic [3:0] tries_next_sum;
           logic [3:0] tries_next_choice;
           logic either_84;
-          tries_next_sum = tries + {3'd0, last};  // line 119
+          tries_next_sum = tries + {3'd0, last};  // line 120
           tries_next_choice = (timer == 20'd0) ? tries_next_sum : tries;
           either_84 = sampled_i || regulated;  // line 84
           case (state)
             SinusoidalState_kPilot: begin
-              if (both_3) begin
-                modulated <= 2'd0;
-                regulated <= 1'b0;
-              end else begin
-                if (run) begin
-                  if (failed_i == SinusoidalReason_kNone) begin
-                    if (!found_i) begin
-                      tries <= tries_next_choice;
-                    end
-                    regulated <= !found_i && regulated;
-                  end else begin
-                    tries <= tries_next_sum;
+              if (command_configured_i) begin
+                if (both_97 && both_2) begin
+                  modulated <= 2'd0;
+                  regulated <= 1'b0;
+                end else begin
+                  if (!both_4 && command_run_i) begin
+                    tries <=
+                        (failed_i == SinusoidalReason_kNone) ?
+                        (found_i ? tries : tries_next_choice) : tries_next_sum;
+                    regulated <=
+                        (failed_i == SinusoidalReason_kNone) ? !found_i && regulated : regulated;
                   end
+                  modulated <= modulated_next_sum;
                 end
+              end else begin
                 modulated <= modulated_next_sum;
               end
             end
             SinusoidalState_kStarting: begin
-              if (command_configured_i && !either_133) begin
+              if (command_configured_i && !either_134) begin
                 if (failed_i == SinusoidalReason_kNone) begin
                   if (trust != 20'd0) begin
                     tries <= tries_next_choice;
@@ -300,7 +311,7 @@ module sinusoidal_sequence (
               regulated <= either_84;
             end
             SinusoidalState_kRun: begin
-              if (both_4) begin
+              if (both_3) begin
                 tries <= tries_next_sum;
               end
               modulated <= modulated_next_sum;
@@ -313,16 +324,20 @@ module sinusoidal_sequence (
           endcase
         end
         SinusoidalState_kPattern: begin
-          if (run) begin
-            if (state_next_both) begin
-              modulated <= 2'd0;
-            end else begin
+          if (command_run_i) begin
+            if (refused_next_either) begin
               modulated <= modulated_next_sum;
+            end else begin
+              if (state_next_both) begin
+                modulated <= 2'd0;
+              end else begin
+                modulated <= modulated_next_sum;
+              end
+              if (!walk_both) begin
+                regulated <= timer != 20'd0 && regulated;
+              end
+              first_half <= !walk_both && first_half;
             end
-            if (!walk_both) begin
-              regulated <= timer != 20'd0 && regulated;
-            end
-            first_half <= !walk_both && first_half;
           end else begin
             modulated <= modulated_next_sum;
           end
@@ -336,10 +351,10 @@ module sinusoidal_sequence (
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
     end
-    if (both_89) begin
+    if (both_90) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (both_91) begin
+    end else if (both_92) begin
       reason <= fatal_i;
       entered <= 1'b1;
     end else begin
@@ -378,7 +393,7 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kStarting: begin
-            if (command_configured_i && !either_133) begin
+            if (command_configured_i && !either_134) begin
               if (failed_i == SinusoidalReason_kNone) begin
                 reason <=
                     (trust == 20'd0) ? reason :
@@ -390,15 +405,16 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kRun: begin
-            if (both_4) begin
+            if (both_3) begin
               reason <= failed_i;
             end
           end
           default: ;
         endcase
       end
-      entered <= !either_93_2 || entered_next_choice;
+      entered <= !either_94_2 || entered_next_choice;
     end
+    refused <= refused_next;
     if (rst) begin
       state <= SinusoidalState_kIdle;
       reason <= SinusoidalReason_kNone;
@@ -409,6 +425,7 @@ module sinusoidal_sequence (
       regulated <= 1'b0;
       first_half <= 1'b0;
       reverse <= 1'b0;
+      refused <= 1'b0;
       entered <= 1'b0;
     end
   end

@@ -113,6 +113,7 @@ module six_step_top #(
 );
   localparam logic [3:0] Reason_kNone = 4'd0;
 
+  logic still;  // the set speed is 0
   logic tick;
   logic chop;
   logic limited;
@@ -205,6 +206,7 @@ module six_step_top #(
   wire rotor_restart;
   wire rotor_caught;
   wire rotor_sure;
+  wire rotor_blocked;
   rotor_follower #(.FOLLOWS(WITH_FOLLOWER)) rotor (
       .clk(clk),
       .rst(rst),
@@ -232,7 +234,8 @@ module six_step_top #(
       .changed_o(rotor_changed),
       .restart_o(rotor_restart),
       .caught_o(rotor_caught),
-      .sure_o(rotor_sure)
+      .sure_o(rotor_sure),
+      .blocked_o(rotor_blocked)
   );
 
   wire [2:0] hall_step_choice = (hall_sector < 3'd3) ? 3'd3 : 3'd5;
@@ -292,9 +295,11 @@ module six_step_top #(
       .lags_i(lags),
       .turns_reverse_i(hall_reverse),
       .sector_i(hall_sector),
-      .follower_drives_i(rotor_drive),
+      .follower_drives_i(rotor_drive && (rotor_sure || chop)),
       .caught_i(rotor_caught),
       .sure_i(rotor_sure),
+      .blocked_i(rotor_blocked),
+      .still_i(still),
       .at_i(divided_step),
       .lost_i(lost),
       .fatal_i(fatal),
@@ -622,6 +627,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
+    still <= words_speed_target_i == 26'd0;  // line 250
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -638,17 +644,18 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 230
+    lags <= detector_error[15];  // line 233
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
     crossing <= bemf_crossing;
-    hurries <= detector_hurries;
+    hurries <= detector_hurries || bemf_freewheel[15:12] == 4'd7;  // line 265
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;
     if (rst) begin
+      still <= 1'b0;
       tick <= 1'b0;
       chop <= 1'b0;
       limited <= 1'b0;

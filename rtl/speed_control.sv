@@ -10,7 +10,7 @@ module speed_control (
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
-    input  logic        hurries_i,  // freewheeling just hid the crossing of a rotor that leads
+    input  logic        hurries_i,  // freewheeling just hid the crossing of a rotor that leads, or is about to
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32

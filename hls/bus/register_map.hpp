@@ -127,7 +127,7 @@ consteval auto system_fields(const DriveKind& drive) {
     {"CONTROL", "configured", 0x0c, 0, 1, Access::kReadWrite, 0, "",
      "The words are valid; while 0 all six gates are off."},
     {"CONTROL", "run", 0x0c, 1, 1, Access::kReadWrite, 0, "",
-     "Start, and keep running; 0 stops.  The watchdog clears it."},
+     "Its rise starts a configured drive, which runs until 0 stops it.  The watchdog clears it."},
     {"CONTROL", "reverse", 0x0c, 2, 1, Access::kReadWrite, 0, "", "Direction of rotation."},
     {"CONTROL", "brake_to_stop", 0x0c, 3, 1, Access::kReadWrite, 0, "",
      "Stop by slowing down and braking; else coast."},

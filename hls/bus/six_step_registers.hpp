@@ -28,7 +28,7 @@ inline constexpr auto kSystemFields = joined(
          .states = "0 idle, 1 observe, 2 brake, 3 settle, 4 reset, 5 accelerate, 6 pull in, 7 run, "
                    "8 slow down, 9 rest, 10 fault.",
          .reasons = "Of the last failed try: 0 none, 1 fault pin, 2 over-current, 3 step-out, 4 stall, "
-                    "5 wrong lock, 6 no lock, 7 cannot stop, 8 Hall code.",
+                    "5 wrong lock, 6 no lock, 7 cannot stop, 8 Hall code, 9 blocked.",
          .no_period = "PWM.period is 0: all six gates are off, and the drive does not start, whatever "
                       "CONTROL says."}),
     std::to_array<Field>({

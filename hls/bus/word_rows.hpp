@@ -157,7 +157,7 @@ inline constexpr auto kWordRows = std::make_tuple(
         "Duty of braking."),
     word<&Words::speed, &SpeedWords::target>(
         "SPEED_TARGET", "target", 0xcc, 0, Access::kShadowed, "u0.32 turns/clock",
-        "The set speed."),
+        "The set speed. 0 while running: stop, by slowing down and braking."),
     word<&Words::speed, &SpeedWords::slew>(
         "SPEED_SLEW", "slew", 0xd0, 0, Access::kReadWrite, "u0.32 per tick",
         "Largest change of the set speed that is followed."),

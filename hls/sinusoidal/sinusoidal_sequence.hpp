@@ -12,7 +12,7 @@
 // without a gap.
 //
 //     latency      1 clock; all outputs follow from registers
-//     registers    59 bits     multipliers  none
+//     registers    60 bits     multipliers  none
 //
 // Doc: docs/blocks/sinusoidal_sequence.md   Test: tests/hls/sinusoidal_sequence_test.cpp
 
@@ -85,6 +85,7 @@ class SinusoidalSequence {
     if (in.sampled && !(in.fast && in.plausible)) trust_ = in.words.lock;
     if (in.period) trust_ = saturate<Periods>(trust_ - 1);
 
+    refused_ = in.command.run && (refused_ || !in.command.configured);
     const bool alive = state_ != SinusoidalState::kFault;
     if (alive && in.fault_pin) {
       end(SinusoidalReason::kFaultPin);
@@ -129,7 +130,7 @@ class SinusoidalSequence {
 
   void walk(const In& in, bool over, bool trusted) {
     const SequenceWords& words = in.words;
-    const bool run = in.command.run && in.command.configured;
+    const bool run = in.command.run && in.command.configured && !refused_;
     const bool leave = !run || in.command.reverse != reverse_;
     const bool failed = in.failed != SinusoidalReason::kNone;
     switch (state_) {
@@ -228,6 +229,7 @@ class SinusoidalSequence {
   bool regulated_ = false;   // their first on-times stand
   bool first_half_ = false;  // of the pattern
   bool reverse_ = false;
+  bool refused_ = false;  // `run` was up before the words were valid: that is no wish to start
   bool entered_ = false;
 };
 

@@ -20,12 +20,13 @@
 //       the wanted way       +2, just passed one    on: an edge went by unseen
 //       either               3                      it turned round: the same step is right as it is
 //                            all else               the wanted way; the code's step
-//     no news `still` times                         the next step, as with a rotor at rest: a dead centre
+//     no news `still` times                         the next step, as with a rotor at rest: a dead centre.  Three times
+//                                                   in a row: blocked
 //
 // "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.
 //
-//     latency      none     registers    those of Belief: 17 bits     multipliers  none
+//     latency      none     registers    those of Belief: 19 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/follow_law_test.cpp
 
@@ -45,6 +46,7 @@ struct FollowLaw {
     UInt<2> edges = 0;    // passed the wanted way in a row, up to 3
     UInt<3> rest = 0;     // code u v w of the rotor at rest
     UInt<8> idle = 0;     // looks without news
+    UInt<2> stood = 0;    // times that it was too many of them, in a row
     bool sure() const { return edges.bit(1); }
     bool operator==(const Belief&) const = default;
   };
@@ -68,6 +70,7 @@ struct FollowLaw {
     bool goes = false;     // another step is to be driven
     bool stands = false;   // the next one, without news
     bool changed = false;  // a rotor that is followed passed an edge
+    bool blocked = false;  // three steps in a row moved nothing
   };
 
   // The step whose crossing ends the sector of this code, for a rotor that turns the wanted way: forward sectors and
@@ -141,11 +144,13 @@ struct FollowLaw {
     }
     const bool stands = !news && sight.tired;
     now.idle = news ? UInt<8>(0) : wrap<UInt<8>>(was.idle + 1);
-    if (stands) now = {.looked = true, .rest = at_rest(sight, code)};
+    if (news) now.stood = 0;
+    if (stands) now = {.looked = true, .rest = at_rest(sight, code), .stood = wrap<UInt<2>>(was.stood + 1)};
     return {.belief = now,
             .goes = goes || stands,
             .stands = stands,
-            .changed = sight.on && sight.legal && was.real && !was.back && was.edges != 0};
+            .changed = sight.on && sight.legal && was.real && !was.back && was.edges != 0,
+            .blocked = stands && was.stood == 2};
   }
 
   // What is not clear is the code of no sector.

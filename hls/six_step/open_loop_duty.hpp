@@ -2,7 +2,7 @@
 //
 //     kSettle, kReset    reset_duty        twice that with `strong`, up to 100 %
 //     kAccelerate        start_duty        likewise
-//       following        reset_duty until the rotor is followed, then start_duty, then 0: see below
+//       following        reset_duty until the rotor is followed, then start_duty, then 1/8: see below
 //     kPullIn            start_duty, which fades by 1/32 per step
 //       following        1/8 of start_duty, until speed control takes over
 //     kBrake             brake_duty
@@ -12,8 +12,8 @@
 // away from the loop.  A rotor that lags has too little torque and gets 1/32 more per step, up to the
 // start's: a heavy load would stop it else.
 //
-// A rotor that is followed and has hand-over's frequency gets nothing above its back-EMF: what is measured then is a speed
-// that lasts, and the PLL finds a rotor that hardly accelerates.
+// A rotor that is followed and has hand-over's frequency gets an eighth above its back-EMF: what is measured then is a
+// speed that lasts, and the PLL finds a rotor that hardly accelerates.  With nothing a light one under load falls back.
 //
 //     latency      1 clock from state to duty
 //     registers    17 bits     multipliers  none
@@ -61,9 +61,10 @@ class OpenLoopDuty {
         duty_ = wrap<Duty>(((UInt<17>(duty_) << 1 | UInt<17>(1)) + change) >> 1);
       }
     } else {
-      duty_ = pulls_in                                               ? start >> 3
+      const bool fast = accelerates && in.follows && in.sure && in.fast;
+      duty_ = pulls_in || fast                                       ? start >> 3
               : accelerates && in.follows && !in.sure                ? in.reset_duty
-              : accelerates && !(in.follows && in.fast)              ? start
+              : accelerates                                          ? start
               : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
               : in.state.holds(State::kBrake)                        ? in.brake_duty
                                                                      : Duty(0);

@@ -17,7 +17,7 @@
 //     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, once
 //                  an interval was measured, until the expected one is over by a quarter
 //     latency      1 clock: outputs are registers
-//     registers    88 bits     multipliers  none
+//     registers    91 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
 
@@ -64,6 +64,7 @@ class RotorFollower {
     bool restart = false;  // strobe: a drive begins
     bool caught = false;   // strobe: hand over, the crossing is now
     bool sure = false;     // the rotor is followed
+    bool blocked = false;  // strobe: three steps in a row moved nothing
     bool operator==(const Out&) const = default;
   };
 
@@ -85,12 +86,14 @@ class RotorFollower {
     }
     out_.load = loads;
     out_.changed = loads && changes_;
+    out_.blocked = false;
     if (at_.holds(Stage::kJudge)) {
       const auto news = FollowLaw::judge(belief_, sight_, code());
       belief_ = news.belief;
       goes_ = news.goes;
       stands_ = news.stands;
       changes_ = news.changed;
+      out_.blocked = news.blocked;
     }
     if (at_.holds(Stage::kSee)) sight_ = FollowLaw::see(code(), clear(), in.step, in.reverse, belief_, in.still);
     out_.restart = at_.holds(Stage::kTurn);

@@ -121,9 +121,12 @@ class SixStepTop {
                                     .lags = lags_,
                                     .turns_reverse = sectors.reverse,
                                     .sector = sectors.sector,
-                                    .follower_drives = rotor.drive,
+                                    // A rotor that may turn the other way drives its own current where no shunt sees it.
+                                    .follower_drives = rotor.drive && (rotor.sure || chop_),
                                     .caught = rotor.caught,
                                     .sure = rotor.sure,
+                                    .blocked = rotor.blocked,
+                                    .still = still_,
                                     .at = divided_.step,
                                     .lost = lost_,
                                     .fatal = fatal_,
@@ -244,6 +247,7 @@ class SixStepTop {
                                          .limit_hit = limit.hit,
                                          .retry = start.failed});
 
+    still_ = words.speed.target == 0;
     legs_ = legs;
     tick_ = pwm.tick;
     chop_ = limit.on;
@@ -257,7 +261,8 @@ class SixStepTop {
     steady_ = start.steady;
     reverse_ = start.reverse;
     crossing_ = bemf.crossing;
-    hurries_ = detector.hurries;
+    // Freewheeling of 7/16 of a step, and more current would hide the crossing.
+    hurries_ = detector.hurries || bemf.freewheel.slice<15, 12>() == 7;
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;
@@ -304,6 +309,7 @@ class SixStepTop {
   Protection protection_;
   Telemetry telemetry_;
 
+  bool still_ = false;  // the set speed is 0
   bool tick_ = false;
   bool chop_ = false;
   bool limited_ = false;

@@ -12,7 +12,7 @@
 // up). Integral and reference follow, so that control begins without a jump, after a start as after
 // catching a rotor.
 //
-// Where the freewheeling of so much current took half a step and hid the crossing of a rotor that hurries
+// Where the freewheeling of so much current takes almost half a step, or hid the crossing of a rotor that hurries
 // on, the duty falls by its slew until a crossing shows: more current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
@@ -43,7 +43,7 @@ class SpeedControl {
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
-    bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads
+    bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads, or is about to
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;

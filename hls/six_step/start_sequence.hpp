@@ -1,6 +1,7 @@
 // Start sequence: from standstill, or from a rotor that already turns, to a lock; and back.
 //
-//     kIdle        gates off, until the words are valid and `run` is up
+//     kIdle        gates off, until `run` goes up with valid words and a set speed that is not 0; words that become
+//                  valid under a `run` that is up start nothing
 //     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
 //                  at the speed and angle found.  The other way: kBrake.  Not in time: kSettle
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
@@ -20,7 +21,7 @@
 // StartCounters; the duty of the states without speed control is OpenLoopDuty's.
 //
 //     latency      1 clock: outputs follow the state
-//     registers    82 bits, 57 of them in the two     multipliers  none
+//     registers    83 bits, 57 of them in the two     multipliers  none
 //
 // Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
@@ -57,6 +58,8 @@ class StartSequence {
     bool follower_drives = false;     // the rotor follower: gates may be on
     bool caught = false;              // strobe: and the rotor can be handed over, in the middle of the present step
     bool sure = false;                // it has the rotor
+    bool blocked = false;             // strobe: it cannot move it
+    bool still = false;               // the set speed is 0: as if `run` were down, by braking
     Step at = 0;                      // the present step
     bool lost = false;                // protection: give up this try
     bool fatal = false;               // protection: latch
@@ -120,10 +123,12 @@ class StartSequence {
     } else if (moves.fails || (!at_.holds(State::kFault) && next.holds(State::kFault))) {
       reason_ = moves.brakes          ? Reason::kCannotStop
                 : in.fatal || in.lost ? in.cause
+                : in.blocked          ? Reason::kBlocked
                                       : Reason::kNoLock;
     }
     braking_ = moves.brakes;
     clear_was_ = in.command.clear_fault;
+    refused_ = in.command.run && (refused_ || !in.command.configured);
     entered_ = moves.leaves;
     boosts_ = next.holds_one_of(State::kAccelerate, State::kPullIn);
     drives_ = next.holds_one_of(State::kAccelerate, State::kPullIn, State::kRun, State::kSlowDown);
@@ -171,9 +176,9 @@ class StartSequence {
     const bool over = counts.over;
     const bool fault = at_.holds(State::kFault);
     const bool runs = at_.holds_one_of(State::kRun, State::kSlowDown);
-    const bool brakes = in.command.brake_to_stop &&
+    const bool brakes = (in.command.brake_to_stop || in.still) &&
                         (runs || at_.holds_one_of(State::kBrake, State::kObserve));
-    const bool halts = !in.command.run && !brakes;
+    const bool halts = (!runs_on(in) || refused_) && !brakes;
     const bool rearm = in.command.clear_fault && !clear_was_ && !in.command.run && !in.fatal;
     const bool trips = in.command.configured && in.fatal;
     const bool goes = !fault && in.command.configured && !in.fatal && !halts;
@@ -183,7 +188,7 @@ class StartSequence {
                               (at_.holds(State::kRest) && over)),
             .brakes = goes && ((at_.holds(State::kObserve) && counts.enough && !turns_on(in, counts)) ||
                                (at_.holds(State::kSlowDown) && !in.lost && turns_round(in) && (over || !in.fast))),
-            .fails = goes && ((at_.holds(State::kAccelerate) && !arrives(in) && over) ||
+            .fails = goes && ((at_.holds(State::kAccelerate) && !arrives(in) && (over || in.blocked)) ||
                               (at_.holds(State::kPullIn) && !counts.enough && over) || (runs && in.lost)),
             .leaves = goes ? leaves(in, counts)
                            : !at_.holds_one_of(State::kIdle, State::kFault) || (at_.holds(State::kIdle) && trips) ||
@@ -195,36 +200,37 @@ class StartSequence {
     const bool timed = !at_.holds_one_of(State::kIdle, State::kRun, State::kFault);
     return at_.holds(State::kIdle) || (counts.over && timed) ||
            (counts.enough && at_.holds_one_of(State::kObserve, State::kPullIn)) ||
-           (arrives(in) && at_.holds(State::kAccelerate)) ||
+           ((arrives(in) || in.blocked) && at_.holds(State::kAccelerate)) ||
            turns_to_follow(in) || (at_.holds(State::kRun) && (in.lost || turns_round(in))) ||
            (at_.holds(State::kSlowDown) && (in.lost || !turns_round(in) || !in.fast));
   }
 
-  bool turns_round(const In& in) const { return !in.command.run || in.command.reverse != reverse_; }
+  static bool runs_on(const In& in) { return in.command.run && !in.still; }
+  bool turns_round(const In& in) const { return !runs_on(in) || in.command.reverse != reverse_; }
   bool turns_on(const In& in, const Counts& counts) const {
-    return in.command.run && counts.turns_reverse == reverse_;
+    return runs_on(in) && counts.turns_reverse == reverse_;
   }
-  static bool looks_again(const In& in) { return in.command.run || looks(in); }
+  static bool looks_again(const In& in) { return runs_on(in) || looks(in); }
 
   // Every state with what leads to it, and what keeps the drive in it.
   States admit(const In& in, const Moves& moves, const Counts& counts) const {
     const bool over = counts.over, enough = counts.enough;
     const bool hall = in.source == Source::kHall;
     const bool missed = at_.holds(State::kObserve) && !enough && over;
-    const bool begins = missed && in.command.run;
+    const bool begins = missed && runs_on(in);
     const bool caught = at_.holds(State::kObserve) && enough && turns_on(in, counts);
     const bool locks = at_.holds(State::kPullIn) && enough;
     const bool on = at_.holds_one_of(State::kRun, State::kSlowDown) && !in.lost;
     const bool gives_up = at_.holds(State::kBrake) && over && !looks_again(in);
     const auto to = [](State state, bool yes) { return States(state).when(yes); };
     const States wanted =
-        to(State::kIdle, (missed && !in.command.run) || gives_up) |
+        to(State::kIdle, (missed && !runs_on(in)) || gives_up) |
         to(State::kObserve, in.observes && at_.holds(State::kObserve) && !enough && !over) |
         to(State::kBrake, at_.holds(State::kBrake) && !over) |
         to(State::kSettle, !follows(in) && (begins || (at_.holds(State::kSettle) && !over))) |
         to(State::kReset, !follows(in) && ((at_.holds(State::kSettle) && over) || (at_.holds(State::kReset) && !over))) |
         to(State::kAccelerate, (begins && follows(in)) || turns_to_follow(in) || (at_.holds(State::kReset) && over) ||
-                                   (at_.holds(State::kAccelerate) && !arrives(in) && !over)) |
+                                   (at_.holds(State::kAccelerate) && !arrives(in) && !over && !in.blocked)) |
         to(State::kPullIn, (at_.holds(State::kAccelerate) && arrives(in)) ||
                                (at_.holds(State::kPullIn) && !enough && !over)) |
         to(State::kRun, caught || locks || (on && !turns_round(in))) |
@@ -307,6 +313,7 @@ class StartSequence {
   bool failed_ = false;
   bool reverse_ = false;        // direction of this try
   bool clear_was_ = false;
+  bool refused_ = false;        // `run` was up before the words were valid: that is no wish to start
 };
 
 }  // namespace steplock

@@ -117,7 +117,8 @@ enum class State : std::uint8_t {
 using States = OneHot<State, 11>;  // how the blocks of the start hold and tell theirs
 
 enum class Reason : std::uint8_t {
-  kNone, kFaultPin, kOverCurrent, kStepOut, kStall, kWrongLock, kNoLock, kCannotStop, kHallCode
+  kNone, kFaultPin, kOverCurrent, kStepOut, kStall, kWrongLock, kNoLock, kCannotStop, kHallCode,
+  kBlocked
 };
 
 }  // namespace steplock

@@ -39,7 +39,8 @@ Mode Drive::mode() const {
     case State::kBrake:
       return Mode::kBrake;
     case State::kAccelerate:
-      return following() && !follower_.drives() ? Mode::kOff : Mode::kDrive;
+      // The current of a rotor that may turn the other way circulates and grows: gates off instead.
+      return following() && !(follower_.drives() && (follower_.sure() || limit_.on())) ? Mode::kOff : Mode::kDrive;
     default:
       return commutating() ? Mode::kDrive : Mode::kOff;
   }
@@ -105,6 +106,8 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .updated = detector_.updated(),
                     .good = detector_.good(),
                     .ramp_done = ramp_done_,
+                    .blocked = following() && follower_.blocked(),
+                    .still = target_ == 0,
                     .frequency = filter_.frequency(),
                     .caught = caught_});
   const bool missed = detector_.missed();
@@ -115,6 +118,9 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
     const bool lags = detector_.error() < 0;
     if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
+  // Freewheeling of 7/16 of a step, and more current would hide the crossing.
+  const double freewheels = vco_.commutated() ? freewheel : bemf_.freewheel();
+  if (freewheels > 0 || vco_.commutated()) long_freewheel_ = freewheels >= 7.0 / 16 && freewheels < 0.5;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 
@@ -293,8 +299,8 @@ void Drive::on_tick(double t) {
       break;
     case State::kAccelerate:
       if (follows()) {
-        // One that has hand-over's frequency coasts, so that it is known when it is handed over.
-        boost_ = !follower_.sure() ? s.reset_duty : f < s.hand_over ? s.start_duty : 0;
+        // One that has hand-over's frequency hardly accelerates, so that it is known when it is handed over.
+        boost_ = !follower_.sure() ? s.reset_duty : f < s.hand_over ? s.start_duty : s.start_duty / 8;
         duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
         break;
       }
@@ -317,7 +323,7 @@ void Drive::on_tick(double t) {
   boosted_ = pulls_in;
   if (sequence_.locked() || holds_) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
-                detector_.hurries());
+                detector_.hurries() || long_freewheel_);
   } else {
     speed_.follow(duty, duty, f);
   }

@@ -41,7 +41,7 @@ class RotorFollower {
   };
   void update(double t, const In& in) {
     loaded_.reset();
-    changed_ = caught_ = false;
+    changed_ = caught_ = blocked_ = false;
     timed_ = sure() && (timed_ || in.update);
     if (stage_ == Stage::kDrive) {
       const bool crossed = in.crossing && t >= believes_ && real_;
@@ -64,6 +64,7 @@ class RotorFollower {
   std::optional<int> loaded() const { return loaded_; }  // in this update: the step to drive
   bool changed() const { return changed_; }  // in this update: a rotor that is followed passed an edge
   bool caught() const { return caught_; }    // in this update: hand over, in the middle of the step
+  bool blocked() const { return blocked_; }  // three steps in a row moved nothing
   bool sure() const { return edges_ >= 2; }
   double next() const {
     if (stage_ == Stage::kLook) return until_;
@@ -135,7 +136,9 @@ class RotorFollower {
       }
     }
     idle_ = news ? 0 : idle_ + 1;
+    if (news) stood_ = 0;
     if (idle_ >= p_.still && !news) {
+      blocked_ = ++stood_ == 3;
       doubt(+1);
       real_ = false;
       rest_ = now_at_rest;
@@ -152,9 +155,9 @@ class RotorFollower {
   std::array<int, 3> high_ = {};
   std::optional<std::array<bool, 3>> rest_;  // code of a rotor at rest
   bool real_ = false, moved_ = false;
-  int belief_ = +1, edges_ = 0, idle_ = 0;
+  int belief_ = +1, edges_ = 0, idle_ = 0, stood_ = 0;
   std::optional<int> loaded_;
-  bool changed_ = false, caught_ = false, timed_ = false;
+  bool changed_ = false, caught_ = false, blocked_ = false, timed_ = false;
 };
 
 }  // namespace steplock::reference

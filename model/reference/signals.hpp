@@ -48,7 +48,8 @@ enum class Reason {
   kWrongLock,
   kNoLock,
   kCannotStop,
-  kHallCode
+  kHallCode,
+  kBlocked
 };
 
 // Index 2 k is phase k's high side, 2 k + 1 its low side.

@@ -55,19 +55,22 @@ void StartSequence::update(const In& in) {
   entered_ = false;
   const bool clear = in.command.clear_fault && !clear_was_;
   clear_was_ = in.command.clear_fault;
+  refused_ = in.command.run && (refused_ || !in.command.configured);
+  // A set speed of 0 is `run` down, and braked.
+  const bool runs = in.command.run && !in.still;
   if (in.tick) ++ticks_;
 
   if (in.fatal != Reason::kNone && state_ != State::kFault) {
     reason_ = in.fatal;
     return enter(State::kFault);
   }
-  if (!in.command.run || !in.command.configured) retries_ = 0;
+  if (!runs || !in.command.configured) retries_ = 0;
 
   switch (state_) {
     case State::kIdle:
       stopping_ = false;
       brakes_ = 0;
-      if (!in.command.run || !in.command.configured) return;
+      if (!runs || refused_ || !in.command.configured) return;
       reverse_ = in.command.reverse;
       reason_ = Reason::kNone;
       return begin_try();
@@ -84,7 +87,7 @@ void StartSequence::update(const In& in) {
       break;
   }
 
-  if (!in.command.configured || (!in.command.run && !stopping_)) return enter(State::kIdle);
+  if (!in.command.configured || (!runs && !stopping_)) return enter(State::kIdle);
   switch (state_) {
     case State::kObserve:
       if (in.caught > 0 && !stopping_) return enter(State::kRun);
@@ -107,6 +110,7 @@ void StartSequence::update(const In& in) {
       return;
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
+      if (in.blocked) return fail(Reason::kBlocked);
       if (p_.method == design::Method::kFollow && ticks_ >= kMostTicks) fail(Reason::kNoLock);
       return;
     case State::kPullIn:
@@ -127,8 +131,9 @@ void StartSequence::run(const In& in) {
   if (in.lost != Reason::kNone) return fail(in.lost);
   if (ticks_ >= 1024 && state_ == State::kRun) retries_ = 0;
   if (!in.command.configured) return enter(State::kIdle);
-  if (!in.command.run && !in.command.brake_to_stop) return enter(State::kIdle);
-  stopping_ = !in.command.run;
+  const bool runs = in.command.run && !in.still;
+  if (!runs && !in.command.brake_to_stop && !in.still) return enter(State::kIdle);
+  stopping_ = !runs;
   if (state_ == State::kRun) {
     if (stopping_ || in.command.reverse != reverse_) enter(State::kSlowDown);
     return;

@@ -28,6 +28,8 @@ class StartSequence {
     bool fault_pin = false;
     bool updated = false, good = false;  // the phase detector took an error; it was a good one
     bool ramp_done = false;  // or the follower has caught the rotor
+    bool blocked = false;    // the follower cannot move it
+    bool still = false;      // the set speed is 0
     double frequency = 0;  // steps/s
     int caught = 0;        // observing: the rotor turns, +1 as wanted, -1 the other way
   };
@@ -57,7 +59,7 @@ class StartSequence {
   Reason reason_ = Reason::kNone;
   long ticks_ = 0;  // since the state was entered
   int good_ = 0, retries_ = 0, brakes_ = 0;
-  bool reverse_ = false, stopping_ = false, entered_ = false, clear_was_ = false;
+  bool reverse_ = false, stopping_ = false, entered_ = false, clear_was_ = false, refused_ = false;
 };
 
 }  // namespace steplock::reference

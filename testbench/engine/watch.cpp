@@ -10,7 +10,7 @@ const char* name_of(State s) {
 
 const char* name_of(Reason r) {
   constexpr const char* kNames[] = {"none",  "fault_pin",  "over_current", "step_out",   "stall",
-                                    "wrong_lock", "no_lock", "cannot_stop", "hall_code"};
+                                    "wrong_lock", "no_lock", "cannot_stop", "hall_code", "blocked"};
   return kNames[static_cast<int>(r)];
 }
 

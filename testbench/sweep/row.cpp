@@ -62,7 +62,7 @@ bool parse(const std::string& t, Outcome& x) {
   return parse(t, x, static_cast<int>(Outcome::kUnfinished) + 1);
 }
 bool parse(const std::string& t, Reason& x) {
-  return parse(t, x, static_cast<int>(Reason::kHallCode) + 1);
+  return parse(t, x, static_cast<int>(Reason::kBlocked) + 1);
 }
 
 bool parse(const std::string& t, sinusoidal::Reason& x) {

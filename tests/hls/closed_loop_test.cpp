@@ -38,6 +38,7 @@ struct Rig {
   std::uint64_t clock = 0;
   std::vector<State> visited;
   double worst_late = 0;  // degrees, of commutations while locked
+  bool lying_shunt = false, dead_comparators = false, dead_halls = false;
 
   explicit Rig(double angle_deg = 0, double rpm = 0)
       : plant(plant_parameters(settings()), start(angle_deg, rpm)) {
@@ -95,6 +96,9 @@ struct Rig {
     in.pins.hall_u = p.hall[0];
     in.pins.hall_v = p.hall[1];
     in.pins.hall_w = p.hall[2];
+    if (lying_shunt) in.pins.limit = true;
+    if (dead_comparators) in.pins.comparator_u = in.pins.comparator_v = in.pins.comparator_w = true;
+    if (dead_halls) in.pins.hall_u = in.pins.hall_v = in.pins.hall_w = false;
     const double next = std::min(std::ceil(plant.next_event() * clock_hz), 1e15);
     return std::max(std::uint64_t(next), clock + 1);
   }
@@ -201,13 +205,55 @@ TEST(ClosedLoop, RunsOnHallSensorsToo) {
   }
 }
 
-TEST(ClosedLoop, ARotorHeldFastIsNoLockAndEndsInAFault) {
+// Four tries and their rests, within five seconds.
+TEST(ClosedLoop, ARotorHeldFastIsBlockedAndEndsInAFault) {
   Rig rig;
   rig.plant.set_load_torque(100);  // N m, far above what the motor can
-  // Four tries and their rests; each ramp is gentler, and so longer, than the one before.
-  for (int i = 0; i < 40 && rig.out.state != State::kFault; ++i) rig.run_for(0.5);
+  for (int i = 0; i < 10 && rig.out.state != State::kFault; ++i) rig.run_for(0.5);
   EXPECT_EQ(rig.out.state, State::kFault);
+  EXPECT_EQ(rig.out.reason, Reason::kBlocked);
   EXPECT_EQ(int(rig.out.counts.retries.raw()), int(rig.in.words.start.retries.raw()) + 1);
+}
+
+// From a lock, what each part that breaks ends the drive with; gates off, and latched.
+struct Broken {
+  Reason reason;
+  void (*part)(Rig&);
+};
+TEST(ClosedLoop, EachPartThatBreaksEndsInAFaultWithItsReason) {
+  const Broken cases[] = {
+      {Reason::kFaultPin, [](Rig& rig) { rig.in.pins.fault = true; }},
+      {Reason::kOverCurrent, [](Rig& rig) { rig.lying_shunt = true; }},
+      {Reason::kStepOut, [](Rig& rig) { rig.dead_comparators = true; }},
+      {Reason::kHallCode, [](Rig& rig) { rig.dead_halls = true; }},
+  };
+  for (const Broken& broken : cases) {
+    Rig rig;
+    rig.in.words.start.retries = 0;
+    if (broken.reason == Reason::kHallCode) rig.in.words.source = Source::kHall;
+    rig.run_for(0.5);
+    ASSERT_EQ(rig.out.state, State::kRun) << int(broken.reason);
+    broken.part(rig);
+    rig.run_for(0.2);
+    EXPECT_EQ(rig.out.state, State::kFault) << int(broken.reason);
+    EXPECT_EQ(rig.out.reason, broken.reason);
+    const auto& g = rig.out.gates;
+    EXPECT_FALSE(g.uh || g.ul || g.vh || g.vl || g.wh || g.wl);
+  }
+}
+
+TEST(ClosedLoop, ASetSpeedOfNothingStopsAndTheNextOneStarts) {
+  Rig rig;
+  const auto target = rig.in.words.speed.target;
+  rig.run_for(0.5);
+  rig.in.words.speed.target = 0;
+  rig.run_for(0.8);
+  EXPECT_EQ(rig.out.state, State::kIdle);
+  EXPECT_FALSE(rig.was(State::kRest)) << "no lock was lost on the way";
+  EXPECT_NEAR(rig.rpm(), 0, 0.01 * set_rpm());
+  rig.in.words.speed.target = target;
+  rig.run_for(0.5);
+  EXPECT_EQ(rig.out.state, State::kRun);
 }
 
 // The control of all the above: a drive that never looks does not lock.

@@ -88,6 +88,15 @@ TEST(CurrentLimit, ACurrentThatNeverFallsIsCountedAndStopsAtFifteen) {
   }
 }
 
+// A release counts in its own off-time alone: a motor that ran well before is protected all the same.
+TEST(CurrentLimit, WhatFellBeforeTheFirstCutEndsNoCount) {
+  CurrentLimit dut;
+  for (int i = 0; i < 100; ++i) dut.tick(limit(i % 20 < 10, false, 4, 10));
+  UInt<4> stuck = 0;
+  for (int i = 0; i < 300; ++i) stuck = dut.tick(limit(true, true, 4, 10)).stuck;
+  EXPECT_EQ(stuck, UInt<4>(15));
+}
+
 TEST(CurrentLimit, AReleaseInTheOffTimeEndsTheCount) {
   CurrentLimit dut;
   dut.tick(limit(false, true, 4, 10));

@@ -178,6 +178,28 @@ TEST(FollowLaw, WithoutNewsForLongTheStepMovesOn) {
   EXPECT_EQ(news.belief.idle, UInt<8>(0));
 }
 
+TEST(FollowLaw, ThreeStepsInARowThatMoveNothingAreABlockedRotor) {
+  const auto still = [](Belief b, int code) {
+    FollowLaw::News news;
+    for (int i = 0; i < 20; ++i) {
+      EXPECT_FALSE(news.blocked);
+      b = (news = look(b, code, 2)).belief;
+    }
+    return news;
+  };
+  Belief b = look({}, kCodes[2], 2).belief;
+  for (int step = 1; step <= 3; ++step) {
+    const auto news = still(b, kCodes[2]);
+    EXPECT_TRUE(news.stands);
+    EXPECT_EQ(news.blocked, step == 3);
+    b = news.belief;
+  }
+  // News in between, and all three are to come again.
+  b = still(still(look({}, kCodes[2], 2).belief, kCodes[2]).belief, kCodes[2]).belief;
+  b = look(b, kCodes[3], 2).belief;
+  EXPECT_EQ(b.stood, UInt<2>(0));
+}
+
 // Of every belief, code and step: backwards is forward in the mirror, where sectors count down, u and w have changed
 // places, and the step's number is 5 less.
 TEST(FollowLaw, ReverseIsForwardInTheMirror) {
@@ -187,7 +209,7 @@ TEST(FollowLaw, ReverseIsForwardInTheMirror) {
     for (int code = 0; code < 8; ++code) {
       for (int step = 0; step < 6; ++step) {
         Belief b{.looked = (bits & 1) != 0, .real = (bits & 2) != 0, .back = (bits & 4) != 0, .moved = (bits & 8) != 0,
-                 .edges = bits >> 4 & 3, .rest = bits >> 6 & 7, .idle = bits % 3 == 0 ? 19 : 3};
+                 .edges = bits >> 4 & 3, .rest = bits >> 6 & 7, .idle = bits % 3 == 0 ? 19 : 3, .stood = bits % 4};
         const bool clear = bits < 1 << 9;
         const auto forward = look(b, code, step, false, clear);
         b.rest = mirrored(bits >> 6 & 7);
@@ -196,6 +218,7 @@ TEST(FollowLaw, ReverseIsForwardInTheMirror) {
         ASSERT_EQ(back.belief, forward.belief) << bits << ' ' << code << ' ' << step;
         ASSERT_EQ(back.goes, forward.goes);
         ASSERT_EQ(back.changed, forward.changed);
+        ASSERT_EQ(back.blocked, forward.blocked);
         if (forward.goes) {
           ASSERT_EQ(int(back.step.raw()), 5 - int(forward.step.raw()));
         }

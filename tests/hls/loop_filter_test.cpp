@@ -160,6 +160,28 @@ TEST(LoopFilter, DoesNotWindUpAtALimit) {
   EXPECT_LT(update(dut, in), Frequency(1 << 20));
 }
 
+// Without a proportional part the output is the integrator: two errors of the other sign, of one that was held against
+// the limit fifty times, and it is below it.
+TEST(LoopFilter, TheIntegratorStandsAtTheLimitItReached) {
+  for (const bool top : {true, false}) {
+    auto in = track();
+    in.bandwidth = Bandwidth::kPerSecond;
+    in.scale = 1 << 16;
+    in.ki = 0x4000;
+    const int limit = 1 << 20, step = 1 << 14;
+    top ? in.maximum = limit : in.minimum = limit;
+    auto dut = at((limit + (top ? -3 : 3) * step) / kTurn);
+    in.error = top ? 0x4000 : -0x4000;
+    for (int i = 0; i < 50; ++i) update(dut, in);
+    ASSERT_EQ(update(dut, in), Frequency(limit)) << top;
+    in.error = top ? -0x4000 : 0x4000;
+    update(dut, in);
+    const auto left = int(update(dut, in).raw());
+    EXPECT_NEAR(left, limit + (top ? -1 : 1) * step, step) << top;
+    EXPECT_NE(left, limit);
+  }
+}
+
 TEST(LoopFilter, ARampGrowsPerTickFromStandstillBelowTheMinimum) {
   LoopFilter dut;
   const In in = {

@@ -40,6 +40,7 @@ struct Behind<SixStep> {
     return {{kPwm, 1u << 24 | kPeriod},
             {address_of(index_of("START_RESET")), 4095u << 16},
             {address_of(index_of("START_DUTY")), 0x4000},
+            {address_of(index_of("SPEED_TARGET")), 0x1000},
             {address_of(index_of("SPEED_DUTY")), 0x8000u << 16},
             {address_of(index_of("SPEED_DUTY_SLEW")), 0xfff}};
   }

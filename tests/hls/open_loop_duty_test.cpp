@@ -116,8 +116,8 @@ TEST(OpenLoopDuty, ALagBeforeAnythingFadedAddsNothing) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(bench.step(true), Duty(3200));
 }
 
-// A rotor that is followed: found with reset_duty, then the start's, and nothing once it has hand-over's frequency.
-TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndCoasts) {
+// A rotor that is followed: found with reset_duty, then the start's, and an eighth once it has hand-over's frequency.
+TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndWaitsWithAnEighth) {
   Bench bench;
   bench.in.follows = true;
   EXPECT_EQ(bench.in_state(State::kAccelerate), Duty(1000));
@@ -129,7 +129,7 @@ TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndCoa
   for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(3200));
   bench.in.fast = true;
   bench.clock();
-  for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(0));
+  for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(400));
   bench.in.fast = false;
   bench.clock();
   EXPECT_EQ(bench.clock(), Duty(3200)) << "a load took its speed";

@@ -197,6 +197,19 @@ TEST(SinusoidalSequence, WhatIsNoLongerConfiguredIsIdle) {
   EXPECT_EQ(s.period().state, S::kFault) << "a latched fault stays";
 }
 
+TEST(SinusoidalSequence, WordsThatBecomeValidUnderARunThatIsUpStartNothing) {
+  Started s;
+  s.in.command = {.run = true};
+  s.period();
+  s.in.command.configured = true;
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(s.period().state, SinusoidalState::kIdle);
+  s.in.command.run = false;
+  s.period();
+  s.in.command.run = true;
+  s.period();
+  EXPECT_NE(s.period().state, SinusoidalState::kIdle);
+}
+
 TEST(SinusoidalSequence, UnconfiguredItNeverStarts) {
   Started s;
   s.in.command.configured = false;

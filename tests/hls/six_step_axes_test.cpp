@@ -77,6 +77,7 @@ class Bench {
     write(base + kPwm, 1u << 24 | unsigned(period));
     write(base + address_of(index_of("START_RESET")), 4095u << 16);
     write(base + address_of(index_of("START_DUTY")), 0x4000);
+    write(base + address_of(index_of("SPEED_TARGET")), 0x1000);
     write(base + address_of(index_of("SPEED_DUTY")), 0x8000u << 16);
     write(base + address_of(index_of("SPEED_DUTY_SLEW")), 0xfff);
     write(base + kControl, 3);

@@ -74,6 +74,7 @@ Life life_with(Values... bad) {
   write({kPwm, 1u << 24 | 200});
   write({address_of(index_of("START_RESET")), 4095u << 16});
   write({address_of(index_of("START_DUTY")), 0x4000});
+  write({address_of(index_of("SPEED_TARGET")), 0x1000});
   write({address_of(index_of("SPEED_DUTY")), 0x8000u << 16});
   write({address_of(index_of("SPEED_DUTY_SLEW")), 0xfff});
   (write(bad), ...);
@@ -138,6 +139,7 @@ TEST(SixStepRegistered, TheDriveItselfTakesAPeriodOfZeroForNoPulse) {
   SixStepTop drive;
   SixStepTop::In in;
   in.command = {.configured = true, .run = true};
+  in.words.speed.target = 0x1000;
   in.words.start.reset = 4095;
   in.words.start.reset_duty = 0x4000;
   int on = 0;

@@ -152,6 +152,31 @@ TEST(SpeedControl, DoesNotWindUpAtItsLimits) {
   }
 }
 
+// The proportional part alone wants more than a limit gives, or than the slew lets through: the integral stands, and
+// with the error gone the duty comes back to what it was.
+TEST(SpeedControl, DoesNotWindUpWhereTheProportionalPartIsLimited) {
+  for (const bool up : {true, false}) {
+    for (const int duty_slew : {4095, 10}) {
+      SpeedControl dut;
+      auto in = typical();
+      in.words.kp = 8 << 12;
+      in.words.duty_slew = duty_slew;
+      in.words.slew = (1 << 20) - 1;
+      in.fixed_duty = 16000;
+      in.frequency = 10000 << 4;
+      update(dut, in);
+      in.mode = SpeedMode::kControl;
+      in.target = (up ? 14000 : 6000) << 4;
+      for (int i = 0; i < 30; ++i) update(dut, in);
+      in.frequency = in.target;
+      int duty = 0;
+      for (int i = 0; i < 100; ++i) duty = static_cast<int>(update(dut, in).duty.raw());
+      // One update at most went by before the bound was seen: a tenth of the error.
+      EXPECT_NEAR(duty, 16000, 400 + 30) << up << ' ' << duty_slew;
+    }
+  }
+}
+
 TEST(SpeedControl, DoesNotWindUpWhileTheCurrentLimitCuts) {
   SpeedControl dut;
   auto in = typical();

@@ -94,6 +94,23 @@ TEST(SpeedRegulator, ALimitedIntegralComesBackAtOnce) {
   EXPECT_LT(value(out.current), 12288 * kPlace - 0.1);
 }
 
+// The proportional part alone reaches the limit: the integral stands, and with the error gone nothing is left of it.
+TEST(SpeedRegulator, WhatTheProportionalPartLimitsWindsNothingUp) {
+  SpeedRegulator dut;
+  SpeedRegulator::In in{.enable = true, .words = words()};
+  in.words.slew = (1 << 19) - 1;
+  in.words.k_p = 2800;
+  in.words.filter = 0x7fff;
+  SpeedRegulator::Out out;
+  int limited = 0;
+  for (int n = 0; n < 200; ++n) limited += (out = dut.tick(in)).saturated;
+  ASSERT_GT(limited, 100);
+  const int held = int(dut.tick(in).current.raw());
+  in.step = step(value(out.reference));
+  for (int n = 0; n < 3; ++n) out = dut.tick(in);
+  EXPECT_LT(std::abs(int(out.current.raw())), held / 4);
+}
+
 TEST(SpeedRegulator, ItSaysWhereTheSpeedStands) {
   SpeedRegulator dut;
   const auto settle = [&](int places, double emf) {

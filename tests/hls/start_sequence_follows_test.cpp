@@ -102,6 +102,19 @@ TEST(StartSequenceFollows, ARotorThatNeverComesFailsEveryTryAfterTheSameTime) {
   EXPECT_EQ(bench.clock().reason, Reason::kNoLock);
 }
 
+TEST(StartSequenceFollows, ABlockedRotorFailsTheTryAtOnceAndIsTheReason) {
+  Bench bench;
+  for (int tries = 0; tries < 3; ++tries) {
+    bench.until(State::kAccelerate);
+    bench.in.blocked = true;
+    bench.clock();
+    bench.in.blocked = false;
+    const auto out = bench.clock();
+    EXPECT_EQ(out.state, tries < 2 ? State::kRest : State::kFault);
+    EXPECT_EQ(out.reason, Reason::kBlocked);
+  }
+}
+
 // The word may change in any clock; there is a state for whatever it says.
 TEST(StartSequenceFollows, AMethodThatChangesDuringTheAlignmentIsTaken) {
   for (const State state : {State::kSettle, State::kReset}) {

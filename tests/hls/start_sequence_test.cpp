@@ -13,6 +13,43 @@ TEST(StartSequence, StaysOffUntilConfigured) {
   for (int i = 0; i < 100; ++i) ASSERT_FALSE(bench.clock().enable);
 }
 
+TEST(StartSequence, WordsThatBecomeValidUnderARunThatIsUpStartNothing) {
+  Bench bench;
+  bench.in.command.configured = false;
+  bench.in.command.run = true;
+  bench.clock();
+  bench.in.command.configured = true;
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(bench.clock().state, State::kIdle);
+  bench.in.command.run = false;
+  bench.clock();
+  bench.in.command.run = true;
+  bench.until(State::kObserve);
+}
+
+// Both in one clock is a wish to start.
+TEST(StartSequence, ARunThatRisesWithItsWordsStarts) {
+  Bench bench;
+  bench.in.command.configured = false;
+  bench.clock();
+  bench.in.command.configured = bench.in.command.run = true;
+  bench.until(State::kObserve);
+}
+
+TEST(StartSequence, ASetSpeedOfNothingIsABrakedStopAndStartsNothing) {
+  Bench bench;
+  bench.in.still = bench.in.command.run = true;
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(bench.clock().state, State::kIdle);
+  bench.in.still = false;
+  bench.run();
+  bench.in.still = true;
+  bench.until(State::kSlowDown);
+  bench.until(State::kBrake);
+  bench.until(State::kObserve);
+  bench.until(State::kIdle);
+  bench.in.still = false;
+  bench.until(State::kObserve);
+}
+
 TEST(StartSequence, StartsThroughAllItsStates) {
   Bench bench;
   bench.run();

@@ -156,7 +156,7 @@ TEST_F(Sweep, ADriveWithoutTorqueIsLatchedAndCounted) {
   run.words.speed.bemf = 0;
   const DrawnResult result = simulate(run);
   EXPECT_EQ(result.findings.outcome, Outcome::kLatched);
-  EXPECT_EQ(result.findings.reason, Reason::kNoLock);
+  EXPECT_EQ(result.findings.reason, Reason::kBlocked);
   const Row row{.index = 0, .drive = "short", .seed = 8, .outside = false, .rtl = "", .conditions = run.conditions,
                 .findings = result.findings, .disturbance = {}, .after = {}};
   SweepSetup setup = setup_;
