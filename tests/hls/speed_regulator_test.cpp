@@ -103,8 +103,8 @@ TEST(SpeedRegulator, WhatTheProportionalPartLimitsWindsNothingUp) {
   in.words.filter = 0x7fff;
   SpeedRegulator::Out out;
   int limited = 0;
-  for (int n = 0; n < 200; ++n) limited += (out = dut.tick(in)).saturated;
-  ASSERT_GT(limited, 100);
+  for (int n = 0; n < 2000; ++n) limited += (out = dut.tick(in)).saturated;
+  ASSERT_GT(limited, 1900);
   const int held = int(dut.tick(in).current.raw());
   in.step = step(value(out.reference));
   for (int n = 0; n < 3; ++n) out = dut.tick(in);
