@@ -137,6 +137,7 @@ module six_step_top #(
   logic reverse;
   logic crossing;
   logic hurries;
+  logic freewheels;
   logic lost;
   logic fatal;
   logic [3:0] cause;
@@ -441,6 +442,7 @@ module six_step_top #(
       .target_i(start_stop ? 26'd0 : words_speed_target_i),
       .limited_i(limited),
       .hurries_i(hurries),
+      .freewheels_i(freewheels),
       .period_i(words_pwm_period_i),
       .slip_i(words_protection_slip_i),
       .words_target_i(words_speed_target_i),
@@ -627,7 +629,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 250
+    still <= words_speed_target_i == 26'd0;  // line 251
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -644,13 +646,14 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 233
+    lags <= detector_error[15];  // line 234
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
     crossing <= bemf_crossing;
-    hurries <= detector_hurries || bemf_freewheel[15:12] == 4'd7;  // line 265
+    hurries <= detector_hurries;
+    freewheels <= bemf_freewheel[15:12] == 4'd7;  // line 266
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;
@@ -679,6 +682,7 @@ module six_step_top #(
       reverse <= 1'b0;
       crossing <= 1'b0;
       hurries <= 1'b0;
+      freewheels <= 1'b0;
       lost <= 1'b0;
       fatal <= 1'b0;
       cause <= Reason_kNone;

@@ -204,6 +204,7 @@ class SixStepTop {
                                     .target = start.stop ? Frequency(0) : words.speed.target,
                                     .limited = limited_,
                                     .hurries = hurries_,
+                                    .freewheels = freewheels_,
                                     .period = words.pwm.period,
                                     .slip = words.protection.slip,
                                     .words = words.speed});
@@ -261,8 +262,8 @@ class SixStepTop {
     steady_ = start.steady;
     reverse_ = start.reverse;
     crossing_ = bemf.crossing;
-    // Freewheeling of 7/16 of a step, and more current would hide the crossing.
-    hurries_ = detector.hurries || bemf.freewheel.slice<15, 12>() == 7;
+    hurries_ = detector.hurries;
+    freewheels_ = bemf.freewheel.slice<15, 12>() == 7;  // 7/16 of a step: more current would hide the crossing
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;
@@ -325,6 +326,7 @@ class SixStepTop {
   bool reverse_ = false;
   bool crossing_ = false;
   bool hurries_ = false;
+  bool freewheels_ = false;
   bool lost_ = false;
   bool fatal_ = false;
   Reason cause_ = Reason::kNone;

@@ -12,8 +12,9 @@
 // up). Integral and reference follow, so that control begins without a jump, after a start as after
 // catching a rotor.
 //
-// Where the freewheeling of so much current takes almost half a step, or hid the crossing of a rotor that hurries
-// on, the duty falls by its slew until a crossing shows: more current would hide them all and lose the loop.
+// The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
+// almost half a step and the duty would rise (or the limit cuts), or it hid the crossing of a rotor that hurries on, the
+// duty falls by its slew until a crossing shows: more current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
 //
@@ -43,7 +44,8 @@ class SpeedControl {
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
-    bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads, or is about to
+    bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads
+    bool freewheels = false;             // freewheeling took almost half of the last step
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;
@@ -68,6 +70,10 @@ class SpeedControl {
     // A cut counts until an integral has seen it.
     const bool limited = limited_;
     limited_ = in.limited || (limited_ && !integrated && control);
+    if (integrated) {
+      held_ = limited;
+      asks_ = limited || at_high_;
+    }
 
     slew(in, control);
     work(in, wrap<Int<32>>(product.product), product.done, limited);
@@ -206,9 +212,11 @@ class SpeedControl {
 
   // The duty's slew, ready one stage before bound() wants it.  Downwards one last bit more: the one's complement.
   void move(const In& in) {
-    const bool up = at_.holds(Stage::kLow) && !in.hurries;
+    const bool rises = at_.holds(Stage::kLow);
+    const bool falls = !rises || in.hurries || (asks_ && in.freewheels);
     const Int<13> slew = in.words.duty_slew;
-    const auto moved = duty_ + (up ? slew : ~slew);
+    const Int<13> none = 0;
+    const auto moved = duty_ + (falls ? ~slew : held_ ? none : slew);
     moved_ = moved.negative() ? Limit(0) : wrap<Limit>(moved);
   }
 
@@ -235,6 +243,8 @@ class SpeedControl {
   Clocks on_clocks_ = 0;
   bool slips_ = false;
   bool limited_ = false;    // the current limit cut a pulse since the last integral
+  bool held_ = false;       // it had done so before that one
+  bool asks_ = false;       // that, or the last duty wanted to be higher than it might
   bool sums_ = false;       // this clock takes a sum
   bool low_ = false;        // it takes something where the work is below the bound
   bool high_ = false;       // it does where it is not

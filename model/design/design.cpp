@@ -14,6 +14,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kLatestHandOver = 0.4;  // of the set speed
 constexpr double kMostTicks = 3900;      // of a ramp, with some to spare of its 4095
 constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceleration may cause
+constexpr double kEdgesBetweenLooks = 1.5;
 constexpr double kSlipMargin = 1.5;    // of the duty that the limit's current takes
 
 // Back-EMF shape of phase u at an electrical angle, peak 1.
@@ -204,7 +205,7 @@ void set_start(const Settings& s, Design& d) {
   p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
   // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus.
   const double brake_current = t.brake_current_a.value_or(2 * s.motor.rated_current_a);
-  const double e_brake = m.k_e * 1.25 * p.hand_over / steps;
+  const double e_brake = m.k_e * kBrakedFrom * p.hand_over / steps;
   p.brake_duty = std::clamp(1 - (e_brake - brake_current * m.r_loop) / s.inverter.bus_v, 0.0, 1.0);
   p.rest = t.rest_s;
   p.retries = t.retries;
@@ -229,7 +230,10 @@ void set_follower(const Settings& s, Design& d) {
       std::sqrt(2 * kPi / 3 / s.motor.pole_pairs * e.inertia[0] * m.inertia / torque);
   const double heaviest = lightest * std::sqrt(3 * e.inertia[1] / e.inertia[0]);
   p.look = t.look_s.value_or(decay);
-  p.probe = t.probe_s.value_or(std::max(0.35 * lightest, 1.5 * decay));
+  // Nor so long that a rotor which turns backwards, too slowly for the brake, passes three edges between two looks: then
+  // their order tells no direction.
+  const double told = kEdgesBetweenLooks / (kBrakedFrom * p.hand_over) - decay;
+  p.probe = t.probe_s.value_or(std::max(std::min(0.35 * lightest, told), 1.5 * decay));
   p.still = int(std::lround(t.still.value_or(std::clamp(1.5 * heaviest / (p.probe + p.look), 2.0, 250.0))));
   // So much that the current limit rules.
   d.start_current = t.start_current_a.value_or(1.5 * s.sensors.limit_a);

@@ -32,6 +32,9 @@ struct MotorConstants {
 };
 MotorConstants motor_constants(const Settings&);
 
+// Of hand-over's speed: a rotor that turns backwards faster is braked, and so is one that shall stop.
+inline constexpr double kBrakedFrom = 1.25;
+
 struct Design {
   Parameters parameters;
   MotorConstants motor;

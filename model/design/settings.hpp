@@ -194,6 +194,11 @@ struct EnvelopeSection {
   double weight = 1;
 };
 
+// What a start may put the motor through; what is not named follows from the motor (bounds.hpp).
+struct BoundsSection {
+  std::optional<double> current_a, kick_deg, speed, lock_s;
+};
+
 // What a running drive must bear, in the disturbance matrix of a sweep.
 struct DisturbanceSection {
   double load_step = 1, load_rate = 0.1;
@@ -221,6 +226,7 @@ struct Settings {
   SinusoidalProtectionSection sinusoidal_protection;
   ScenarioSection scenario;
   EnvelopeSection envelope;
+  BoundsSection bounds;
   DisturbanceSection disturbance;
 };
 

@@ -320,6 +320,13 @@ void for_each_key(S& s, Visitor&& visit) {
   k("speed", v.speed, "", "of that rotor, parts of the set speed; negative is reverse", -3, 3);
   k("weight", v.weight, "", "share of this drive in a sweep over several", 0.001, 1000);
 
+  section = "bounds";
+  auto& w = s.bounds;
+  k("current_a", w.current_a, "A", "most in any phase; default: what the current limit lets through, or shorted windings drive at a backward speed", 1e-3, 1e4);
+  k("kick_deg", w.kick_deg, "deg", "most backwards from rest, electrical; default: a mechanical turn, two electrical ones at least", 1, 1e6);
+  k("speed", w.speed, "", "most from rest, over the set speed; default: from the speed loop and the inertia, 1.1 at least", 1, 10);
+  k("lock_s", w.lock_s, "s", "longest from `run` to the lock; default: from inertia, torque and load, 5 s at least", 1e-3, 1e3);
+
   section = "disturbance";
   auto& u = s.disturbance;
   k("load_step", u.load_step, "", "greatest load step, part of the torque of the rated current", 0, 5);

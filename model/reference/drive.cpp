@@ -323,7 +323,7 @@ void Drive::on_tick(double t) {
   boosted_ = pulls_in;
   if (sequence_.locked() || holds_) {
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
-                detector_.hurries() || long_freewheel_);
+                detector_.hurries(), long_freewheel_);
   } else {
     speed_.follow(duty, duty, f);
   }

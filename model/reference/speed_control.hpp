@@ -29,19 +29,21 @@ class SpeedControl {
   void join(double duty, double reference, double f) {
     follow(duty, std::clamp(duty - p_.kp * (reference - f), p_.minimum, p_.maximum), reference);
   }
-  // `limited`: the current limit cut; `hurries`: freewheeling hides crossings, the duty falls.
-  void tick(double target, double f, bool limited, bool hurries = false) {
+  // `limited`: the current limit cut, the duty stays; `freewheels`: the current is about to hide crossings, and the duty
+  // falls if it would rise else; `hurries`: one of a rotor that leads is hidden, it falls as well.
+  void tick(double target, double f, bool limited, bool hurries = false, bool freewheels = false) {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, move);
     const double error = reference_ - f;
     const double low = std::max(p_.minimum, duty_ - slew),
-                 high = std::min(p_.maximum, duty_ + (hurries ? -slew : slew));
+                 high = std::min(p_.maximum, duty_ + (hurries || ((limited || asks_) && freewheels) ? -slew : limited ? 0 : slew));
     const double wanted = integral_ + p_.kp * error;
     const bool winds_up =
         (error > 0 && (wanted >= high || limited)) || (error < 0 && wanted <= low);
     if (!winds_up)
       integral_ = std::clamp(integral_ + p_.ki * tick_ * error, p_.minimum, p_.maximum);
     duty_ = std::clamp(wanted, low, high);
+    asks_ = wanted > high;
   }
 
   double duty() const { return duty_; }
@@ -50,6 +52,7 @@ class SpeedControl {
  private:
   design::SpeedParameters p_;
   double tick_, duty_ = 0, integral_ = 0, reference_ = 0;
+  bool asks_ = false;  // for more than it got
 };
 
 }  // namespace steplock::reference

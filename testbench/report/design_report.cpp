@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/design/bounds.hpp"
 #include "model/design/budget.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
@@ -89,6 +90,12 @@ std::vector<Group> groups(const design::Settings& s, const design::Design& d) {
                   {"ki", speed.ki, "1/step", "duty per error and second"},
                   {"slew_rpm_s", design::rpm_of(s, speed.slew), "rpm/s", ""},
                   {"duty_slew", speed.duty_slew, "1/s", ""}}});
+  const design::StartBounds bounds = design::start_bounds(s);
+  all.push_back({"bounds", "bounds of a start: beyond one of them it is rough",
+                 {{"current", bounds.current_a, "A", "of any phase"},
+                  {"kick_deg", bounds.kick_deg, "deg", "electrical, backwards from rest"},
+                  {"speed", bounds.speed, "", "over the set speed, from rest"},
+                  {"lock", bounds.lock_s, "s", "from `run`"}}});
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/design/bounds.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
 
@@ -149,6 +150,7 @@ Summary summarise(const design::Settings& s, const RunOptions& options, const Re
 
   sum.step_outs = record.step_outs;
   sum.peak_current_a = record.peak_current;
+  sum.current_bound_a = design::current_bound(s);
   if (!record.overview.empty()) {
     // The counters are cleared when `run` rises, so the last sample holds the whole run's.
     const DriveView& v = record.overview.back().drive;
@@ -184,6 +186,8 @@ std::vector<std::string> Summary::failures() const {
   need(step_outs == 0, fmt::format("{} steps slipped", step_outs));
   need(lost_locks == 0, fmt::format("{} locks lost", lost_locks));
   need(fault == "none", fmt::format("fault latched: {}", fault));
+  need(peak_current_a <= current_bound_a,
+       fmt::format("phase current: {:.2f} A, beyond its bound of {:.2f} A", peak_current_a, current_bound_a));
   need(shoot_throughs == 0, fmt::format("{} shoot-throughs", shoot_throughs));
   speed("steady", steady, kSpeedTolerancePercent);
   if (loaded) speed("under load", *loaded, kRecoveredPercent);

@@ -2,7 +2,8 @@
 //
 // Speeds are the plant's: the angle turned in a span, divided by the span.  The steady span is the
 // last half between reaching set speed (or lock, if it never is reached) and the first disturbance.
-// A run passes if the drive locked, stayed in step and without fault, held its set speed within 0.5 %
+// A run passes if the drive locked, stayed in step and without fault, no phase carried more than its bound
+// (model/design/bounds.hpp), held its set speed within 0.5 %
 // there and, where the scenario asks for it, in the last fifth of the time in reverse, and was back within
 // 2 % in the last fifth of the load step (heavy rotors take their time; the error is printed).
 //
@@ -39,7 +40,7 @@ struct Summary {
   SpeedResult steady;
   double phase_error_rms_deg = 0;          // phase detector, steady
   double commutation_error_mean_deg = 0, commutation_error_rms_deg = 0;  // true angle, steady
-  double peak_current_a = 0, rms_current_a = 0;
+  double peak_current_a = 0, rms_current_a = 0, current_bound_a = 0;
   std::optional<double> load_step_nm, load_dip_percent;
   std::optional<SpeedResult> loaded, reversed;
   std::optional<double> reverse_time_s;    // from the command to the reverse lock

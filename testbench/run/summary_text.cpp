@@ -55,6 +55,7 @@ Json to_json(const Summary& s) {
   j["commutation_error_mean_deg"] = number(s.commutation_error_mean_deg);
   j["commutation_error_rms_deg"] = number(s.commutation_error_rms_deg);
   j["peak_current_a"] = number(s.peak_current_a);
+  j["current_bound_a"] = number(s.current_bound_a);
   j["rms_current_a"] = number(s.rms_current_a);
   j["load_step_nm"] = number(s.load_step_nm);
   j["load_dip_percent"] = number(s.load_dip_percent);
@@ -90,8 +91,8 @@ std::string to_text(const Summary& s) {
   line("phase error", fmt::format("{:.2f} deg rms (detector)", s.phase_error_rms_deg));
   line("commutation", fmt::format("{:+.2f} deg late on average, {:.2f} deg rms (true angle)",
                                   s.commutation_error_mean_deg, s.commutation_error_rms_deg));
-  line("phase current", fmt::format("peak {:.2f} A, rms {:.2f} A steady", s.peak_current_a,
-                                    s.rms_current_a));
+  line("phase current", fmt::format("peak {:.2f} A of at most {:.2f} A, rms {:.2f} A steady", s.peak_current_a,
+                                    s.current_bound_a, s.rms_current_a));
   if (s.loaded) {
     line("load step", fmt::format("{:.4g} N m: dips {:.2f} %, then {:+.4f} %", *s.load_step_nm,
                                   *s.load_dip_percent, s.loaded->error_percent));

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "model/design/bounds.hpp"
 #include "model/design/sinusoidal/design.hpp"
 #include "model/design/sinusoidal/words.hpp"
 #include "testbench/report/word_table.hpp"
@@ -13,6 +14,7 @@ namespace steplock::sinusoidal {
 std::vector<DesignRow> design_rows(const design::Settings& s) {
   const design::sinusoidal::Design d = design::sinusoidal::design_drive(s);
   const auto& p = d.parameters;
+  const design::StartBounds bounds = design::start_bounds(s);
   const auto rpm = [&](double w) { return design::sinusoidal::rpm_of(s, w); };
   return {{"rated torque", "N m", d.rated_torque},
           {"no-load speed", "rpm", d.no_load_rpm},
@@ -42,7 +44,11 @@ std::vector<DesignRow> design_rows(const design::Settings& s) {
           {"pilot decayed below", "A", p.pilot.decayed},
           {"pilot pulse turns", "deg", p.pilot.turned * 180 / std::numbers::pi},
           {"over-current", "A", p.protection.over_current},
-          {"too slow below", "rpm", rpm(p.protection.slow_speed)}};
+          {"too slow below", "rpm", rpm(p.protection.slow_speed)},
+          {"bound of current", "A", bounds.current_a},
+          {"bound of kick", "deg", bounds.kick_deg},
+          {"bound of speed", "", bounds.speed},
+          {"bound of lock", "s", bounds.lock_s}};
 }
 
 std::string design_text(const design::Settings& s) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
 #include "testbench/sinusoidal/run.hpp"
@@ -80,6 +81,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
   const double way = s.scenario.reverse ? -1 : 1;
   r.set_speed_rpm = way * s.scenario.speed_rpm;
   r.peak_current_a = record.peak_current;
+  r.current_bound_a = design::current_bound(s);
   r.shoot_throughs = record.shoot_throughs;
   r.clocks = record.clocks;
   r.simulated_s = record.simulated_s;
@@ -127,6 +129,9 @@ std::vector<std::string> Result::failures() const {
     all.push_back(fmt::format("still turning at {:.1f} rpm after the stop", *stopped_rpm));
   }
   if (lockstep && !lockstep->equal()) all.push_back("the RTL is not its C++");
+  if (peak_current_a > current_bound_a) {
+    all.push_back(fmt::format("phase current: {:.2f} A, beyond its bound of {:.2f} A", peak_current_a, current_bound_a));
+  }
   if (shoot_throughs > 0) all.push_back(fmt::format("{} shoot-throughs", shoot_throughs));
   return all;
 }
@@ -158,6 +163,7 @@ nlohmann::ordered_json to_json(const Result& r) {
   put("delta_theta_rms_deg", r.delta_theta_rms_deg);
   put("rms_current_a", r.rms_current_a);
   put("peak_current_a", r.peak_current_a);
+  put("current_bound_a", r.current_bound_a);
   put("load_step_nm", r.load_step_nm);
   put("load_dip_percent", r.load_dip_percent);
   put("loaded_error_percent", r.loaded_error_percent);
@@ -190,7 +196,8 @@ std::string to_text(const Result& r) {
                             r.speed_error_percent));
   line("delta theta", fmt::format("mean {:+.2f}, rms {:.2f} degrees", r.delta_theta_mean_deg,
                                   r.delta_theta_rms_deg));
-  line("current", fmt::format("{:.2f} A rms, peak {:.2f} A", r.rms_current_a, r.peak_current_a));
+  line("current", fmt::format("{:.2f} A rms, peak {:.2f} A of at most {:.2f} A", r.rms_current_a, r.peak_current_a,
+                              r.current_bound_a));
   if (r.load_dip_percent) {
     line("load step", fmt::format("{:.3g} N m: dip {:.1f} %, then error {:+.3f} %, delta theta at most {:.1f} degrees",
                                   *r.load_step_nm, *r.load_dip_percent,

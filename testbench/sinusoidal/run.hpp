@@ -71,7 +71,7 @@ struct Result {
   std::vector<std::string> reasons;      // of every try that failed
   double set_speed_rpm = 0, mean_rpm = 0, speed_error_percent = 0;
   double delta_theta_mean_deg = 0, delta_theta_rms_deg = 0;  // steady
-  double rms_current_a = 0, peak_current_a = 0;
+  double rms_current_a = 0, peak_current_a = 0, current_bound_a = 0;
   std::optional<double> load_step_nm, load_dip_percent, loaded_error_percent;
   std::optional<double> loaded_delta_theta_worst_deg;  // from the load step to the end of the load
   std::optional<double> stopped_rpm;     // at the end

@@ -133,8 +133,7 @@ void Aftermath::turn(double time, double angle, const DriveView& view) {
     findings_.outcome = After::kSilentStepOut;
     decided_ = true;
   } else if (!disturbance_->for_good &&
-             time - std::max(last_unwell_, disturbance_->until_s) >=
-                 StartJudge::kHeldTurns * settings_.electrical_turn_s()) {
+             time - std::max(last_unwell_, disturbance_->until_s) >= settings_.held()) {
     findings_.outcome = After::kRecovered;
     findings_.recovery_s = last_unwell_ - disturbance_->from_s;
     decided_ = true;
@@ -143,7 +142,7 @@ void Aftermath::turn(double time, double angle, const DriveView& view) {
 
 void Aftermath::time_is_over() {
   if (decided_ || !disturbance_) return;
-  if (findings_.end_s - last_unwell_ < StartJudge::kHeldTurns * settings_.electrical_turn_s()) return;
+  if (findings_.end_s - last_unwell_ < settings_.held()) return;
   findings_.outcome = After::kRecovered;
   findings_.recovery_s = last_unwell_ - disturbance_->from_s;
 }

@@ -4,7 +4,7 @@
 //     in step     the drive claims a lock, each commutation of the last electrical turn was within 60
 //                 degrees of its place, and the drive's speed is the rotor's (within a quarter)
 //     well        in step, and the turn's mean speed within StartJudge::kAtSpeed of the set speed
-//     recovered   well for kHeldTurns turns on end, the disturbance over; a fault for good: still well
+//     recovered   well for held_turns turns on end, the disturbance over; a fault for good: still well
 //                 when the time is over
 //     latched     the fault is latched
 //     silent_step_out   not in step for kNoticeTime, and the drive claims a lock all that time

@@ -20,6 +20,9 @@
 namespace steplock {
 namespace {
 
+// The lock of a watched start.
+constexpr double kWatchedTurns = 200, kWatchedTime = 1;
+
 // Twice the longest way to a latched fault or to set speed that the words allow, with brakes on a
 // heavy rotor; then a bounded drive has decided itself.
 double longest(const design::Settings& s, const design::Parameters& p) {
@@ -109,11 +112,15 @@ WitnessSettings witness_settings(const DrawnRun& run) {
   const design::Settings& s = run.settings;
   const design::ScenarioSection& n = s.scenario;
   const double part = run.seed.disturbed() ? run.disturbance.set_speed : 1;
-  return {.run_s = n.run_s,
-          .set_rpm = part * n.speed_rpm * (n.reverse ? -1 : 1),
-          .pole_pairs = s.motor.pole_pairs,
-          .advance_deg = s.loop.advance_deg,
-          .at_rest = n.start_speed_rpm == 0};
+  WitnessSettings w{.run_s = n.run_s,
+                    .set_rpm = part * n.speed_rpm * (n.reverse ? -1 : 1),
+                    .pole_pairs = s.motor.pole_pairs,
+                    .advance_deg = s.loop.advance_deg,
+                    .at_rest = n.start_speed_rpm == 0};
+  if (run.seed.disturbed()) return w;
+  if (run.seed.watched()) w.held_turns = kWatchedTurns, w.held_s = kWatchedTime;
+  w.bounds = design::start_bounds(run.file, s);
+  return w;
 }
 
 DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
@@ -131,12 +138,12 @@ DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
   }
   run.settings = settings_under(file, run.conditions, seed);
   if (file.drive.kind == design::DriveKind::kSinusoidal) {
-    run.limit_s = sinusoidal::longest_start(file);
+    run.limit_s = sinusoidal::longest_start(file) + witness_settings(run).held();
     return run;
   }
   run.parameters = design::design_drive(run.file).parameters;
   run.words = hls_words(design::quantise(run.parameters, file.control.clock_hz).words);
-  run.limit_s = longest(run.file, run.parameters);
+  run.limit_s = longest(run.file, run.parameters) + witness_settings(run).held();
   return run;
 }
 

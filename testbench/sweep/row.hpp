@@ -55,10 +55,9 @@ void for_each_start_column(const Table& table, R& r, Visitor&& visit) {
   visit("speed_time_s", f.speed_time_s);
   visit("kick_deg", f.kick_deg);
   visit("peak_current_a", f.peak_current_a);
-  if (!table.sinusoidal()) {
-    visit("peak_speed", f.peak_speed);
-    visit("causes", f.causes);
-  }
+  visit("peak_speed", f.peak_speed);
+  visit("causes", f.causes);
+  visit("beyond", f.beyond);
   visit("retries", f.retries);
   visit("lost_locks", f.lost_locks);
   visit("slips", f.slips);

@@ -22,6 +22,10 @@ struct RunSeed {
   bool outside() const { return (value & 1) != 0; }
   bool disturbed() const { return (value & 2) != 0; }
   bool on_rtl() const { return (value & 4) != 0; }
+  // A start whose lock is watched for long.  It takes four times as long to simulate, so not every one is.
+  bool watched() const { return !disturbed() && !on_rtl() && Draw(value).unit(kWatch) < kWatchedPart; }
+  static constexpr double kWatchedPart = 0.2;
+  static constexpr std::uint64_t kWatch = 1 << 16;
 };
 
 enum class Matrix { kStart, kDisturb };

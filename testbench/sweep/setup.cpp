@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "model/design/design.hpp"
+#include "model/design/sinusoidal/design.hpp"
 #include "model/design/sinusoidal/words.hpp"
 #include "model/design/words.hpp"
 
@@ -55,8 +56,10 @@ SweepSetup sweep_setup(const SweepKind& kind, std::uint64_t runs, const std::vec
       throw BadInput(fmt::format("{}:1: drive.kind is another than that of {}; sweep each kind by itself",
                                  file.path, files.front().path));
     }
-    const bool six_step = setup.drive_kind == design::DriveKind::kSixStep;
-    setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight, six_step ? file.settings.sensors.limit_a : 0});
+    const double limit_a = setup.drive_kind == design::DriveKind::kSixStep
+                               ? file.settings.sensors.limit_a
+                               : design::sinusoidal::design_drive(file.settings).parameters.protection.over_current;
+    setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight, limit_a});
   }
   return setup;
 }

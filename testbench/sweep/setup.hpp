@@ -25,7 +25,7 @@ struct SweepDrive {
   std::string name;         // the file's, without folder and ending
   std::string fingerprint;
   double weight = 1;
-  double limit_a = 0;       // its current limit, of which peaks are a part; 0: it has none
+  double limit_a = 0;       // its current limit, sinusoidal its over-current level, of which peaks are a part
 };
 
 struct SweepSetup {

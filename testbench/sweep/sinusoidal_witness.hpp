@@ -31,7 +31,7 @@ class Witness {
   const Findings& findings() const { return start_.findings(); }
 
  private:
-  void entered(State was, State is, Reason, double time);
+  void entered(const plant::State&, State was, Watch now, const View&);
 
   double way_;  // +1, or -1 in reverse
   Recorder* recorder_;

@@ -8,7 +8,7 @@
 namespace steplock {
 
 const char* name_of(Outcome o) {
-  constexpr const char* kNames[] = {"started", "latched", "silent_step_out", "unfinished"};
+  constexpr const char* kNames[] = {"started", "rough", "latched", "silent_step_out", "unfinished"};
   return kNames[static_cast<int>(o)];
 }
 
@@ -106,9 +106,24 @@ void StartJudge::judge(double time, double drive_rpm) {
     return;
   }
   if (!findings_.speed_time_s) findings_.speed_time_s = time - settings_.run_s;
-  if (time - *lock_at_ >= kHeldTurns * settings_.electrical_turn_s()) {
-    findings_.outcome = Outcome::kStarted;
-  }
+  if (time - *lock_at_ < settings_.held()) return;
+  findings_.beyond = beyond();
+  findings_.outcome = findings_.beyond.empty() ? Outcome::kStarted : Outcome::kRough;
+}
+
+std::string StartJudge::beyond() const {
+  if (!settings_.bounds) return "";
+  const design::StartBounds& b = *settings_.bounds;
+  const Findings& f = findings_;
+  std::string text;
+  const auto add = [&](const char* what, double x, double bound) {
+    if (x > bound) text += (text.empty() ? "" : "+") + std::string(what);
+  };
+  add("current", f.peak_current_a, b.current_a);
+  add("kick", f.kick_deg.value_or(0), b.kick_deg);
+  add("speed", f.peak_speed.value_or(0), b.speed);
+  add("lock", f.lock_time_s.value_or(0), b.lock_s);
+  return text;
 }
 
 }  // namespace steplock

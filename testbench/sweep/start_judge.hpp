@@ -1,8 +1,9 @@
 // What came of one start, told from the rotor's true angle and from what the drive claims: the part of
 // a witness that is the same for every kind of drive.
 //
-//     started          locked, without a slip since, for kHeldTurns electrical turns (of the set speed),
+//     started          locked, without a slip since, for held_turns electrical turns (of the set speed) and held_s,
 //                      the last kAtSpeedTurns of them within kAtSpeed of the set speed
+//     rough            the same, but beyond a bound of current, kick, speed or time (model/design/bounds.hpp)
 //     latched          the fault is latched
 //     silent_step_out  a slip, or the rotor stands, or the drive's speed is not the rotor's (by a quarter),
 //                      and kNoticeTime later the drive still claims that lock
@@ -23,17 +24,19 @@
 // Doc: docs/sweep.md   Test: tests/testbench/witness_test.cpp
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <string>
 
+#include "model/design/bounds.hpp"
 #include "model/plant/plant.hpp"
 #include "testbench/engine/watch.hpp"
 #include "testbench/sinusoidal/watch.hpp"
 
 namespace steplock {
 
-enum class Outcome { kStarted, kLatched, kSilentStepOut, kUnfinished };
+enum class Outcome { kStarted, kRough, kLatched, kSilentStepOut, kUnfinished };
 const char* name_of(Outcome);
 
 enum class Cause { kLockLost, kOutrun, kNotPulledIn, kWrongWay, kTooWeak, kNotFollowed };
@@ -46,6 +49,9 @@ struct WitnessSettings {
   int pole_pairs = 1;
   double advance_deg = 0;
   bool at_rest = true;          // at t = 0: only then there is a kick
+  double held_turns = 24, held_s = 0;  // for so long a lock is watched
+  std::optional<design::StartBounds> bounds = std::nullopt;
+  double held() const { return std::max(held_s, held_turns * electrical_turn_s()); }
   double electrical_turn_s() const;
 };
 
@@ -60,6 +66,7 @@ struct Findings {
   double peak_current_a = 0;
   std::optional<double> peak_speed;    // of a rotor that stood: its highest, over the set speed
   std::string causes;                  // of each failed try, with + between them
+  std::string beyond;                  // the bounds that a rough start passed: current, kick, speed, lock; likewise
   int retries = 0;                     // failed tries
   int lost_locks = 0;                  // of them, after a claim of lock
   std::uint64_t slips = 0;             // six-step: steps; sinusoidal: times that the angle was lost
@@ -68,7 +75,7 @@ struct Findings {
 
 class StartJudge {
  public:
-  static constexpr double kHeldTurns = 24, kAtSpeed = 0.03, kNoticeTime = 0.5,
+  static constexpr double kAtSpeed = 0.03, kNoticeTime = 0.5,
                           kOtherSpeed = 0.25, kStandStill = 0.01, kSlow = 0.02;
   static constexpr std::size_t kAtSpeedTurns = 6;
 
@@ -95,6 +102,7 @@ class StartJudge {
     double time, angle;  // angle electrical, rad
   };
   void judge(double time, double drive_rpm);
+  std::string beyond() const;  // which bounds
   double mean_rpm(std::size_t turns) const;  // over the last ones
   bool other_speed(double drive_rpm) const;
   double way() const { return settings_.set_rpm < 0 ? -1 : 1; }

@@ -26,20 +26,18 @@ double first_share(const Json& part) {
 std::string outcomes_line(const std::string& name, const Json& part) {
   std::string t = fmt::format("| {} | {} | {} | {} | {}", name, part["runs"].get<int>(), part["started"].get<int>(),
                               percent(first_share(part)), percent(part["first_try_at_least"].get<double>()));
-  for (const char* key : {"started_after_retries", "latched", "silent_step_outs", "unfinished"}) {
+  for (const char* key : {"started_after_retries", "rough", "latched", "silent_step_outs", "unfinished"}) {
     t += fmt::format(" | {}", part[key].get<int>());
   }
   return t + fmt::format(" | {} |\n", percent(part["lost_at_most"].get<double>(), 3));
 }
 
-std::string spreads_line(const std::string& name, const Json& s, bool six_step) {
+std::string spreads_line(const std::string& name, const Json& s) {
   std::string t = fmt::format("| {} | {} | {} | {}", name, spread(s["lock_time_s"], {"min", "median", "p99", "max"}),
                               spread(s["speed_time_s"], {"min", "median", "max"}),
                               spread(s["kick_deg"], {"median", "p90", "p99", "max"}));
   t += " | " + spread(s["peak_current_a"], {"median", "max"});
-  if (six_step) {
-    t += " | " + spread(s["peak_over_limit"], {"median", "p99", "max"}) + " | " + spread(s["peak_speed"], {"median", "p99", "max"});
-  }
+  t += " | " + spread(s["peak_over_limit"], {"median", "p99", "max"}) + " | " + spread(s["peak_speed"], {"median", "p99", "max"});
   return t + " |\n";
 }
 
@@ -91,35 +89,44 @@ std::string goals(const Json& j) {
   return t + "\n";
 }
 
-std::string six_step_head(const SweepSetup& setup, const std::string& outside) {
-  const std::string seed = setup.judged.empty() ? fmt::format("--seed {}", setup.kind.seed)
-                                                : "--seed-from " + setup.judged.substr(0, 16);
-  std::string t = fmt::format(
-      "# Starts\n\nPrinted by `steplock sweep drives/*.toml --runs {} {}{} --page docs/starts.md`; the test "
-      "`all_of_300_drawn_starts_succeed_and_rtl_agrees` repeats its first runs and fails when they are not the page's.\n\n",
-      setup.runs, seed, outside);
+// With what it was printed, and who chose the seed.
+std::string head(const SweepSetup& setup, const char* title, const char* command, const char* sweep, const char* page,
+                 const char* test) {
+  const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
+  std::string t = fmt::format("# {}\n\nPrinted by ", title);
+  t += setup.judged.empty() ? fmt::format("`steplock sweep {} --runs {} --seed {}{} --page {}`", sweep, setup.runs, setup.kind.seed, outside, page)
+                            : fmt::format("`{} {}`", command, setup.runs);
+  t += fmt::format("; the test `{}` repeats its first runs and fails when they are not the page's.\n\n", test);
   if (!setup.judged.empty()) {
-    t += fmt::format("Nobody chose the seed, {}: it follows from a digest of what is judged ([blocks, design, drive files and "
-                     "judge](sweep.md#the-published-page)), so that nothing was tuned on these motors.\n\n", setup.kind.seed);
+    t += fmt::format("Nobody chose the seed, {}: it follows from a digest ({}) of what is judged ([blocks, design, drive files and "
+                     "judge](sweep.md#the-published-page)), so that nothing was tuned on these motors.\n\n",
+                     setup.kind.seed, setup.judged.substr(0, 16));
   }
+  return t;
+}
+
+std::string six_step_head(const SweepSetup& setup) {
+  std::string t = head(setup, "Starts", "tools/starts", "drives/*.toml", "docs/starts.md",
+                       "all_of_200_drawn_starts_succeed_and_rtl_agrees");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
        "resistance, inductance, flux, comparators, and whether the rotor turns already, either way. The drive's words stay "
-       "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, "
-       "at the set speed; *silent* is a rotor out of step for half a second while the drive claims a lock "
+       "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, a fifth of "
+       "the runs for 200 and a second at least, at the set speed; *rough* is that, but with more current, kick, speed or time than "
+       "the drive's "
+       "[bounds](drive_file.md#bounds); *silent* is a rotor out of step for half a second while the drive claims a lock "
        "([how it is judged](sweep.md#a-run)).\n\n";
   return t;
 }
 
-std::string sinusoidal_head(const SweepSetup& setup, const std::string& outside) {
-  std::string t = fmt::format(
-      "# Starts of the sinusoidal drives\n\nPrinted by `steplock sweep drives/*.toml --kind sinusoidal --runs {} --seed {}{} "
-      "--page docs/sinusoidal_starts.md`; the test `the_page_of_sinusoidal_starts_is_current` repeats its first runs and fails "
-      "when they are not the page's.\n\n",
-      setup.runs, setup.kind.seed, outside);
+std::string sinusoidal_head(const SweepSetup& setup) {
+  std::string t = head(setup, "Starts of the sinusoidal drives", "tools/starts --sinusoidal", "drives/*.toml --kind sinusoidal",
+                       "docs/sinusoidal_starts.md", "the_page_of_sinusoidal_starts_is_current");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
        "resistance, inductance, flux, and the current converters' offsets and noise. The drive's words stay those of the file. "
        "*Started* is in lock by the rotor's true angle, the estimate never 90 electrical degrees from it, for 24 electrical "
-       "turns, at the set speed; *silent* is an angle lost for half a second while the drive claims a lock "
+       "turns, a fifth of the runs for 200 and a second at least, at the set speed; *rough* is that, but with more current, kick, "
+       "speed or time than the drive's "
+       "[bounds](drive_file.md#bounds); *silent* is an angle lost for half a second while the drive claims a lock "
        "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first: a kick of half a turn and "
        "its swing. More than that is a try that ran backward and failed.\n\n";
   return t;
@@ -129,30 +136,28 @@ std::string sinusoidal_head(const SweepSetup& setup, const std::string& outside)
 
 std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   const Json j = sweep_json(setup, rows);
-  const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
   const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
-  std::string t = sinusoidal ? sinusoidal_head(setup, outside) : six_step_head(setup, outside);
+  std::string t = sinusoidal ? sinusoidal_head(setup) : six_step_head(setup);
   t += fmt::format("{} runs; engine `fixed`, {} runs repeated on the RTL, {} of them differ on any clock.\n\n", rows.size(),
                    j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
+  t += fmt::format("{} of the started ones were watched for 200 turns and a second.\n\n", j["inside"]["watched"].get<int>());
   t += "*At least* and *lost at most* are exact binomial bounds with 95 % confidence.\n\n"
-       "| drive | runs | started | first try | at least | after retries | latched | silent | unfinished | lost at most |\n"
-       "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+       "| drive | runs | started | first try | at least | after retries | rough | latched | silent | unfinished | lost at most |\n"
+       "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   for (const auto& [name, part] : j["per_drive"].items()) t += outcomes_line(name, part);
   t += outcomes_line("all, inside the envelope", j["inside"]);
   if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
-    t += fmt::format("\nOutside the envelope: {} runs, {} started, {} latched, {} silent, {} unfinished.\n", o["runs"].get<int>(),
-                     o["started"].get<int>(), o["latched"].get<int>(), o["silent_step_outs"].get<int>(),
+    t += fmt::format("\nOutside the envelope: {} runs, {} started, {} rough, {} latched, {} silent, {} unfinished.\n",
+                     o["runs"].get<int>(), o["started"].get<int>(), o["rough"].get<int>(), o["latched"].get<int>(), o["silent_step_outs"].get<int>(),
                      o["unfinished"].get<int>());
   }
-  t += fmt::format("\nTimes from `run`, kicks backwards from rest in electrical degrees, peaks of any phase{}.\n\n"
-                   "| drive | lock, s: min / median / 99 % / max | set speed, s: min / median / max | kick: median / 90 % / 99 % / max "
-                   "| peak, A: median / max |{}\n|---|---|---|---|---|{}\n",
-                   sinusoidal ? "" : ", also over the current limit; the highest speed of a rotor that stood, over the set speed",
-                   sinusoidal ? "" : " peak over limit: median / 99 % / max | speed: median / 99 % / max |",
-                   sinusoidal ? "" : "---|---|");
-  for (const auto& [name, part] : j["per_drive"].items()) t += spreads_line(name, part, !sinusoidal);
-  t += spreads_line("all, inside the envelope", j, !sinusoidal) + "\n";
-  if (!sinusoidal) t += goals(j) + causes_table(j);
+  t += "\nTimes from `run`, kicks backwards from rest in electrical degrees, peaks of any phase, also over the current limit (sinusoidal: over the "
+       "over-current level); the highest speed of a rotor that stood, over the set speed.\n\n"
+       "| drive | lock, s: min / median / 99 % / max | set speed, s: min / median / max | kick: median / 90 % / 99 % / max "
+       "| peak, A: median / max | peak over limit: median / 99 % / max | speed: median / 99 % / max |\n|---|---|---|---|---|---|---|\n";
+  for (const auto& [name, part] : j["per_drive"].items()) t += spreads_line(name, part);
+  t += spreads_line("all, inside the envelope", j) + "\n";
+  t += goals(j) + causes_table(j);
   t += fmt::format("![Time to lock](figures/{0}_lock_time.svg)\n\n![Peak current](figures/{0}_peak_current.svg)\n",
                    sinusoidal ? "sinusoidal_starts" : "starts");
   const auto failed = failures(rows);
@@ -162,7 +167,7 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   t += "| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
   for (const Row* r : failed) {
     t += fmt::format("| `steplock run drives/{}.toml --replay {}` | {} | {} | {} |\n", r->drive, r->seed,
-                     name_of(r->findings.outcome), start_reason(*r), r->outside ? "outside" : "inside");
+                     name_of(r->findings.outcome), failure(*r), r->outside ? "outside" : "inside");
   }
   return t;
 }

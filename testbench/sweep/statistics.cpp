@@ -22,6 +22,7 @@ std::size_t count(const Rows& rows, Outcome o) {
 Json outcomes(const Rows& rows) {
   return {{"runs", rows.size()},
           {"started", count(rows, Outcome::kStarted)},
+          {"rough", count(rows, Outcome::kRough)},
           {"latched", count(rows, Outcome::kLatched)},
           {"silent_step_outs", count(rows, Outcome::kSilentStepOut)},
           {"unfinished", count(rows, Outcome::kUnfinished)}};
@@ -45,8 +46,9 @@ Json spread_of(const Rows& rows, const std::function<std::optional<double>(const
   return spread(std::move(values));
 }
 
+// A rough start is one all the same, and its figures count.
 std::optional<double> if_started(const Row& r, const std::optional<double>& x) {
-  return r.findings.outcome == Outcome::kStarted ? x : std::nullopt;
+  return r.findings.outcome == Outcome::kStarted || r.findings.outcome == Outcome::kRough ? x : std::nullopt;
 }
 
 double limit_of(const SweepSetup& setup, const Row& r) {
@@ -74,13 +76,16 @@ Json causes(const Rows& rows) {
   return j;
 }
 
-void add_starts(Json& j, const SweepSetup& setup, const Rows& rows) {
+void add_starts(Json& j, const Rows& rows) {
   const std::size_t first = first_try(rows), lost = rows.size() - count(rows, Outcome::kStarted);
   j["started_after_retries"] = count(rows, Outcome::kStarted) - first;
+  j["watched"] = std::ranges::count_if(rows, [](const Row* r) {
+    return RunSeed{r->seed}.watched() && if_started(*r, 0).has_value();
+  });
   j["first_try"] = first;
   j["first_try_at_least"] = share_at_least(first, rows.size());
   j["lost_at_most"] = share_at_most(lost, rows.size());
-  if (setup.drive_kind == design::DriveKind::kSixStep) j["causes"] = causes(rows);
+  j["causes"] = causes(rows);
 }
 
 void add_spreads(Json& j, const SweepSetup& setup, const Rows& rows) {
@@ -89,7 +94,6 @@ void add_spreads(Json& j, const SweepSetup& setup, const Rows& rows) {
   j["peak_current_a"] =
       spread_of(rows, [](const Row& r) { return std::optional(r.findings.peak_current_a); });
   j["kick_deg"] = spread_of(rows, [](const Row& r) { return r.findings.kick_deg; });
-  if (setup.drive_kind != design::DriveKind::kSixStep) return;
   j["peak_speed"] = spread_of(rows, [](const Row& r) { return r.findings.peak_speed; });
   j["peak_over_limit"] = spread_of(rows, [&](const Row& r) {
     const double limit = limit_of(setup, r);
@@ -114,8 +118,12 @@ std::vector<const Row*> failures(const std::vector<Row>& rows) {
     if (f.outcome == Outcome::kStarted) return false;
     // Outside, a lock that holds but cannot reach the set speed is no failure either.
     const bool holds = f.outcome == Outcome::kUnfinished && f.lock_time_s && f.slips == 0;
-    return !(r.outside && (f.outcome == Outcome::kLatched || holds));
+    return !(r.outside && (f.outcome == Outcome::kLatched || f.outcome == Outcome::kRough || holds));
   });
+}
+
+std::string failure(const Row& r) {
+  return r.findings.outcome == Outcome::kRough ? "beyond " + r.findings.beyond : start_reason(r);
 }
 
 std::string prefix_digest(const std::vector<Row>& rows, std::uint64_t count) {
@@ -144,7 +152,7 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
   j["outside_envelope"] = outside.size();
   j["passed"] = passed(setup, rows);
   j["inside"] = outcomes(inside);
-  add_starts(j["inside"], setup, inside);
+  add_starts(j["inside"], inside);
   j["outside_of_envelope"] = outcomes(outside);
   add_spreads(j, setup, inside);
   j["rtl_repeats"] = on_rtl.size();
@@ -153,14 +161,14 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
   for (const SweepDrive& d : setup.drives) {
     const Rows mine = select(rows, [&](const Row& r) { return !r.outside && r.drive == d.name; });
     Json& part = j["per_drive"][d.name] = outcomes(mine);
-    add_starts(part, setup, mine);
+    add_starts(part, mine);
     add_spreads(part, setup, mine);
   }
   j["failures"] = Json::array();
   for (const Row* r : failures(rows)) {
     j["failures"].push_back({{"drive", r->drive}, {"seed", r->seed}, {"outside", r->outside},
                              {"outcome", name_of(r->findings.outcome)},
-                             {"reason", start_reason(*r)}});
+                             {"reason", failure(*r)}});
   }
   return j;
 }
@@ -169,21 +177,21 @@ std::string sweep_text(const SweepSetup& setup, const std::vector<Row>& rows) {
   if (setup.kind.matrix == Matrix::kDisturb) return disturbance_text(setup, rows, passed(setup, rows));
   const Json j = sweep_json(setup, rows);
   const auto cell = [](const Json& x) { return x.is_null() ? "-" : fmt::format("{:.4g}", x.get<double>()); };
-  std::string t = fmt::format("{:<18}{:>7}{:>9}{:>9}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", "inside", "runs",
-                              "started", "retried", "latched", "silent", "unfinished", "lock med, s",
+  std::string t = fmt::format("{:<18}{:>7}{:>9}{:>9}{:>7}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", "inside", "runs",
+                              "started", "retried", "rough", "latched", "silent", "unfinished", "lock med, s",
                               "lock max, s", "kick max,deg", "peak max, A");
   const auto line = [&](const std::string& name, const Json& p, const Json& spreads) {
-    t += fmt::format("{:<18}{:>7}{:>9}{:>9}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", name,
+    t += fmt::format("{:<18}{:>7}{:>9}{:>9}{:>7}{:>9}{:>8}{:>11}{:>12}{:>12}{:>12}{:>12}\n", name,
                      p["runs"].get<int>(), p["started"].get<int>(), p["started_after_retries"].get<int>(),
-                     p["latched"].get<int>(), p["silent_step_outs"].get<int>(), p["unfinished"].get<int>(),
+                     p["rough"].get<int>(), p["latched"].get<int>(), p["silent_step_outs"].get<int>(), p["unfinished"].get<int>(),
                      cell(spreads["lock_time_s"]["median"]), cell(spreads["lock_time_s"]["max"]),
                      cell(spreads["kick_deg"]["max"]), cell(spreads["peak_current_a"]["max"]));
   };
   for (const auto& [name, part] : j["per_drive"].items()) line(name, part, part);
   if (setup.drives.size() > 1) line("all", j["inside"], j);
   if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
-    t += fmt::format("outside the envelope: {} runs, {} started, {} latched, {} silent, {} unfinished\n",
-                     o["runs"].get<int>(), o["started"].get<int>(), o["latched"].get<int>(),
+    t += fmt::format("outside the envelope: {} runs, {} started, {} rough, {} latched, {} silent, {} unfinished\n",
+                     o["runs"].get<int>(), o["started"].get<int>(), o["rough"].get<int>(), o["latched"].get<int>(),
                      o["silent_step_outs"].get<int>(), o["unfinished"].get<int>());
   }
   t += fmt::format("repeated on the RTL: {}, {} of them differ\n", j["rtl_repeats"].get<int>(),
@@ -193,8 +201,7 @@ std::string sweep_text(const SweepSetup& setup, const std::vector<Row>& rows) {
   const auto failed = failures(rows);
   for (std::size_t k = 0; k < std::min(kMost, failed.size()); ++k) {
     const Row& r = *failed[k];
-    t += fmt::format("  FAILED: {} --replay {}: {} ({})\n", r.drive, r.seed, name_of(r.findings.outcome),
-                     start_reason(r));
+    t += fmt::format("  FAILED: {} --replay {}: {} ({})\n", r.drive, r.seed, name_of(r.findings.outcome), failure(r));
   }
   if (failed.size() > kMost) t += fmt::format("  and {} more, in sweep.json\n", failed.size() - kMost);
   return t;

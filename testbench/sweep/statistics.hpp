@@ -1,6 +1,6 @@
 // The statistics of a sweep, as sweep.json and as text; and the page with plots.
 //
-//     runs = started + latched + silent_step_outs + unfinished, all of them and per part:
+//     runs = started + rough + latched + silent_step_outs + unfinished, all of them and per part:
 //     inside and outside the envelope, per drive.  Times, currents and kicks are min, median, max;
 //     lock times of the runs that started, kicks of those whose rotor was at rest.
 //
@@ -24,6 +24,8 @@ std::string sweep_text(const SweepSetup&, const std::vector<Row>&);  // for a te
 
 // Runs inside the envelope that did not start, and runs outside it that did not end as they must.
 std::vector<const Row*> failures(const std::vector<Row>&);
+// Why: the reason of the fault, or the bounds that a rough start passed.
+std::string failure(const Row&);
 // A fingerprint of the first `count` runs, which are the same in a longer sweep: with it a page can tell
 // whether it is stale.  The rows are in the order of their index.
 std::string prefix_digest(const std::vector<Row>&, std::uint64_t count);

@@ -20,7 +20,9 @@ const char* color(std::size_t k) {
   return kColors[k % std::size(kColors)];
 }
 
-bool started(const Row& r) { return r.findings.outcome == Outcome::kStarted; }
+bool started(const Row& r) {
+  return r.findings.outcome == Outcome::kStarted || r.findings.outcome == Outcome::kRough;
+}
 
 // Share of a drive's runs at or below each value, in percent.
 template <class Value>
@@ -101,7 +103,7 @@ std::string number(const Json& x) { return x.is_null() ? "-" : fmt::format("{:.4
 
 std::string table_row(const std::string& name, const Json& part, const Json& spreads) {
   std::string cells = fmt::format("<td>{}</td>", escaped(name));
-  for (const char* key : {"runs", "started", "started_after_retries", "latched", "silent_step_outs", "unfinished"}) {
+  for (const char* key : {"runs", "started", "started_after_retries", "rough", "latched", "silent_step_outs", "unfinished"}) {
     cells += fmt::format("<td>{}</td>", part[key].get<int>());
   }
   for (const char* key : {"lock_time_s", "speed_time_s", "peak_current_a", "kick_deg"}) {
@@ -128,13 +130,13 @@ std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
       rows.size(), well ? "well" : "failed", well ? "passed" : "failed", setup.kind.seed,
       j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
   page += "<div class=\"box\"><table>\n<tr><th>inside the envelope</th><th>runs</th><th>started</th>"
-          "<th>after retries</th><th>latched</th><th>silent step-outs</th><th>unfinished</th>"
+          "<th>after retries</th><th>rough</th><th>latched</th><th>silent step-outs</th><th>unfinished</th>"
           "<th>lock, s: min / median / max</th><th>set speed, s</th><th>peak, A</th><th>kick, deg</th></tr>\n";
   for (const auto& [name, part] : j["per_drive"].items()) page += table_row(name, part, part);
   page += table_row("all", j["inside"], j) + "</table></div>\n";
   if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
-    page += fmt::format("<p>Outside the envelope: {} runs, {} started, {} latched, {} silent step-outs, "
-                        "{} unfinished.</p>\n", o["runs"].get<int>(), o["started"].get<int>(),
+    page += fmt::format("<p>Outside the envelope: {} runs, {} started, {} rough, {} latched, {} silent step-outs, "
+                        "{} unfinished.</p>\n", o["runs"].get<int>(), o["started"].get<int>(), o["rough"].get<int>(),
                         o["latched"].get<int>(), o["silent_step_outs"].get<int>(), o["unfinished"].get<int>());
   }
   for (const PageFigure& f : figures) {
@@ -146,7 +148,7 @@ std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
           "<th>envelope</th></tr>\n";
   for (const Row* r : failed) {
     page += fmt::format("<tr><td>steplock run {}.toml --replay {}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        escaped(r->drive), r->seed, name_of(r->findings.outcome), start_reason(*r),
+                        escaped(r->drive), r->seed, name_of(r->findings.outcome), failure(*r),
                         r->outside ? "outside" : "inside");
   }
   return html_page("Sweep", page + "</table></div>\n");
@@ -174,7 +176,7 @@ void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, con
   const bool disturb = setup.kind.matrix == Matrix::kDisturb;
   const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
   // As many as the tests may repeat.
-  const std::uint64_t most = disturb ? 22 : sinusoidal ? 60 : 300;
+  const std::uint64_t most = disturb ? 22 : sinusoidal ? 60 : 200;
   std::vector<Figure> figures = sweep_figures(setup, rows);
   if (!disturb) {  // those that do not grow with every run
     std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });

@@ -28,8 +28,9 @@ void Witness::changed(const plant::State& s, Watch was, Watch now, const DriveVi
 }
 
 void Witness::sample(const plant::State& s, Watch w, const DriveView& view, double load_nm) {
-  start_.look(s);
+  // Not at the recorder's samples: what is found does not depend on who writes it down.
   if (s.time >= start_.next_look()) {
+    start_.look(s);
     start_.turn(s, rpm_of_steps(view.steps_per_second, pole_pairs_));
   }
   if (recorder_ && s.time >= recorder_->next_sample()) recorder_->sample(s, w, view, load_nm);

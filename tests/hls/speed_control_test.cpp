@@ -177,39 +177,84 @@ TEST(SpeedControl, DoesNotWindUpWhereTheProportionalPartIsLimited) {
   }
 }
 
-TEST(SpeedControl, DoesNotWindUpWhileTheCurrentLimitCuts) {
-  SpeedControl dut;
-  auto in = typical();
-  in.words.kp = 0;
-  in.fixed_duty = 10000;
-  update(dut, in);
-  in.mode = SpeedMode::kControl;
-  in.target = 5000 << 4;
-  in.limited = true;
-  for (int i = 0; i < 100; ++i) update(dut, in);
-  EXPECT_EQ(update(dut, in).duty, Duty(10000));
-  in.limited = false;
-  update(dut, in);  // the last cut still counts in this one
-  EXPECT_GT(update(dut, in).duty, Duty(10000));
-}
-
-TEST(SpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
-  SpeedControl dut;
+// From a start's duty of 10000 to a set speed far above.
+SpeedControl::In accelerating(SpeedControl& dut) {
   auto in = typical();
   in.words.duty_slew = 50;
   in.fixed_duty = 10000;
   update(dut, in);
   in.mode = SpeedMode::kControl;
   in.target = 5000 << 4;
-  int duty = 10000;
+  return in;
+}
+
+int duty_of(const SpeedControl::Out& out) { return static_cast<int>(out.duty.raw()); }
+
+// The duty after 100 ticks, each of which took the slew from it: one more, the one's complement.
+int falls(SpeedControl& dut, const SpeedControl::In& in, int duty) {
   for (int i = 0; i < 100; ++i) {
-    in.hurries = true;
-    const int now = static_cast<int>(update(dut, in).duty.raw());
-    ASSERT_EQ(now, duty - 51);  // one more: the one's complement
+    const int now = duty_of(update(dut, in));
+    EXPECT_EQ(now, duty - 51) << i;
     duty = now;
   }
+  return duty;
+}
+
+TEST(SpeedControl, HoldsTheDutyWhileTheCurrentLimitCutsAndDoesNotWindUp) {
+  SpeedControl dut;
+  auto in = accelerating(dut);
+  in.words.kp = 0;
+  in.limited = true;
+  update(dut, in);  // the first cut holds the duty from the next integral on
+  const Duty held = update(dut, in).duty;
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(update(dut, in).duty, held) << i;
+  in.limited = false;
+  update(dut, in);  // the last cut still counts in this one
+  update(dut, in);
+  EXPECT_GT(update(dut, in).duty, held);
+}
+
+TEST(SpeedControl, LowersTheDutyWhereTheLimitsCurrentFreewheelsForHalfAStep) {
+  SpeedControl dut;
+  auto in = accelerating(dut);
+  in.limited = in.freewheels = true;
+  update(dut, in);
+  falls(dut, in, duty_of(update(dut, in)));
+}
+
+TEST(SpeedControl, LowersTheDutyWhereFreewheelingIsLongAndMoreIsAskedFor) {
+  SpeedControl dut;
+  auto in = accelerating(dut);
+  const int duty = duty_of(update(dut, in));
+  EXPECT_EQ(duty, 10050);  // it wants more than its slew gives
+  in.freewheels = true;
+  falls(dut, in, duty);
+}
+
+// A steady rotor's long freewheeling is a matter of its speed, and no reason to lower the duty.
+TEST(SpeedControl, KeepsItsLawWhereFreewheelingIsLongAndNoMoreIsAskedFor) {
+  SpeedControl with, without;
+  auto in = typical();
+  in.fixed_duty = 10000;
+  in.frequency = in.target = 5000 << 4;
+  update(with, in), update(without, in);
+  in.mode = SpeedMode::kControl;
+  for (int i = 0; i < 100; ++i) {
+    in.target = Frequency((5000 << 4) + i % 7 - 3);  // the duty moves, by less than its slew
+    in.freewheels = true;
+    const Duty duty = update(with, in).duty;
+    in.freewheels = false;
+    ASSERT_EQ(duty, update(without, in).duty) << i;
+  }
+}
+
+TEST(SpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
+  SpeedControl dut;
+  auto in = accelerating(dut);
+  in.hurries = true;
+  const int duty = falls(dut, in, 10000);
   in.hurries = false;  // a crossing showed
-  EXPECT_EQ(update(dut, in).duty, Duty(duty + 50));
+  EXPECT_EQ(duty_of(update(dut, in)), duty + 50);
 }
 
 // The control law in doubles; what may differ is the truncation of each product: the speed error by

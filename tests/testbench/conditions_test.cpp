@@ -51,6 +51,18 @@ std::set<std::string> outside(const design::Settings& s, const Conditions& c) {
   return names;
 }
 
+TEST(Conditions, AFifthOfTheStartsIsWatchedButNoneThatTheRtlRepeats) {
+  int watched = 0;
+  for (std::uint64_t k = 0; k < kRuns; ++k) {
+    const RunSeed seed = run_seed({.seed = 3, .rtl = 0.5}, k);
+    watched += seed.watched();
+    EXPECT_FALSE(seed.watched() && seed.on_rtl());
+    EXPECT_FALSE(run_seed({.matrix = Matrix::kDisturb, .seed = 3}, k).watched());
+  }
+  // A tenth of them all; five standard deviations.
+  EXPECT_NEAR(watched, kRuns * 0.1, 5 * std::sqrt(kRuns * 0.1 * 0.9));
+}
+
 TEST(Conditions, EveryDrawLiesInTheEnvelopeOfEveryDrive) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(STEPLOCK_DRIVES)) {

@@ -21,6 +21,7 @@ Row sample_row() {
   row.findings.reason = Reason::kWrongLock;
   row.findings.lock_time_s = 0.25;
   row.findings.slips = 3;
+  row.findings.beyond = "current+kick";
   return row;
 }
 
@@ -41,6 +42,7 @@ TEST(Row, IsTheSameTextAfterReading) {
   EXPECT_EQ(row.findings.outcome, Outcome::kSilentStepOut);
   EXPECT_EQ(row.findings.reason, Reason::kWrongLock);
   EXPECT_FALSE(row.findings.kick_deg);
+  EXPECT_EQ(row.findings.beyond, "current+kick");
   EXPECT_NEAR(row.conditions.inertia, 1.0 / 3, 1e-7);
 }
 

@@ -108,11 +108,23 @@ TEST(Summary, AnRtlThatIsNotItsSourceFails) {
   EXPECT_NE(to_text(s).find("DIFFERENT on 1, first step_o at clock 7"), std::string::npos);
 }
 
+TEST(Summary, APhaseCurrentBeyondItsBoundFails) {
+  design::Settings s = steady_only();
+  s.bounds.current_a = 5;
+  Record r = record_at(3000);
+  r.peak_current = 5;
+  EXPECT_TRUE(summarise(s, {}, r).failures().empty());
+  r.peak_current = 5.01;
+  const auto failures = summarise(s, {}, r).failures();
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_NE(failures[0].find("5.01 A, beyond its bound of 5.00 A"), std::string::npos);
+}
+
 TEST(Summary, TheJsonHasEveryKeyThatUsersRelyOn) {
   const auto j = to_json(summarise(short_drive(), {}, record_at(3000)));
   for (const char* key :
        {"engine", "locked", "step_outs", "fault", "start_time_s", "lock_time_s", "set_speed_rpm",
-        "mean_speed_rpm", "speed_error_percent", "phase_error_rms_deg", "peak_current_a",
+        "mean_speed_rpm", "speed_error_percent", "phase_error_rms_deg", "peak_current_a", "current_bound_a",
         "rms_current_a", "clocks", "simulated_s", "wall_s", "commutation_error_rms_deg", "retries",
         "load_dip_percent", "reversed"}) {
     EXPECT_TRUE(j.contains(key)) << key;

@@ -183,6 +183,26 @@ TEST_F(Sweep, ADriveThatNeverDoubtsOnABlockedRotorIsASilentStepOutAndCounted) {
   EXPECT_EQ(sweep_json(setup, {row})["outside_envelope"], 1);
 }
 
+TEST(SweepStatistics, ARoughStartCountsLikeALossInsideTheEnvelope) {
+  Row row;
+  row.drive = "a";
+  row.findings.outcome = Outcome::kRough;
+  row.findings.beyond = "kick";
+  row.findings.lock_time_s = 0.5;
+  SweepSetup setup;
+  setup.runs = 1;
+  setup.drives = {{"a", "", 1, 20}};
+  EXPECT_FALSE(passed(setup, {row}));
+  const auto j = sweep_json(setup, {row});
+  EXPECT_EQ(j["rough"], 1);
+  EXPECT_EQ(j["inside"]["first_try"], 0);
+  EXPECT_EQ(j["inside"]["lost_at_most"], 1);
+  EXPECT_EQ(j["lock_time_s"]["max"], 0.5) << "its figures count all the same";
+  EXPECT_EQ(j["failures"][0]["reason"], "beyond kick");
+  row.outside = true;
+  EXPECT_TRUE(passed(setup, {row}));
+}
+
 TEST(SweepStatistics, AreMinMedianMaxOfWhatStartedInside) {
   std::vector<Row> rows(4);
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -22,7 +22,8 @@ Watch watch(State state, int step, Reason reason = Reason::kNone) {
 class Story {
  public:
   explicit Story(bool at_rest = true)
-      : witness_({.run_s = 0.1, .set_rpm = 600, .pole_pairs = 1, .advance_deg = 0, .at_rest = at_rest}) {
+      : Story({.run_s = 0.1, .set_rpm = 600, .pole_pairs = 1, .advance_deg = 0, .at_rest = at_rest}) {}
+  explicit Story(const WitnessSettings& settings) : witness_(settings) {
     state_.electrical_angle = 30 * kPi / 180;
     witness_.sample(state_, was_, {}, 0);
   }
@@ -72,6 +73,40 @@ TEST(Witness, ALockHeldAtSetSpeedHasStarted) {
   EXPECT_NEAR(story.findings().end_s, 1.0 + 2.4, 0.12);
   EXPECT_EQ(story.findings().slips, 0u);
   EXPECT_EQ(*story.findings().kick_deg, 0);
+}
+
+TEST(Witness, ALockIsWatchedForItsTurnsAndItsTime) {
+  for (const bool by_turns : {false, true}) {
+    Story story({.run_s = 0, .set_rpm = 600, .held_turns = by_turns ? 50.0 : 1.0, .held_s = by_turns ? 1.0 : 5.0});
+    story.enter(State::kRun);
+    story.step(6 * 49);
+    EXPECT_EQ(story.findings().outcome, Outcome::kUnfinished);
+    story.step(6 * 2);
+    EXPECT_EQ(story.findings().outcome, Outcome::kStarted);
+  }
+}
+
+// Each bound, kept by a hair and passed by a hair.
+TEST(Witness, AStartBeyondABoundIsRough) {
+  constexpr design::StartBounds kBounds = {.current_a = 5, .kick_deg = 90, .speed = 1.2, .lock_s = 1.005};
+  const auto told = [&](double amps, double back_deg, double speed, int steps) {
+    Story story({.run_s = 0, .set_rpm = 600, .bounds = kBounds});
+    story.enter(State::kPullIn);
+    story.current(amps);
+    story.turn_back(back_deg);
+    story.speed(speed * 600 * kPi / 30);
+    story.turn_back(-back_deg);
+    story.step(steps);
+    story.enter(State::kRun);
+    story.step(6 * 40);
+    return std::string(name_of(story.findings().outcome)) + ":" + story.findings().beyond;
+  };
+  EXPECT_EQ(told(4.99, 89.9, 1.199, 60), "started:");
+  EXPECT_EQ(told(5.01, 89.9, 1.199, 60), "rough:current");
+  EXPECT_EQ(told(4.99, 90.1, 1.199, 60), "rough:kick");
+  EXPECT_EQ(told(4.99, 89.9, 1.201, 60), "rough:speed");
+  EXPECT_EQ(told(4.99, 89.9, 1.199, 61), "rough:lock");
+  EXPECT_EQ(told(5.01, 90.1, 1.201, 61), "rough:current+kick+speed+lock");
 }
 
 TEST(Witness, ALockAtAnotherSpeedNeverStarts) {

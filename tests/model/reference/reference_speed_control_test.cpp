@@ -78,6 +78,21 @@ TEST(ReferenceSpeedControl, DoesNotWindUpAgainstTheCurrentLimit) {
   EXPECT_GT(free.duty(), limited.duty() + 0.01);
 }
 
+TEST(ReferenceSpeedControl, HoldsTheDutyAtTheCurrentLimitAndLowersItWhereThatCurrentFreewheelsTooLong) {
+  SpeedControl control(gains(20), kTick);
+  control.follow(0.3, 0.3, 300);
+  for (int k = 0; k < 10; ++k) control.tick(800, 300, true);
+  EXPECT_DOUBLE_EQ(control.duty(), 0.3);
+  control.tick(800, 300, true, false, true);
+  EXPECT_DOUBLE_EQ(control.duty(), 0.3 - gains(20).duty_slew * kTick);
+  control.tick(800, 300, false, false, true);  // it asks for more
+  EXPECT_DOUBLE_EQ(control.duty(), 0.3 - 2 * gains(20).duty_slew * kTick);
+  control.follow(0.3, 0.3, 300);
+  control.tick(300, 300, false);
+  control.tick(300, 300, false, false, true);  // a steady rotor: long freewheeling is no reason
+  EXPECT_DOUBLE_EQ(control.duty(), 0.3);
+}
+
 TEST(ReferenceSpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
   SpeedControl control(gains(20), kTick);
   control.follow(0.3, 0.3, 300);

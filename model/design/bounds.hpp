@@ -1,0 +1,41 @@
+// What a start may put a motor through until it runs: a start beyond one of these is a rough one.  The drive file
+// declares them ([bounds]); what it does not name follows from the motor:
+//
+//     current_a  I = I_limit + hysteresis / 2 + 2 V / (2 (L - M)) t      t: the comparator's blanking and delay
+//                or, of a rotor that turns backwards, through three shorted windings
+//                I = K E / sqrt(R^2 + (w (L - M))^2)                      K = 1.02 + 0.98 exp(-3 R / (w (L - M))), IEC 60909
+//                sinusoidal: the level of its over-current protection
+//     speed      1 + w / w_set, at least 1.1: at the end of its ramp the PI loop of natural frequency w_n passes the set
+//                speed by at most w = a / w_n, a the slew's acceleration or the limit's, whichever is less
+//     kick_deg   one mechanical turn, two electrical ones at least
+//     lock_s     each attempt as long as half of the limit's torque, less the load, takes from the speed that the rotor
+//                has backwards to hand-over; 5 s at least (sinusoidal: 5 s).  Infinite where that torque does not exceed the load
+//
+// The drive's words are those of the file; the motor may be another one, as in a sweep.
+//
+// Doc: docs/design.md   Test: tests/model/design/bounds_test.cpp
+#pragma once
+
+#include "model/design/design.hpp"
+
+namespace steplock::design {
+
+struct StartBounds {
+  double current_a = 0;  // A, of any phase
+  double kick_deg = 0;   // electrical, backwards from rest
+  double speed = 0;      // of a rotor from rest, over the set speed
+  double lock_s = 0;     // from `run`
+};
+
+StartBounds start_bounds(const Settings& file, const Settings& motor);
+inline StartBounds start_bounds(const Settings& file) { return start_bounds(file, file); }
+
+// A: of a whole run, which may end in a brake.
+double current_bound(const Settings&);
+
+// A, peak of a phase: three shorted windings at this speed, from the first instant on.
+double shorted_current(const Settings& motor, double rpm);
+// A: what the current limit lets through.
+double limited_current(const Settings& motor);
+
+}  // namespace steplock::design
