@@ -132,8 +132,8 @@ TEST(SinusoidalRow, IsTheSameTextAfterReadingAndHasItsOwnColumns) {
   EXPECT_NE(csv_header(table).find(",flux,offset_u_a,offset_v_a,offset_w_a,noise_a,speed,rtl"), std::string::npos);
   // As published for six-step drives.
   EXPECT_EQ(csv_header(Matrix::kStart),
-            "index,drive,seed,outside,outcome,reason,lock_time_s,speed_time_s,kick_deg,peak_current_a,peak_speed,causes,retries,"
-            "lost_locks,slips,end_s,angle_deg,load,fan,inertia,bus,resistance,inductance,flux,offset_u_v,offset_v_v,"
+            "index,drive,seed,outside,outcome,reason,lock_time_s,speed_time_s,kick_deg,peak_current_a,peak_speed,causes,beyond,"
+            "retries,lost_locks,slips,end_s,angle_deg,load,fan,inertia,bus,resistance,inductance,flux,offset_u_v,offset_v_v,"
             "offset_w_v,noise_v,delay_s,speed,rtl");
 }
 
