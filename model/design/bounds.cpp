@@ -74,13 +74,23 @@ double limited_current(const Settings& s) {
   return s.sensors.limit_a + s.sensors.limit_hysteresis_a / 2 + 2 * s.inverter.bus_v / line * rises;
 }
 
+namespace {
+
+// Pulled in by the ramp the rotor leads the field, and the idle winding carries, past the shunt, what its back-EMF drives.
+double past_the_shunt(const Settings& file, const Settings& motor) {
+  return file.start.method == Method::kRamp ? shorted_current(motor, motor.scenario.speed_rpm) : 0;
+}
+
+}  // namespace
+
 StartBounds start_bounds(const Settings& file, const Settings& motor) {
   const bool six_step = file.drive.kind == DriveKind::kSixStep;
   const BoundsSection& b = file.bounds;
   StartBounds bounds;
   bounds.current_a = b.current_a ? *b.current_a
                      : six_step
-                         ? std::max(limited_current(motor), shorted_current(motor, backwards(motor.scenario)))
+                         ? std::max(limited_current(motor) + past_the_shunt(file, motor),
+                                    shorted_current(motor, backwards(motor.scenario)))
                          : sinusoidal::design_drive(file).parameters.protection.over_current;
   bounds.kick_deg = b.kick_deg ? *b.kick_deg : std::max(kLeastKick, 360.0 * motor.motor.pole_pairs);
   bounds.speed = b.speed ? *b.speed : highest_speed(file, motor);

@@ -4,6 +4,7 @@
 //     current_a  I = I_limit + hysteresis / 2 + 2 V / (2 (L - M)) t      t: the comparator's blanking and delay
 //                or, of a rotor that turns backwards, through three shorted windings
 //                I = K E / sqrt(R^2 + (w (L - M))^2)                      K = 1.02 + 0.98 exp(-3 R / (w (L - M))), IEC 60909
+//                start by ramp: the first, and the second at the set speed, which an idle winding carries past the shunt
 //                sinusoidal: the level of its over-current protection
 //     speed      1 + w / w_set, at least 1.1: at the end of its ramp the PI loop of natural frequency w_n passes the set
 //                speed by at most w = a / w_n, a the slew's acceleration or the limit's, whichever is less

@@ -72,6 +72,13 @@ TEST(StartBounds, FromRestTheCurrentIsTheLimitAndWhatRisesUntilItIsSeen) {
   EXPECT_GT(without, s.sensors.limit_a);
 }
 
+TEST(StartBounds, ByRampARotorThatLeadsDrivesCurrentPastTheShunt) {
+  Settings s = settings_of("hoverboard_hub");
+  const double following = start_bounds(s).current_a;
+  s.start.method = Method::kRamp;
+  EXPECT_NEAR(start_bounds(s).current_a, following + shorted_current(s, s.scenario.speed_rpm), 1e-9);
+}
+
 TEST(StartBounds, OnlyARotorThatTurnsBackwardsIsBraked) {
   Settings s = settings_of("hoverboard_hub");
   const double rest = start_bounds(s).current_a;
