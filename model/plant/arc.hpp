@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 
 #include "model/plant/dormand_prince.hpp"
 #include "model/plant/dynamics.hpp"
@@ -63,7 +64,7 @@ class Arc {
 
   const Dynamics* dynamics_ = nullptr;
   Regime regime_;
-  DormandPrinceStep<6, 6> step_;
+  DormandPrinceStep<std::tuple_size_v<Variables>, std::tuple_size_v<Powers>> step_;
   std::array<Point, 3> points_ = {};
   std::array<Guard, 12> guards_ = {};
   int guard_count_ = 0;

@@ -8,18 +8,20 @@ Dynamics::Dynamics(const Parameters& p)
     : bridge_(p.bridge),
       back_emf_(p.motor.shape),
       winding_(p.motor),
+      load_(p),
       salient_(SalientWinding::needed(p.motor)),
       resistance_(p.motor.resistance),
       inductance_(p.motor.inductance - p.motor.mutual),
       inverse_inductance_(1 / inductance_),
       pole_pairs_(p.motor.pole_pairs),
       torque_constant_(p.motor.flux * p.motor.pole_pairs),
-      inertia_(p.motor.inertia + p.load.inertia),
+      own_inertia_(p.motor.inertia + (load_.springs() ? 0 : p.load.inertia)),
+      inertia_(own_inertia_),
       inverse_inertia_(1 / inertia_),
       coulomb_(p.motor.coulomb_friction),
       static_(p.motor.static_friction),
       viscous_(p.motor.viscous_friction),
-      fan_(p.motor.fan_friction),
+      fan_(load_.springs() ? 0 : p.motor.fan_friction),
       cogging_torque_(p.motor.cogging_torque),
       cogging_periods_(p.motor.cogging_periods),
       cogging_rate_(cogging_periods_ / pole_pairs_),
@@ -33,7 +35,13 @@ Dynamics::Dynamics(const Parameters& p)
   // A hundredth of what the motor could reach at this bus.
   const double current = 0.01 * p.bus.voltage / resistance_;
   const double speed = torque_constant_ > 0 ? 0.01 * p.bus.voltage / torque_constant_ : 1;
-  scale_ = {current, current, current, speed, 1.0, p.bus.voltage};
+  constexpr double kTwistScale = 0.01;  // rad
+  scale_ = {current, current, current, speed, 1.0, p.bus.voltage, speed, kTwistScale};
+}
+
+void Dynamics::couple(double inertia) {
+  inertia_ = own_inertia_ + inertia;
+  inverse_inertia_ = 1 / inertia_;
 }
 
 Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) const {
@@ -41,7 +49,8 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
   regime.active = in.active_torque;
   regime.source_voltage = in.source_voltage;
   regime.source_conducts = source_sinks_ || y[kBus] <= in.source_voltage ? 1 : 0;
-  regime.hold = static_ + in.opposing_torque;
+  regime.hold = static_ + in.opposing_torque + in.breakaway_torque;
+  if (load_.acts()) regime.turned = std::fmod(turns, pole_pairs_) * kTurn / pole_pairs_;
   if (cogging_torque_ != 0) {
     regime.cogging_phase = std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
   }
@@ -57,9 +66,9 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
     const double torque =
         salient_ ? winding_.torque(state.field)
                  : torque_constant_ * (shape[0] * y[0] + shape[1] * y[1] + shape[2] * y[2]);
-    const double pull = torque + cogging(regime, y[kAngle]) - regime.active;
-    regime.turning = std::abs(pull) > regime.hold ? 1 : 0;
-    regime.direction = pull < 0 ? -1 : 1;
+    const double pulled = pull(regime, y, torque);
+    regime.turning = std::abs(pulled) > regime.hold ? 1 : 0;
+    regime.direction = pulled < 0 ? -1 : 1;
     regime.piece = back_emf_.piece(y[kAngle], regime.direction);
   }
   regime.dry = regime.direction * (coulomb_ + in.opposing_torque);
@@ -102,7 +111,7 @@ Outputs Dynamics::salient_outputs(const Regime& regime, const Variables& y) cons
   const Phases emf = winding_.motion(regime.circuit, field, current, y[kSpeed], y[kBus]).emf;
   out.terminals = regime.circuit.terminals(current, emf, y[kBus]);
   out.torque = winding_.torque(field);
-  out.pull = out.torque + cogging(regime, y[kAngle]) - regime.active;
+  out.pull = pull(regime, y, out.torque);
   out.bridge_current = regime.circuit.bus_current(current);
   out.source_current = source_current(regime, y, out.bridge_current);
   return out;
@@ -118,6 +127,12 @@ Energy Dynamics::stored(const Regime& regime, const Variables& y) const {
   energy.capacitor = 0.5 * capacitance_ * y[kBus] * y[kBus];
   energy.cogging = -cogging_torque_ / cogging_periods_ *
                    std::cos(cogging_rate_ * y[kAngle] + regime.cogging_phase);
+  if (load_.acts()) {
+    const CoupledLoad::Motion m = motion(regime, y);
+    energy.kinetic += load_.kinetic(m);
+    energy.unbalance = load_.lifted(m);
+    energy.spring = load_.wound(m);
+  }
   return energy;
 }
 

@@ -1,7 +1,8 @@
 // The plant's differential equations between two discontinuities.
 //
 //     (L - M) i_k' = v_k - v_n - R i_k - e_k                  conducting legs; 0 for floating ones
-//     J w'         = torque + cogging - active - direction (coulomb + opposing) - B w - F w |w|
+//     J w'         = torque + cogging + load - active - direction (coulomb + opposing) - B w - F w |w|
+//     load         = unbalance, wind and spring (coupled_load.hpp); with a spring J is the rotor's and F is behind it
 //     theta_e'     = pole_pairs w
 //     C v_bus'     = i_source - sum of share_k i_k            i_source = (V - v_bus) / R_bus
 //     torque       = flux pole_pairs sum of shape_k i_k       e_k = flux pole_pairs w shape_k
@@ -20,14 +21,16 @@
 
 #include "model/plant/bemf.hpp"
 #include "model/plant/circuit.hpp"
+#include "model/plant/coupled_load.hpp"
 #include "model/plant/parameters.hpp"
 #include "model/plant/salient.hpp"
 
 namespace steplock::plant {
 
-// Phase currents A, mechanical speed rad/s, electrical angle rad, bus voltage V.
-enum Variable { kIu, kIv, kIw, kSpeed, kAngle, kBus };
-using Variables = std::array<double, 6>;
+// Phase currents A, mechanical speed rad/s, electrical angle rad, bus voltage V; behind a spring the load's
+// speed rad/s, and the spring's twist rad.
+enum Variable { kIu, kIv, kIw, kSpeed, kAngle, kBus, kLoadSpeed, kTwist };
+using Variables = std::array<double, 8>;
 
 // W; integrated over time they are the entries of Energy.
 enum Power { kSupplied, kCopper, kBridge, kBusResistance, kFriction, kLoad };
@@ -38,6 +41,7 @@ struct Inputs {
   Gates gates = {};
   double opposing_torque = 0;
   double active_torque = 0;
+  double breakaway_torque = 0;
   double source_voltage = 0;
   Legs open = {};  // windings whose contact opens as soon as their current is zero
 };
@@ -54,6 +58,7 @@ struct Regime {
   double source_voltage = 0;   // V
   double source_conducts = 1;  // 0 while the source blocks
   double cogging_phase = 0;    // rad, at electrical angle 0 of this step
+  double turned = 0;           // rad, mechanical, at electrical angle 0 of this step, within one turn
 };
 
 // Everything algebraic at one state.
@@ -79,6 +84,9 @@ class Dynamics {
   Energy stored(const Regime&, const Variables& y) const;  // its four stored entries
   const Variables& scale() const { return scale_; }        // below these, errors are absolute
   double pole_pairs() const { return pole_pairs_; }
+  bool springs() const { return load_.springs(); }
+  // A mass that turns as fast as the rotor is coupled to it, kg m^2 in all.
+  void couple(double inertia);
   bool source_can_block() const { return !source_sinks_ && !stiff_bus_; }
 
  private:
@@ -91,6 +99,14 @@ class Dynamics {
     if (cogging_torque_ == 0) return 0;
     return -cogging_torque_ * std::sin(cogging_rate_ * angle + regime.cogging_phase);
   }
+  CoupledLoad::Motion motion(const Regime& regime, const Variables& y) const {
+    return {regime.turned + y[kAngle] / pole_pairs_, y[kSpeed], y[kLoadSpeed], y[kTwist]};
+  }
+  // N m, of all but friction and opposing load.
+  double pull(const Regime& regime, const Variables& y, double torque) const {
+    const double sum = torque + cogging(regime, y[kAngle]) - regime.active;
+    return load_.acts() ? sum + load_.pull(motion(regime, y)) : sum;
+  }
   double source_current(const Regime& regime, const Variables& y, double bridge_current) const {
     if (stiff_bus_) return bridge_current;
     return regime.source_conducts * (regime.source_voltage - y[kBus]) * bus_conductance_;
@@ -99,10 +115,11 @@ class Dynamics {
   Bridge bridge_;
   BackEmf back_emf_;
   SalientWinding winding_;
+  CoupledLoad load_;
   bool salient_;
   double resistance_, inductance_, inverse_inductance_;
   double pole_pairs_, torque_constant_;  // flux * pole_pairs
-  double inertia_, inverse_inertia_;
+  double own_inertia_, inertia_, inverse_inertia_;
   double coulomb_, static_, viscous_, fan_;
   double cogging_torque_, cogging_periods_, cogging_rate_, cogging_offset_;
   bool stiff_bus_, source_sinks_;
@@ -144,9 +161,9 @@ inline void Dynamics::mechanics(const Regime& regime, const Variables& y, double
                                 double bridge_current, Variables& slope, Powers& power) const {
   const double w = y[kSpeed];
   const double friction = regime.dry + viscous_ * w + fan_ * regime.direction * w * w;
-  const double pull = torque + cogging(regime, y[kAngle]) - regime.active;
-  slope[kSpeed] = regime.turning * (pull - friction) * inverse_inertia_;
+  slope[kSpeed] = regime.turning * (pull(regime, y, torque) - friction) * inverse_inertia_;
   slope[kAngle] = regime.turning * pole_pairs_ * w;
+  slope[kLoadSpeed] = slope[kTwist] = 0;
 
   const double source = source_current(regime, y, bridge_current);
   slope[kBus] = (source - bridge_current) * inverse_capacitance_;
@@ -156,6 +173,12 @@ inline void Dynamics::mechanics(const Regime& regime, const Variables& y, double
   power[kBusResistance] = bus_resistance_ * source * source;
   power[kFriction] = (friction - opposing) * w;
   power[kLoad] = (opposing + regime.active) * w;
+  if (!load_.acts()) return;
+  const CoupledLoad::Motion m = motion(regime, y);
+  slope[kLoadSpeed] = load_.acceleration(m);
+  slope[kTwist] = load_.slip(m);
+  power[kFriction] += load_.heat(m);
+  power[kLoad] += load_.work(m);
 }
 
 inline Outputs Dynamics::outputs(const Regime& regime, const Variables& y) const {
@@ -170,7 +193,7 @@ inline Outputs Dynamics::outputs(const Regime& regime, const Variables& y) const
   }
   out.terminals = regime.circuit.terminals(current, out.emf, y[kBus]);
   out.torque = torque_constant_ * shape_current;
-  out.pull = out.torque + cogging(regime, y[kAngle]) - regime.active;
+  out.pull = pull(regime, y, out.torque);
   out.bridge_current = regime.circuit.bus_current(current);
   out.source_current = source_current(regime, y, out.bridge_current);
   return out;

@@ -99,6 +99,16 @@ std::vector<std::string> validate(const Parameters& p) {
   c.not_negative("load.inertia", p.load.inertia);
   c.not_negative("load.opposing_torque", p.load.opposing_torque);
   c.finite("load.active_torque", p.load.active_torque);
+  c.not_negative("load.breakaway_torque", p.load.breakaway_torque);
+  c.not_negative("load.unbalance_torque", p.load.unbalance_torque);
+  c.finite("load.unbalance_angle", p.load.unbalance_angle);
+  c.finite("load.wind_speed", p.load.wind_speed);
+  c.that(p.load.wind_speed == 0 || p.motor.fan_friction > 0,
+         "load.wind_speed is not 0 and motor.fan_friction is; wind turns a fan, give it one");
+  c.not_negative("load.spring_stiffness", p.load.spring_stiffness);
+  c.not_negative("load.spring_damping", p.load.spring_damping);
+  c.that(p.load.spring_stiffness == 0 || p.load.inertia > 0,
+         "load.spring_stiffness is not 0 and load.inertia is; a spring needs an inertia behind it");
   c.positive("bus.voltage", p.bus.voltage);
   c.not_negative("bus.resistance", p.bus.resistance);
   if (p.bus.resistance > 0) c.positive("bus.capacitance", p.bus.capacitance);

@@ -52,9 +52,15 @@ struct Motor {
 };
 
 struct Load {
-  double inertia = 0;          // kg m^2, rigidly coupled, >= 0
+  double inertia = 0;          // kg m^2, rigidly coupled unless behind a spring, >= 0
   double opposing_torque = 0;  // N m, always against the motion, holds at rest like a brake, >= 0
   double active_torque = 0;    // N m, pulls towards negative speed whatever the speed (a weight)
+  double breakaway_torque = 0;  // N m, holds at rest beyond friction until the rotor has turned once, >= 0
+  double unbalance_torque = 0;  // N m, amplitude: torque = -amplitude sin(angle - unbalance_angle), >= 0
+  double unbalance_angle = 0;   // rad, mechanical, where the weight hangs
+  double wind_speed = 0;        // rad/s: the fan at this speed takes no torque
+  double spring_stiffness = 0;  // N m/rad, between rotor and load (its inertia and fan); 0 couples them rigidly
+  double spring_damping = 0;    // N m s/rad, of the spring, >= 0
 };
 
 struct Bus {

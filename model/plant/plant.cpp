@@ -32,6 +32,7 @@ struct Plant::Core {
       : parameters(checked(p)), dynamics(parameters), sensors(parameters.sensing) {
     inputs.opposing_torque = p.load.opposing_torque;
     inputs.active_torque = p.load.active_torque;
+    inputs.breakaway_torque = p.load.breakaway_torque;
     inputs.source_voltage = p.bus.voltage;
     const Phases& i = initial.current;
     const double sum = i[0] + i[1] + i[2];
@@ -40,7 +41,7 @@ struct Plant::Core {
     // A stiff bus has no state of its own.
     const bool own = initial.bus_voltage >= 0 && p.bus.resistance > 0;
     start({i[0], i[1], -i[0] - i[1], initial.speed, initial.angle * dynamics.pole_pairs(),
-           own ? initial.bus_voltage : p.bus.voltage});
+           own ? initial.bus_voltage : p.bus.voltage, dynamics.springs() ? initial.speed : 0, 0});
   }
 
   void start(Variables y) {
@@ -53,8 +54,9 @@ struct Plant::Core {
 
   void plan_from(const Variables& y) {
     arc_start = now;
-    steps +=
-        arc.plan(dynamics, dynamics.regime(y, inputs, turns), y, parameters.accuracy, next_step);
+    const Regime regime = dynamics.regime(y, inputs, turns);
+    if (regime.turning != 0) inputs.breakaway_torque = 0;
+    steps += arc.plan(dynamics, regime, y, parameters.accuracy, next_step);
     arc_end = arc_start + arc.length();
   }
 
@@ -108,6 +110,7 @@ struct Plant::Core {
   double next_step = 1e-6;
   double turns = 0;  // whole electrical turns taken out of the angle
   Powers spent = {};
+  double coupled_inertia = 0;
   double stored_at_start = 0;
   std::uint64_t steps = 0, shoot_throughs = 0;
 };
@@ -171,6 +174,17 @@ void Plant::set_limit_threshold(double amps) {
   require(amps > 0, "the current limit must be above 0");
   core_->sensors.set_limit_threshold(amps);
   core_->replan();
+}
+
+void Plant::set_coupled_inertia(double inertia) {
+  require(inertia >= 0, "a coupled inertia is not negative");
+  Core& core = *core_;
+  if (inertia == core.coupled_inertia) return;
+  const double speed = state().speed;
+  core.stored_at_start += 0.5 * (inertia - core.coupled_inertia) * speed * speed;
+  core.coupled_inertia = inertia;
+  core.dynamics.couple(inertia);
+  core.replan();
 }
 
 void Plant::set_open(int k, bool open) {

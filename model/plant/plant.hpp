@@ -59,10 +59,10 @@ struct Energy {
   double supplied = 0;  // by the source, behind its resistance
   double copper = 0, bridge = 0, bus_resistance = 0, friction = 0;  // turned into heat
   double load = 0;                                                  // work done on the load torques
-  double kinetic = 0, magnetic = 0, capacitor = 0, cogging = 0;     // stored now
+  double kinetic = 0, magnetic = 0, capacitor = 0, cogging = 0, unbalance = 0, spring = 0;  // stored now
   double stored_at_start = 0;
 
-  double stored() const { return kinetic + magnetic + capacitor + cogging; }
+  double stored() const { return kinetic + magnetic + capacitor + cogging + (unbalance + spring); }
   // Zero but for the integration error: the running check of the plant's own arithmetic.
   double residual() const {
     return supplied - copper - bridge - bus_resistance - friction - load -
@@ -114,6 +114,9 @@ class Plant {
   void set_active_torque(double torque);  // N m, towards negative speed
   void set_bus_voltage(double source);    // V, > 0
   void set_limit_threshold(double amps);  // A, > 0
+  // kg m^2, >= 0, at the rotor besides the parameters' inertia.  The mass already turns as fast as the rotor (a gear
+  // that is engaged in step): the speed stays, its energy comes from outside.
+  void set_coupled_inertia(double inertia);
   // The contact between phase k's winding and its terminal.  One that opens with current in it arcs
   // until that current is next zero, and opens then.
   void set_open(int k, bool open);
