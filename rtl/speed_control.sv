@@ -55,6 +55,7 @@ module speed_control (
   logic limited;  // the current limit cut a pulse since the last integral
   logic held;  // it had done so before that one
   logic asks;  // that, or the last duty wanted to be higher than it might
+  logic yields;  // the duty falls for want of crossings: a flip-flop before the adder
   logic sums;  // this clock takes a sum
   logic low;  // it takes something where the work is below the bound
   logic high;  // it does where it is not
@@ -100,8 +101,8 @@ module speed_control (
   wire both_69 = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 69
   wire work_either = at_high || limited;  // line 164
   wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 181
+  wire falls_2 = !at_bits[11] || yields;
   wire integrated = both_69 && multiplier_done;
-  wire falls_2 = !at_bits[11] || hurries_i || ((integrated ? work_either : asks) && freewheels_i);
   wire [11:0] moved_choice = (integrated ? limited : held) ? 12'd0 : words_duty_slew_i;  // line 219
   wire [12:0] moved_choice_2 = falls_2 ? ~{1'b0, words_duty_slew_i} : {1'b0, moved_choice};
   wire [17:0] moved_2 = {2'd0, duty_next} + {{5{moved_choice_2[12]}}, moved_choice_2};
@@ -203,6 +204,7 @@ module speed_control (
     end else begin
       limited <= !integrated && control;
     end
+    yields <= hurries_i || ((integrated ? work_either : asks) && freewheels_i);  // line 221
     sums <= sums_next;
     low <= inverse || choose_choice || at_bits[7] || low_next_choice;
     high <= sums_next || (at_bits[11:8] & 4'h9) != 4'd0 || high_next_either;
@@ -236,6 +238,7 @@ module speed_control (
       limited <= 1'b0;
       held <= 1'b0;
       asks <= 1'b0;
+      yields <= 1'b0;
       sums <= 1'b0;
       low <= 1'b0;
       high <= 1'b0;

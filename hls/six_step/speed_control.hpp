@@ -213,11 +213,12 @@ class SpeedControl {
   // The duty's slew, ready one stage before bound() wants it.  Downwards one last bit more: the one's complement.
   void move(const In& in) {
     const bool rises = at_.holds(Stage::kLow);
-    const bool falls = !rises || in.hurries || (asks_ && in.freewheels);
+    const bool falls = !rises || yields_;
     const Int<13> slew = in.words.duty_slew;
     const Int<13> none = 0;
     const auto moved = duty_ + (falls ? ~slew : held_ ? none : slew);
     moved_ = moved.negative() ? Limit(0) : wrap<Limit>(moved);
+    yields_ = in.hurries || (asks_ && in.freewheels);
   }
 
   SerialMultiplier<27, 16> multiplier_;
@@ -245,6 +246,7 @@ class SpeedControl {
   bool limited_ = false;    // the current limit cut a pulse since the last integral
   bool held_ = false;       // it had done so before that one
   bool asks_ = false;       // that, or the last duty wanted to be higher than it might
+  bool yields_ = false;     // the duty falls for want of crossings: a flip-flop before the adder
   bool sums_ = false;       // this clock takes a sum
   bool low_ = false;        // it takes something where the work is below the bound
   bool high_ = false;       // it does where it is not

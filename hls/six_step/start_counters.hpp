@@ -3,7 +3,8 @@
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
 //               kAccelerate last twice as long after each failed try, three times
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
-//     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun
+//     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
+//               So is one that follows, has no ticks left and has no rotor: the next one would be the same
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
@@ -32,6 +33,7 @@ class StartCounters {
     bool update = false;         // strobe: the phase detector has a new error
     bool good = false;           // with `update`: it is a small one
     bool turns_reverse = false;  // while observing: the code last moved downwards
+    bool sure = false;           // a follower has the rotor
     StartWords words;
   };
 
@@ -99,7 +101,8 @@ class StartCounters {
   }
 
   void count_tries(const In& in, bool over) {
-    tried_ = retries_ >= in.words.retries;
+    const bool in_vain = follows(in) && in.state.holds(State::kAccelerate) && last_ && !in.sure;
+    tried_ = retries_ >= in.words.retries || in_vain;
     if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
       retries_ = 0;
     } else if (in.failed) {

@@ -97,6 +97,7 @@ class StartSequence {
                                           .update = in.update,
                                           .good = in.good,
                                           .turns_reverse = in.turns_reverse,
+                                          .sure = in.sure,
                                           .words = in.words});
     const Duty duty = open_loop_.tick({.state = at_,
                                        .strong = counts.strong,

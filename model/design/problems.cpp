@@ -85,6 +85,12 @@ void check_control(Findings& found, const Settings& s) {
   if (s.motor.shape == Shape::kTable && s.motor.table.size() < 8) {
     found.add("motor.table has ", s.motor.table.size(), " values; must have at least 8");
   }
+  if (s.load.wind_rpm != 0 && s.load.fan_nms2 == 0) {
+    found.add("load.wind_rpm is ", s.load.wind_rpm, " and load.fan_nms2 is 0; wind turns a fan, give it one");
+  }
+  if (s.load.spring_nm_rad > 0 && s.load.inertia_kgm2 == 0) {
+    found.add("load.spring_nm_rad is ", s.load.spring_nm_rad, " and load.inertia_kgm2 is 0; a spring needs an inertia behind it");
+  }
   if (s.motor.static_nm && *s.motor.static_nm < s.motor.coulomb_nm) {
     found.add("motor.static_nm is ", *s.motor.static_nm, " N m; must be at least coulomb_nm");
   }
@@ -149,6 +155,7 @@ void check_scenario(Findings& found, const Settings& s) {
   }
   between("load_step_s", n.load_step_s, "run_s", n.run_s);
   between("load_off_s", n.load_off_s, "load_step_s", n.load_step_s.value_or(n.run_s));
+  between("inertia_step_s", n.inertia_step_s, "run_s", n.run_s);
   between("reverse_s", n.reverse_s, "run_s", n.run_s);
   between("stop_s", n.stop_s, "run_s", n.run_s);
   if (n.load_off_s && !n.load_step_s) {
@@ -167,6 +174,9 @@ void check_envelope(Findings& found, const Settings& s) {
       found.add("envelope.", name, " is from ", range[0], " to ", range[1],
                 "; must not fall: write the lower end first");
     }
+  }
+  if (const auto& r = s.hardship.spring_hz; r[0] > r[1]) {
+    found.add("hardship.spring_hz is from ", r[0], " to ", r[1], "; must not fall: write the lower end first");
   }
   if (const auto& r = s.disturbance.set_speed; r[0] > r[1]) {
     found.add("disturbance.set_speed is from ", r[0], " to ", r[1],

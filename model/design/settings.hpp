@@ -52,7 +52,9 @@ struct MotorSection {
 };
 
 struct LoadSection {
-  double inertia_kgm2 = 0, opposing_nm = 0, fan_nms2 = 0;
+  double inertia_kgm2 = 0, opposing_nm = 0, fan_nms2 = 0, breakaway_nm = 0;
+  double unbalance_nm = 0, unbalance_deg = 0, wind_rpm = 0;
+  double spring_nm_rad = 0, spring_nms_rad = 0;
 };
 
 struct InverterSection {
@@ -177,6 +179,7 @@ struct ScenarioSection {
   double speed_rpm = 0, duration_s = 2, start_angle_deg = 0, start_speed_rpm = 0;
   double run_s = 1e-3;
   std::optional<double> load_step_s, load_off_s, load_step_nm;
+  std::optional<double> inertia_step_s, inertia_step_kgm2;
   std::optional<double> reverse_s, stop_s;
   bool reverse = false, brake_to_stop = true;
 };
@@ -199,6 +202,13 @@ struct BoundsSection {
   std::optional<double> current_a, kick_deg, speed, lock_s;
 };
 
+// What a start must bear beyond its envelope, one at a time, in the hard matrix of a sweep.  Torques are parts of the
+// one of the rated current.
+struct HardshipSection {
+  double unbalance = 0.3, wind = 0.5, cogging = 0.3, stiction = 0.3, breakaway = 0.6, comparators = 2;
+  std::array<double, 2> spring_hz = {10, 100};
+};
+
 // What a running drive must bear, in the disturbance matrix of a sweep.
 struct DisturbanceSection {
   double load_step = 1, load_rate = 0.1;
@@ -206,6 +216,7 @@ struct DisturbanceSection {
   double bus_dip = 0.4;
   int stuck_steps = 48;
   double demagnetisation_deg = 30;
+  double inertia_step = 4;
 };
 
 struct Settings {
@@ -227,6 +238,7 @@ struct Settings {
   ScenarioSection scenario;
   EnvelopeSection envelope;
   BoundsSection bounds;
+  HardshipSection hardship;
   DisturbanceSection disturbance;
 };
 

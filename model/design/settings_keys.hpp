@@ -44,7 +44,7 @@ constexpr auto enum_words(LoopForm) { return std::to_array({"per_second", "per_s
 
 // Sections that belong to one kind of drive alone; the others serve both.
 constexpr bool belongs(std::string_view section, DriveKind kind) {
-  for (const std::string_view s : {"loop", "start", "speed", "protection"}) {
+  for (const std::string_view s : {"loop", "start", "speed", "protection", "hardship"}) {
     if (section == s) return kind == DriveKind::kSixStep;
   }
   for (const std::string_view s :
@@ -101,9 +101,15 @@ void for_each_key(S& s, Visitor&& visit) {
 
   section = "load";
   auto& l = s.load;
-  k("inertia_kgm2", l.inertia_kgm2, "kg m^2", "rigidly coupled", 0, 100);
+  k("inertia_kgm2", l.inertia_kgm2, "kg m^2", "rigidly coupled, unless behind a spring", 0, 100);
   k("opposing_nm", l.opposing_nm, "N m", "always against the motion, holds at rest", 0, 1e3);
   k("fan_nms2", l.fan_nms2, "N m s^2/rad^2", "torque per squared speed", 0, 100);
+  k("breakaway_nm", l.breakaway_nm, "N m", "holds at rest, beyond friction, until the rotor has turned once", 0, 1e3);
+  k("unbalance_nm", l.unbalance_nm, "N m", "amplitude of the torque of a weight on one side", 0, 1e3);
+  k("unbalance_deg", l.unbalance_deg, "deg", "mechanical angle at which that weight hangs", -360, 360);
+  k("wind_rpm", l.wind_rpm, "rpm", "speed at which moving air lets the fan be; negative is reverse", -1e6, 1e6);
+  k("spring_nm_rad", l.spring_nm_rad, "N m/rad", "a belt between rotor and load (its inertia and fan); 0: rigid", 0, 1e6);
+  k("spring_nms_rad", l.spring_nms_rad, "N m s/rad", "damping of that spring", 0, 1e4);
 
   section = "inverter";
   auto& i = s.inverter;
@@ -298,6 +304,8 @@ void for_each_key(S& s, Visitor&& visit) {
   k("load_step_s", n.load_step_s, "s", "when the load torque rises by load_step_nm", 0, 100);
   k("load_off_s", n.load_off_s, "s", "when it falls again", 0, 100);
   k("load_step_nm", n.load_step_nm, "N m", "default: half the torque of the rated current", 0, 1e3);
+  k("inertia_step_s", n.inertia_step_s, "s", "when a mass that turns along is coupled to the rotor", 0, 100);
+  k("inertia_step_kgm2", n.inertia_step_kgm2, "kg m^2", "of that mass; default: three times the inertia before", 0, 100);
   k("reverse_s", n.reverse_s, "s", "when the direction is changed", 0, 100);
   k("stop_s", n.stop_s, "s", "when `run` falls", 0, 100);
   k("reverse", n.reverse, "", "starts in reverse direction");
@@ -327,6 +335,16 @@ void for_each_key(S& s, Visitor&& visit) {
   k("speed", w.speed, "", "most from rest, over the set speed; default: from the speed loop and the inertia, 1.1 at least", 1, 10);
   k("lock_s", w.lock_s, "s", "longest from `run` to the lock; default: from inertia, torque and load, 5 s at least", 1e-3, 1e3);
 
+  section = "hardship";
+  auto& h = s.hardship;
+  k("unbalance", h.unbalance, "", "greatest torque of a weight about which the rotor swings, part of the torque of the rated current", 0, 2);
+  k("wind", h.wind, "", "greatest speed of the wind on a fan, either way, part of the set speed", 0, 2);
+  k("spring_hz", h.spring_hz, "Hz", "of a load behind a belt, with the rotor held; drawn evenly by ratio", 0.1, 1e4);
+  k("cogging", h.cogging, "", "greatest cogging torque, part of the torque of the rated current", 0, 2);
+  k("stiction", h.stiction, "", "greatest torque that holds at each standstill, likewise", 0, 2);
+  k("breakaway", h.breakaway, "", "greatest torque that holds until the rotor has turned once, likewise", 0, 2);
+  k("comparators", h.comparators, "", "factor of the drawn offsets, noise and delay of the comparators", 1, 20);
+
   section = "disturbance";
   auto& u = s.disturbance;
   k("load_step", u.load_step, "", "greatest load step, part of the torque of the rated current", 0, 5);
@@ -338,6 +356,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("stuck_steps", u.stuck_steps, "", "most commutation steps for which a comparator is stuck", 1, 1000);
   k("demagnetisation_deg", u.demagnetisation_deg, "electrical degrees",
     "longest freewheeling of the commutated current", 0, 60);
+  k("inertia_step", u.inertia_step, "", "greatest factor of the inertia, of a mass that is coupled in step while the drive runs", 1, 100);
 }
 
 }  // namespace steplock::design

@@ -107,6 +107,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .good = detector_.good(),
                     .ramp_done = ramp_done_,
                     .blocked = following() && follower_.blocked(),
+                    .sure = following() && follower_.sure(),
                     .still = target_ == 0,
                     .frequency = filter_.frequency(),
                     .caught = caught_});

@@ -111,7 +111,10 @@ void StartSequence::update(const In& in) {
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
-      if (p_.method == design::Method::kFollow && ticks_ >= kMostTicks) fail(Reason::kNoLock);
+      if (p_.method == design::Method::kFollow && ticks_ >= kMostTicks) {
+        if (!in.sure) retries_ = p_.retries;  // the next one would be the same
+        fail(Reason::kNoLock);
+      }
       return;
     case State::kPullIn:
       if (in.updated) good_ = in.good ? good_ + 1 : 0;

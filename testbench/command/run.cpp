@@ -68,8 +68,9 @@ std::unique_ptr<TraceWriter> make_trace(const Arguments& arguments, const fs::pa
 template <class Drive>
 int replay(const Arguments& arguments, DriveFile file) {
   const RunSeed seed{*arguments.replay};
-  if (seed.disturbed() && !Drive::kDisturbed) {
-    refuse(file, "this seed is of the disturbance matrix, which serves six-step drives");
+  if (seed.value >= kSeedEnd) refuse(file, fmt::format("--replay is {}; a sweep's seeds are below {}", seed.value, kSeedEnd));
+  if ((seed.disturbed() || seed.hard()) && !Drive::kDisturbed) {
+    refuse(file, "this seed is of the disturbance or of the hard matrix, which serve six-step drives");
   }
   const fs::path out = make_folder(arguments);
   DrawnRun run = drawn_run(file.settings, seed);
@@ -95,7 +96,7 @@ int replay(const Arguments& arguments, DriveFile file) {
       Drive::report(out, drawn, Drive::summarise(drawn, options, record), record, arguments.trace);
   print_row({.index = 0, .drive = stem(arguments), .seed = run.seed.value, .outside = run.seed.outside(),
              .rtl = "", .conditions = run.conditions, .findings = result.findings,
-             .disturbance = run.disturbance, .after = result.after, .kind = drawn.drive.kind},
+             .disturbance = run.disturbance, .hardship = run.hardship, .after = result.after, .kind = drawn.drive.kind},
             arguments.json);
   print_files(files, arguments.json);
   const bool well = run.seed.disturbed() ? ends_well(run.disturbance.kind, result.after.outcome)

@@ -72,13 +72,14 @@ std::uint64_t seed_of(const std::string& digest) {
 int run_sweep(Arguments arguments) {
   if (!arguments.judged.empty()) arguments.kind.seed = seed_of(arguments.judged);
   const Shard shard = parse_shard(arguments.shard);
-  if (arguments.kind.matrix == Matrix::kDisturb && arguments.kind.outside > 0) {
-    throw BadInput("--outside is for starts; leave it out with --matrix disturb");
+  const Matrix matrix = arguments.kind.matrix;
+  if (matrix != Matrix::kStart && arguments.kind.outside > 0) {
+    throw BadInput(fmt::format("--outside is for starts; leave it out with --matrix {}", name_of(matrix)));
   }
   const design::DriveKind drive_kind = arguments.drive_kind ? *arguments.drive_kind : kind_among(arguments.files);
   const bool sinusoidal = drive_kind == design::DriveKind::kSinusoidal;
-  if (sinusoidal && arguments.kind.matrix == Matrix::kDisturb) {
-    throw BadInput("--matrix disturb serves six-step drives alone; leave it out for sinusoidal ones");
+  if (sinusoidal && matrix != Matrix::kStart) {
+    throw BadInput(fmt::format("--matrix {} serves six-step drives alone; leave it out for sinusoidal ones", name_of(matrix)));
   }
   const std::vector<DriveFile> files = open_files_of(
       drive_kind, arguments.files, sinusoidal ? "a sweep of sinusoidal drives" : "a sweep");
@@ -136,9 +137,10 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_flag("--resume", a->resume, "do only the runs that the folder does not hold");
   command->add_flag("--json", a->json, "print sweep.json on standard output");
   command->add_option("--matrix", a->kind.matrix,
-                      "start (the default): a start alone; disturb: then one disturbance of the running drive")
+                      "start (the default): a start alone; disturb: then one disturbance of the running drive; "
+                      "hard: a start with one hardship more than the envelope has")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Matrix>{{"start", Matrix::kStart}, {"disturb", Matrix::kDisturb}}));
+          std::map<std::string, Matrix>{{"start", Matrix::kStart}, {"disturb", Matrix::kDisturb}, {"hard", Matrix::kHard}}));
   command->add_option("--kind", a->drive_kind,
                       "six_step or sinusoidal: the drives of the other kind are left out (default: six_step if there is one)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, design::DriveKind>{

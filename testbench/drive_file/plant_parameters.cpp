@@ -40,6 +40,13 @@ plant::Parameters plant_parameters(const design::Settings& s) {
 
   p.load.inertia = s.load.inertia_kgm2;
   p.load.opposing_torque = s.load.opposing_nm;
+  constexpr double kPi = std::numbers::pi;
+  p.load.breakaway_torque = s.load.breakaway_nm;
+  p.load.unbalance_torque = s.load.unbalance_nm;
+  p.load.unbalance_angle = s.load.unbalance_deg * kPi / 180;
+  p.load.wind_speed = s.load.wind_rpm * kPi / 30;
+  p.load.spring_stiffness = s.load.spring_nm_rad;
+  p.load.spring_damping = s.load.spring_nms_rad;
 
   const auto& i = s.inverter;
   p.bus = {.voltage = i.bus_v, .resistance = i.bus_resistance_ohm,

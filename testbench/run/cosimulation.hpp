@@ -78,6 +78,7 @@ class Cosimulation {
       load_nm_ = event.load_nm;
       engine_.set_command(command_);
       plant_.set_load_torque(load_nm_);
+      plant_.set_coupled_inertia(event.inertia_kgm2);
       if (event.source_v > 0) plant_.set_bus_voltage(event.source_v);
       for (int k = 0; k < 3; ++k) plant_.set_open(k, event.open[static_cast<std::size_t>(k)]);
     }

@@ -17,6 +17,7 @@ std::vector<Moment> moments(const design::ScenarioSection& n) {
   std::vector<Moment> all{{n.run_s, "run"}};
   if (n.load_step_s) all.push_back({*n.load_step_s, "load step"});
   if (n.load_off_s) all.push_back({*n.load_off_s, "load off"});
+  if (n.inertia_step_s) all.push_back({*n.inertia_step_s, "inertia step"});
   if (n.reverse_s) all.push_back({*n.reverse_s, "reverse"});
   if (n.stop_s) all.push_back({*n.stop_s, "stop"});
   std::ranges::stable_sort(all, {}, &Moment::time);
@@ -47,6 +48,9 @@ Timeline timeline(const design::Settings& s) {
     if (now.what == "run") now.command.run = true;
     if (now.what == "load step") now.load_nm += t.load_step_nm;
     if (now.what == "load off") now.load_nm = s.load.opposing_nm;
+    if (now.what == "inertia step") {
+      now.inertia_kgm2 = n.inertia_step_kgm2.value_or(3 * (s.motor.inertia_kgm2 + s.load.inertia_kgm2));
+    }
     if (now.what == "reverse") now.command.reverse = !now.command.reverse;
     if (now.what == "stop") now.command.run = false;
     if (undisturbed && now.what != "run") t.steady_end_s = moment.time;

@@ -3,6 +3,7 @@
 //
 //     run_s        `run` rises (direction: scenario.reverse)
 //     load_step_s  load torque rises by load_step_nm     load_off_s   and falls again
+//     inertia_step_s  a mass that turns along is coupled
 //     reverse_s    the direction changes                 stop_s       `run` falls
 //
 // Test: tests/testbench/timeline_test.cpp
@@ -27,6 +28,7 @@ struct Event {
   std::string what;    // for people: "run", "load step", ...
   double source_v = 0;              // of the bus from here on; 0: as before
   std::array<bool, 3> open = {};    // windings without contact from here on
+  double inertia_kgm2 = 0;          // coupled to the rotor from here on
 };
 
 struct Timeline {

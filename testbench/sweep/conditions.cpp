@@ -87,12 +87,6 @@ class Drawing {
   Quantity leaves_;
 };
 
-// N m, of the current that the file rates.
-double rated_torque(const design::Settings& s) {
-  if (sinusoidal(s)) return design::sinusoidal::design_drive(s).rated_torque;
-  return design::motor_constants(s).k_e * s.motor.rated_current_a;
-}
-
 double greatest_offset(const design::SensorsSection& s) {
   double most = 0;
   for (const double o : s.comparator_offset_v) most = std::max(most, std::abs(o));
@@ -100,6 +94,11 @@ double greatest_offset(const design::SensorsSection& s) {
 }
 
 }  // namespace
+
+double rated_torque(const design::Settings& s) {
+  if (sinusoidal(s)) return design::sinusoidal::design_drive(s).rated_torque;
+  return design::motor_constants(s).k_e * s.motor.rated_current_a;
+}
 
 design::EnvelopeSection milder(const design::EnvelopeSection& e) {
   const auto half_way = [](const Range& r) { return Range{(1 + r[0]) / 2, (1 + r[1]) / 2}; };

@@ -23,6 +23,9 @@ struct Conditions {
   double speed = 0;           // of the rotor at t = 0, part of the set speed
 };
 
+// N m, of the current that the file rates.
+double rated_torque(const design::Settings&);
+
 // The half of an envelope next to the drive file's own values, from rest: where starts are no question,
 // and a disturbance finds all kinds of motors.
 design::EnvelopeSection milder(const design::EnvelopeSection&);

@@ -11,7 +11,7 @@ namespace {
 
 // Numbers of the quantities in Draw, apart from those of the conditions.
 enum Quantity : std::uint64_t {
-  kKind = 100, kSize, kDuration, kSpeedBefore, kWait, kPlace, kPhase
+  kKind = 100, kSize, kDuration, kSpeedBefore, kWait, kPlace, kPhase, kCouples
 };
 
 constexpr std::array<double, 2> kPulseTurns = {2, 100};
@@ -20,10 +20,6 @@ constexpr double kWaitTurns = 6;
 // A load below this part of the greatest is no disturbance.
 constexpr double kLeast = 0.2;
 constexpr double kDemagnetisingLoad = 0.5;  // part of the rated torque
-
-double rated_torque(const design::Settings& s) {
-  return design::motor_constants(s).k_e * s.motor.rated_current_a;
-}
 
 // The load step, part of the rated torque, that takes `rate` of the rotor's speed per commutation step.
 double step_of_rate(const design::Settings& file, const Conditions& c, double set_speed, double rate) {
@@ -38,7 +34,7 @@ double step_of_rate(const design::Settings& file, const Conditions& c, double se
 const char* name_of(Trouble t) {
   constexpr const char* kNames[kTroubles] = {
       "load_step", "load_pulse", "set_speed", "bus_dip", "stuck_steps", "stuck_for_good",
-      "missing_crossing", "extra_crossing", "open_phase", "demagnetisation"};
+      "missing_crossing", "extra_crossing", "open_phase", "demagnetisation", "inertia"};
   return kNames[static_cast<int>(t)];
 }
 
@@ -47,7 +43,9 @@ Disturbance draw_disturbance(const design::Settings& file, const Conditions& c, 
   const Draw draw(seed.value);
   const double turn_s = 6 / design::steps_per_second(file, file.scenario.speed_rpm);
   const auto up_to = [&](double greatest) { return draw.uniform(kSize, kLeast * greatest, greatest); };
-  Disturbance d{.kind = static_cast<Trouble>(draw.below(kKind, kTroubles)),
+  // The last kind came later: it takes its share from the others, whose seeds mostly stay theirs.
+  const bool couples = draw.unit(kCouples) < 1.0 / kTroubles;
+  Disturbance d{.kind = couples ? Trouble::kInertia : static_cast<Trouble>(draw.below(kKind, kTroubles - 1)),
                 .set_speed = draw.uniform(kSpeedBefore, most.set_speed[0], most.set_speed[1]),
                 .wait_turns = draw.uniform(kWait, 0, kWaitTurns),
                 .place = draw.unit(kPlace),
@@ -74,6 +72,7 @@ Disturbance draw_disturbance(const design::Settings& file, const Conditions& c, 
     case Trouble::kExtraCrossing: d.size = draw.by_ratio(kSize, 0.002, 1); break;
     case Trouble::kOpenPhase: d.size = d.phase; break;
     case Trouble::kDemagnetisation: d.size = up_to(most.demagnetisation_deg); break;
+    case Trouble::kInertia: d.size = draw.uniform(kSize, 1, most.inertia_step); break;
   }
   d.steps_per_s = speed_after(file, d);
   return d;
@@ -93,7 +92,10 @@ double inductance_for(const design::Settings& under, const Disturbance& d) {
 }
 
 double speed_after(const design::Settings& file, const Disturbance& d) {
-  const double part = d.kind == Trouble::kSetSpeed ? d.size : d.set_speed;
+  const auto& speeds = file.disturbance.set_speed;
+  const double part = d.kind == Trouble::kSetSpeed   ? d.size
+                      : d.kind == Trouble::kInertia ? std::lerp(speeds[0], speeds[1], d.place)
+                                                     : d.set_speed;
   return part * design::steps_per_second(file, file.scenario.speed_rpm);
 }
 
@@ -115,6 +117,10 @@ std::uint64_t add_disturbance(Timeline& t, std::vector<PinFault>& faults, const 
     case Trouble::kLoadStep:
     case Trouble::kLoadPulse: torque(d.size); break;
     case Trouble::kDemagnetisation: torque(kDemagnetisingLoad); break;
+    case Trouble::kInertia:
+      event.inertia_kgm2 = (d.size - 1) * (under.motor.inertia_kgm2 + under.load.inertia_kgm2);
+      event.command.set_speed = speed_after(file, d);
+      break;
     case Trouble::kSetSpeed: event.command.set_speed = speed_after(file, d); break;
     case Trouble::kBusDip: event.source_v = (1 - d.size) * under.inverter.bus_v; break;
     case Trouble::kOpenPhase: event.open[static_cast<std::size_t>(d.phase)] = true; break;

@@ -14,6 +14,8 @@
 //     open_phase        winding 0, 1, 2                   its contact opens for good
 //     demagnetisation   electrical degrees aimed at       a load step with the inductance that makes
 //                                                         the commutated current flow for so long
+//     inertia           factor                            a mass that turns along is coupled for good, and the
+//                                                         host writes another set speed
 //
 // The set speed before it is drawn, too.  A comparator stuck for good and an open phase
 // must end in the latched fault; after any other one the drive must be back in lock at set speed.
@@ -28,9 +30,9 @@ namespace steplock {
 
 enum class Trouble {
   kLoadStep, kLoadPulse, kSetSpeed, kBusDip, kStuckSteps, kStuckForGood, kMissingCrossing,
-  kExtraCrossing, kOpenPhase, kDemagnetisation
+  kExtraCrossing, kOpenPhase, kDemagnetisation, kInertia
 };
-inline constexpr int kTroubles = 10;
+inline constexpr int kTroubles = 11;
 const char* name_of(Trouble);
 // Nothing can mend it: the only right end is the latched fault.
 constexpr bool for_good(Trouble t) {

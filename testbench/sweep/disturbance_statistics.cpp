@@ -70,7 +70,7 @@ std::string three(const Json& s, double scale, const char* format = "{:.3g}") {
 }
 
 constexpr const char* kColors[kTroubles] = {"#1f5fa8", "#c0392b", "#1f7a4d", "#e08214", "#7d3c98",
-                                            "#16a085", "#8d6e63", "#22313f", "#d81b60", "#6d8b00"};
+                                            "#16a085", "#8d6e63", "#22313f", "#d81b60", "#6d8b00", "#5d4037"};
 
 }  // namespace
 
@@ -202,7 +202,8 @@ std::string disturbance_page(const SweepSetup& setup, const std::vector<Row>& ro
         "the floating phase's comparator shows no crossing for one step",
         "the floating phase's comparator is inverted for a part of a step",
         "one winding loses its contact for good",
-        "load rises, on a winding whose commutated current flows on for long"};
+        "load rises, on a winding whose commutated current flows on for long",
+        "a mass that turns along is coupled for good, up to four times the inertia, and the set speed steps"};
     for (int k = 0; k < kTroubles; ++k) {
       if (name == name_of(static_cast<Trouble>(k))) return kWhat[k];
     }

@@ -23,6 +23,11 @@ namespace {
 // The lock of a watched start.
 constexpr double kWatchedTurns = 200, kWatchedTime = 1;
 
+// Wind or weight move its rotor, so that no kick is the drive's.
+bool turns_by_itself(const DrawnRun& run) {
+  return run.seed.hard() && (run.hardship.kind == Trial::kSwing || run.hardship.kind == Trial::kWind);
+}
+
 // Twice the longest way to a latched fault or to set speed that the words allow, with brakes on a
 // heavy rotor; then a bounded drive has decided itself.
 double longest(const design::Settings& s, const design::Parameters& p) {
@@ -116,7 +121,7 @@ WitnessSettings witness_settings(const DrawnRun& run) {
                     .set_rpm = part * n.speed_rpm * (n.reverse ? -1 : 1),
                     .pole_pairs = s.motor.pole_pairs,
                     .advance_deg = s.loop.advance_deg,
-                    .at_rest = n.start_speed_rpm == 0};
+                    .at_rest = n.start_speed_rpm == 0 && !turns_by_itself(run)};
   if (run.seed.disturbed()) return w;
   if (run.seed.watched()) w.held_turns = kWatchedTurns, w.held_s = kWatchedTime;
   w.bounds = design::start_bounds(run.file, s);
@@ -136,7 +141,12 @@ DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
     // Outside the envelope, so the looks of a follower are too short for it.
     run.file.start.method = design::Method::kRamp;
   }
+  if (seed.hard()) {
+    run.hardship = draw_hardship(file, seed);
+    choose_load(run.conditions, run.hardship, file);
+  }
   run.settings = settings_under(file, run.conditions, seed);
+  if (seed.hard()) meet(run.settings, run.hardship, file);
   if (file.drive.kind == design::DriveKind::kSinusoidal) {
     run.limit_s = sinusoidal::longest_start(file) + witness_settings(run).held();
     return run;

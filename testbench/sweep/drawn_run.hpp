@@ -15,6 +15,7 @@
 #include "testbench/sweep/aftermath.hpp"
 #include "testbench/sweep/conditions.hpp"
 #include "testbench/sweep/disturbance.hpp"
+#include "testbench/sweep/hardship.hpp"
 #include "testbench/sweep/witness.hpp"
 
 namespace steplock {
@@ -23,6 +24,7 @@ struct DrawnRun {
   RunSeed seed;
   design::Settings file;
   Conditions conditions;
+  Hardship hardship;                // if the seed says so
   design::Settings settings;        // of the plant: the drawn ones
   design::Parameters parameters;    // of a six-step drive: the file's
   Words words;                      // of a six-step drive: the file's

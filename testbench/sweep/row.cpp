@@ -27,6 +27,7 @@ std::string cell(Outcome x) { return name_of(x); }
 std::string cell(Reason x) { return name_of(x); }
 std::string cell(sinusoidal::Reason x) { return name_of(x); }
 std::string cell(Trouble x) { return name_of(x); }
+std::string cell(Trial x) { return name_of(x); }
 std::string cell(After x) { return name_of(x); }
 
 template <class Number>
@@ -69,6 +70,7 @@ bool parse(const std::string& t, sinusoidal::Reason& x) {
   return parse(t, x, static_cast<int>(sinusoidal::Reason::kNoPolarity) + 1);
 }
 bool parse(const std::string& t, Trouble& x) { return parse(t, x, kTroubles); }
+bool parse(const std::string& t, Trial& x) { return parse(t, x, kTrials); }
 bool parse(const std::string& t, After& x) { return parse(t, x, kAfters); }
 
 std::vector<std::string> split(const std::string& line) {
@@ -131,7 +133,7 @@ std::vector<Row> read_rows(const std::string& path) {
   if (!in) throw BadInput(fmt::format("{}:1: cannot read this file; check the name", path));
   std::vector<Row> rows;
   std::string text;
-  const std::array tables = {Table(Matrix::kStart), Table(Matrix::kDisturb),
+  const std::array tables = {Table(Matrix::kStart), Table(Matrix::kDisturb), Table(Matrix::kHard),
                              Table(Matrix::kStart, design::DriveKind::kSinusoidal)};
   auto table = tables.end();
   for (int line = 1; std::getline(in, text) && !in.eof(); ++line) {

@@ -11,6 +11,7 @@
 #include "testbench/sweep/conditions.hpp"
 #include "testbench/sweep/aftermath.hpp"
 #include "testbench/sweep/disturbance.hpp"
+#include "testbench/sweep/hardship.hpp"
 
 namespace steplock {
 
@@ -31,10 +32,14 @@ struct Row {
   Conditions conditions;
   Findings findings;         // of the start
   Disturbance disturbance;   // of a seed that says so
+  Hardship hardship;         // likewise
   AfterFindings after;
   design::DriveKind kind = design::DriveKind::kSixStep;  // of the drive; every row of a sweep has the same
 
-  Matrix matrix() const { return RunSeed{seed}.disturbed() ? Matrix::kDisturb : Matrix::kStart; }
+  Matrix matrix() const {
+    const RunSeed s{seed};
+    return s.hard() ? Matrix::kHard : s.disturbed() ? Matrix::kDisturb : Matrix::kStart;
+  }
   Table table() const { return {matrix(), kind}; }
 };
 
@@ -95,10 +100,16 @@ void for_each_column(const Table& table, R& r, Visitor&& visit) {
   visit("index", r.index);
   visit("drive", r.drive);
   visit("seed", r.seed);
-  if (table.matrix == Matrix::kStart) {
-    for_each_start_column(table, r, visit);
-  } else {
+  if (table.matrix == Matrix::kDisturb) {
     for_each_disturbance_column(r, visit);
+  } else {
+    for_each_start_column(table, r, visit);
+  }
+  if (table.matrix == Matrix::kHard) {
+    visit("hardship", r.hardship.kind);
+    visit("hard_size", r.hardship.size);
+    visit("hard_detail", r.hardship.detail);
+    visit("hard_speed", r.hardship.speed);
   }
   visit("angle_deg", c.angle_deg);
   visit("load", c.load);

@@ -36,6 +36,11 @@ std::string fingerprint(const DriveFile& file) {
 
 }  // namespace
 
+const char* name_of(Matrix m) {
+  constexpr const char* kNames[] = {"start", "disturb", "hard"};
+  return kNames[static_cast<int>(m)];
+}
+
 std::string digest(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
@@ -56,9 +61,10 @@ SweepSetup sweep_setup(const SweepKind& kind, std::uint64_t runs, const std::vec
       throw BadInput(fmt::format("{}:1: drive.kind is another than that of {}; sweep each kind by itself",
                                  file.path, files.front().path));
     }
+    // What the drive itself keeps the current to; a sinusoidal one's over-current level would end the run.
     const double limit_a = setup.drive_kind == design::DriveKind::kSixStep
                                ? file.settings.sensors.limit_a
-                               : design::sinusoidal::design_drive(file.settings).parameters.protection.over_current;
+                               : design::sinusoidal::current_limit(file.settings);
     setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight, limit_a});
   }
   return setup;
@@ -91,7 +97,7 @@ std::string setup_text(const SweepSetup& s) {
   if (sinusoidal) j["drive_kind"] = "sinusoidal";  // what says nothing is of six-step drives
   if (!s.judged.empty()) j["judged"] = s.judged;
   j["seed"] = s.kind.seed;
-  j["matrix"] = s.kind.matrix == Matrix::kDisturb ? "disturb" : "start";
+  j["matrix"] = name_of(s.kind.matrix);
   j["outside"] = s.kind.outside;
   j["rtl"] = s.kind.rtl;
   j["runs"] = s.runs;
@@ -108,7 +114,8 @@ SweepSetup read_setup(const std::string& path) {
   try {
     const Json j = Json::parse(in);
     SweepSetup s;
-    s.kind = {.matrix = j.at("matrix") == "disturb" ? Matrix::kDisturb : Matrix::kStart,
+    const std::string matrix = j.at("matrix");
+    s.kind = {.matrix = matrix == "disturb" ? Matrix::kDisturb : matrix == "hard" ? Matrix::kHard : Matrix::kStart,
               .seed = j.at("seed"),
               .outside = j.at("outside"),
               .rtl = j.at("rtl")};

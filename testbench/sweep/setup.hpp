@@ -21,6 +21,9 @@ struct Shard {
   bool has(RunSeed seed) const { return Draw(seed.value).bits(~std::uint64_t{0}) % count == index; }
 };
 
+// start, disturb or hard.
+const char* name_of(Matrix);
+
 struct SweepDrive {
   std::string name;         // the file's, without folder and ending
   std::string fingerprint;

@@ -38,6 +38,8 @@ namespace steplock {
 
 enum class Outcome { kStarted, kRough, kLatched, kSilentStepOut, kUnfinished };
 const char* name_of(Outcome);
+// Rough or not, it runs.
+constexpr bool has_started(Outcome o) { return o == Outcome::kStarted || o == Outcome::kRough; }
 
 enum class Cause { kLockLost, kOutrun, kNotPulledIn, kWrongWay, kTooWeak, kNotFollowed };
 inline constexpr int kCauses = 6;

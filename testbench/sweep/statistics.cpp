@@ -48,7 +48,7 @@ Json spread_of(const Rows& rows, const std::function<std::optional<double>(const
 
 // A rough start is one all the same, and its figures count.
 std::optional<double> if_started(const Row& r, const std::optional<double>& x) {
-  return r.findings.outcome == Outcome::kStarted || r.findings.outcome == Outcome::kRough ? x : std::nullopt;
+  return has_started(r.findings.outcome) ? x : std::nullopt;
 }
 
 double limit_of(const SweepSetup& setup, const Row& r) {
@@ -163,6 +163,15 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
     Json& part = j["per_drive"][d.name] = outcomes(mine);
     add_starts(part, mine);
     add_spreads(part, setup, mine);
+  }
+  if (setup.kind.matrix == Matrix::kHard) {
+    for (int k = 0; k < kTrials; ++k) {
+      const auto kind = static_cast<Trial>(k);
+      const Rows some = select(rows, [&](const Row& r) { return r.hardship.kind == kind; });
+      Json& part = j["per_hardship"][name_of(kind)] = outcomes(some);
+      add_starts(part, some);
+      add_spreads(part, setup, some);
+    }
   }
   j["failures"] = Json::array();
   for (const Row* r : failures(rows)) {

@@ -35,6 +35,8 @@ bool passed(const SweepSetup&, const std::vector<Row>&);
 // sweep.json, sweep.html and its figures; returns warnings.
 std::vector<std::string> write_sweep_report(const SweepSetup&, const std::vector<Row>&,
                                             const std::filesystem::path& folder);
+// Of the page's file and figures: starts, sinusoidal_starts, hard_starts or disturbances.
+std::string page_stem(const SweepSetup&);
 std::string start_page(const SweepSetup&, const std::vector<Row>&);  // docs/starts.md
 // The sweep as a committed page: PAGE.md, PAGE.json (the statistics and a prefix digest), figures/.
 void write_sweep_page(const SweepSetup&, const std::vector<Row>&, const std::filesystem::path& page);

@@ -60,7 +60,7 @@ std::optional<Row> make_row(std::uint64_t index, const std::string& drive, const
   if (result.stopped) return std::nullopt;
   Row row{.index = index, .drive = drive, .seed = seed.value, .outside = seed.outside(), .rtl = "",
           .conditions = run.conditions, .findings = result.findings, .disturbance = run.disturbance,
-          .after = result.after, .kind = s.drive.kind};
+          .hardship = run.hardship, .after = result.after, .kind = s.drive.kind};
   if (!seed.on_rtl()) return row;
   const DrawnResult again = simulate(run, {.rtl_beside = true, .go_on = go_on});
   if (again.stopped) return std::nullopt;

@@ -20,10 +20,6 @@ const char* color(std::size_t k) {
   return kColors[k % std::size(kColors)];
 }
 
-bool started(const Row& r) {
-  return r.findings.outcome == Outcome::kStarted || r.findings.outcome == Outcome::kRough;
-}
-
 // Share of a drive's runs at or below each value, in percent.
 template <class Value>
 Figure shares(const SweepSetup& setup, const std::vector<Row>& rows, Figure f, const Value& value) {
@@ -67,7 +63,7 @@ Panel dots(const SweepSetup& setup, const std::vector<Row>& rows, const char* la
 
 std::vector<Figure> sweep_figures(const SweepSetup& setup, const std::vector<Row>& rows) {
   if (setup.kind.matrix == Matrix::kDisturb) return disturbance_figures(setup, rows);
-  const auto lock = [](const Row& r) { return started(r) ? r.findings.lock_time_s : std::nullopt; };
+  const auto lock = [](const Row& r) { return has_started(r.findings.outcome) ? r.findings.lock_time_s : std::nullopt; };
   std::vector<Figure> all;
   all.push_back(shares(setup, rows,
                        {.name = "lock_time", .title = "Time to lock", .axis = "time after run, s",
@@ -172,15 +168,20 @@ std::vector<std::string> write_sweep_report(const SweepSetup& setup, const std::
   return warnings;
 }
 
+std::string page_stem(const SweepSetup& setup) {
+  if (setup.kind.matrix == Matrix::kDisturb) return "disturbances";
+  if (setup.kind.matrix == Matrix::kHard) return "hard_starts";
+  return setup.drive_kind == design::DriveKind::kSinusoidal ? "sinusoidal_starts" : "starts";
+}
+
 void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {
   const bool disturb = setup.kind.matrix == Matrix::kDisturb;
-  const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
   // As many as the tests may repeat.
-  const std::uint64_t most = disturb ? 22 : sinusoidal ? 60 : 200;
+  const std::uint64_t most = disturb ? 22 : page_stem(setup) == "starts" ? 200 : 60;
   std::vector<Figure> figures = sweep_figures(setup, rows);
   if (!disturb) {  // those that do not grow with every run
     std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });
-    for (Figure& f : figures) f.name = (sinusoidal ? "sinusoidal_starts_" : "starts_") + f.name;
+    for (Figure& f : figures) f.name = page_stem(setup) + "_" + f.name;
   }
   draw_all(figures, page.parent_path() / "figures");
   Json j = sweep_json(setup, rows);

@@ -157,6 +157,28 @@ TEST(StartCounters, NoTriesAreLeftAfterAsManyFailuresAsTheWordSays) {
   }
 }
 
+// What has found no rotor in 4095 ticks would not in as many again; one that it has is only slow.
+TEST(StartCounters, AStartThatFollowedNoRotorToItsEndIsTheLast) {
+  for (const bool sure : {false, true}) {
+    for (const Method method : {Method::kFollow, Method::kRamp}) {
+      Bench bench;
+      bench.in.words.method = method;
+      bench.in.sure = sure;
+      bench.enter(State::kAccelerate);
+      for (int i = 0; i < 4095; ++i) {
+        ASSERT_FALSE(bench.tick());
+        if (i < 4094) {
+          EXPECT_FALSE(bench.out.tried);
+        }
+      }
+      EXPECT_EQ(bench.out.tried, method == Method::kFollow && !sure);
+      EXPECT_TRUE(bench.tick());
+      bench.enter(State::kRest);
+      EXPECT_FALSE(bench.out.tried);
+    }
+  }
+}
+
 TEST(StartCounters, StandstillAndALongRunForgetFailures) {
   Bench bench;
   bench.enter(State::kRest);

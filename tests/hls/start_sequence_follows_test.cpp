@@ -87,8 +87,16 @@ TEST(StartSequenceFollows, ARotorThatIsHandedOverIsControlledFromTheSecondTickOn
   }
 }
 
-TEST(StartSequenceFollows, ARotorThatNeverComesFailsEveryTryAfterTheSameTime) {
+TEST(StartSequenceFollows, ARotorThatNeverComesIsNotTriedAgain) {
   Bench bench;
+  bench.until(State::kAccelerate);
+  bench.until(State::kFault);
+  EXPECT_EQ(bench.clock().reason, Reason::kNoLock);
+}
+
+TEST(StartSequenceFollows, ARotorThatIsFollowedToTheEndFailsEveryTryAfterTheSameTime) {
+  Bench bench;
+  bench.in.sure = true;
   int last = 0;
   for (int tries = 0; tries < 3; ++tries) {
     bench.until(State::kAccelerate);

@@ -138,7 +138,7 @@ TEST(Disturbance, ABlindDriveOnAnOpenPhaseEndsBadly) {
 // not: every output on every clock, and the same findings.
 TEST(Disturbance, IsSeenByTheRtlOnTheSameClocks) {
   for (const Trouble kind : {Trouble::kExtraCrossing, Trouble::kMissingCrossing, Trouble::kSetSpeed,
-                             Trouble::kStuckSteps, Trouble::kBusDip}) {
+                             Trouble::kInertia, Trouble::kStuckSteps, Trouble::kBusDip}) {
     const DrawnRun run = run_of(calm_drive(), kind, kind == Trouble::kStuckSteps ? 9 : 0.7,
                                 kind == Trouble::kBusDip ? 0.01 : 0);
     const AfterFindings alone = simulate(run).after;
@@ -149,6 +149,17 @@ TEST(Disturbance, IsSeenByTheRtlOnTheSameClocks) {
     EXPECT_EQ(alone.peak_current_a, beside.after.peak_current_a) << name_of(kind);
     EXPECT_EQ(alone.recovery_s, beside.after.recovery_s) << name_of(kind);
   }
+}
+
+// It turns at the new set speed, and four times as slowly takes up a load.
+TEST(Disturbance, FourTimesTheInertiaInOneStepIsRecoveredFrom) {
+  DrawnRun run = run_of(calm_drive(), Trouble::kInertia, 4);
+  const AfterFindings f = simulate(run).after;
+  EXPECT_EQ(f.outcome, After::kRecovered);
+  EXPECT_EQ(f.slips, 0u);
+  const double alone = *f.recovery_s;
+  run.disturbance.size = 1;
+  EXPECT_LT(*simulate(run).after.recovery_s, alone);  // without the mass
 }
 
 TEST(Disturbance, EveryKindIsDrawnWithinWhatTheFileAllows) {
@@ -167,6 +178,7 @@ TEST(Disturbance, EveryKindIsDrawnWithinWhatTheFileAllows) {
                       : d.kind == Trouble::kBusDip                                    ? most.bus_dip
                       : d.kind == Trouble::kStuckSteps                                ? most.stuck_steps
                       : d.kind == Trouble::kDemagnetisation ? most.demagnetisation_deg
+                      : d.kind == Trouble::kInertia         ? most.inertia_step
                                                             : 2);
   }
   EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kTroubles));

@@ -13,8 +13,8 @@ namespace steplock {
 namespace {
 
 Row sample_row() {
-  Row row{.index = 41, .drive = "servo", .seed = kSeedEnd - 3, .outside = true, .rtl = "equal",
-          .conditions = {}, .findings = {}, .disturbance = {}, .after = {}};
+  Row row{.index = 41, .drive = "servo", .seed = kHardSeed - 3, .outside = true, .rtl = "equal",
+          .conditions = {}, .findings = {}, .disturbance = {}, .hardship = {}, .after = {}};
   row.conditions.inertia = 1.0 / 3;
   row.conditions.offset_v_v = -0.0123456789;
   row.findings.outcome = Outcome::kSilentStepOut;
@@ -38,7 +38,7 @@ TEST(Row, IsTheSameTextAfterReading) {
   const std::string text = csv_line(sample_row());
   EXPECT_EQ(csv_line(parse_csv_line(Matrix::kStart, text, "x", 1)), text);
   const Row row = parse_csv_line(Matrix::kStart, text, "x", 1);
-  EXPECT_EQ(row.seed, kSeedEnd - 3);
+  EXPECT_EQ(row.seed, kHardSeed - 3);
   EXPECT_EQ(row.findings.outcome, Outcome::kSilentStepOut);
   EXPECT_EQ(row.findings.reason, Reason::kWrongLock);
   EXPECT_FALSE(row.findings.kick_deg);
@@ -48,7 +48,7 @@ TEST(Row, IsTheSameTextAfterReading) {
 
 TEST(Row, OfADisturbanceIsTheSameTextAfterReading) {
   Row row{.index = 3, .drive = "servo", .seed = 8 | 2, .rtl = "", .conditions = {}, .findings = {}, .disturbance = {},
-          .after = {}};
+          .hardship = {}, .after = {}};
   row.disturbance.kind = Trouble::kBusDip;
   row.disturbance.size = 0.3;
   row.after.outcome = After::kLatched;

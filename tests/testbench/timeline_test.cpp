@@ -32,5 +32,18 @@ TEST(Timeline, CommandsAndLoadHoldUntilTheyAreChanged) {
   EXPECT_FALSE(t.events[5].command.run);
 }
 
+TEST(Timeline, ACoupledMassStaysCoupled) {
+  design::Settings s = short_drive();
+  s.scenario.inertia_step_s = 0.4;
+  const Timeline t = timeline(s);
+  ASSERT_EQ(t.events.size(), 7u);
+  EXPECT_EQ(t.events[3].what, "inertia step");
+  EXPECT_EQ(t.events[2].inertia_kgm2, 0);
+  EXPECT_DOUBLE_EQ(t.events[3].inertia_kgm2, 3 * (s.motor.inertia_kgm2 + s.load.inertia_kgm2));
+  EXPECT_EQ(t.events[6].inertia_kgm2, t.events[3].inertia_kgm2);
+  s.scenario.inertia_step_kgm2 = 1e-5;
+  EXPECT_DOUBLE_EQ(timeline(s).events[3].inertia_kgm2, 1e-5);
+}
+
 }  // namespace
 }  // namespace steplock

@@ -75,7 +75,7 @@ void set_regulators(const Settings& s, Design& d) {
   p.speed.filter = 4 * d.speed_bandwidth;
   p.speed.kp = d.speed_bandwidth / per_ampere;
   p.speed.ki = p.speed.kp * d.speed_bandwidth / 5;
-  p.speed.limit = kRoot * s.sinusoidal.current_limit_a.value_or(1.5 * s.motor.rated_current_a);
+  p.speed.limit = kRoot * current_limit(s);
 }
 
 void set_start(const Settings& s, Design& d) {
@@ -140,6 +140,10 @@ void set_protection(const Settings& s, Design& d) {
 }
 
 }  // namespace
+
+double current_limit(const Settings& s) {
+  return s.sinusoidal.current_limit_a.value_or(1.5 * s.motor.rated_current_a);
+}
 
 double current_range(const Settings& s) {
   return s.adc.current_a.value_or(4 * s.motor.rated_current_a);
@@ -212,7 +216,7 @@ std::vector<std::string> problems(const Settings& s) {
   if (s.inverter.dead_time_s > 0.1 / s.control.pwm_hz) {
     add("inverter.dead_time_s is ", s.inverter.dead_time_s, " s; must be at most a tenth of the PWM period");
   }
-  if (s.sensors.limit_a <= s.sinusoidal.current_limit_a.value_or(1.5 * s.motor.rated_current_a)) {
+  if (s.sensors.limit_a <= current_limit(s)) {
     add("sensors.limit_a is ", s.sensors.limit_a,
         " A; must be above the current that the speed regulator may ask for (sinusoidal.current_limit_a)");
   }

@@ -39,6 +39,8 @@ Design design_drive(const Settings&);
 // Full scale of the converters, A and V: the drive file's, or four times the rated current and half
 // again the bus.
 double current_range(const Settings&);
+// A, phase peak that the speed regulator may ask for.
+double current_limit(const Settings&);
 double voltage_range(const Settings&);
 
 // Electrical rad/s of a mechanical speed, and back.
