@@ -17,6 +17,7 @@ module sinusoidal_sequence (
     input  logic        plausible_i,  // the EMF belongs to it
     input  logic        stopping_i,  // slower than the stop speed
     input  logic        found_i,  // the pilot pulses know the angle
+    input  logic        still_i,  // the set speed is 0: as if `run` were down, by braking
     input  logic [3:0]  fatal_i,
     input  logic [3:0]  failed_i,
     input  logic        words_arbitrary_i,  // no pattern before the loop is closed
@@ -74,36 +75,34 @@ module sinusoidal_sequence (
   wire regulating =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire refused_next_either = refused || !command_configured_i;  // line 88
-  wire refused_next = command_run_i && refused_next_either;
-  wire run = command_run_i && command_configured_i && !refused_next;
-  wire walk_both = timer == 20'd0 && first_half;  // line 170
-  wire leave_differ = command_reverse_i ^ reverse;  // line 134
+  wire run_both = command_run_i && command_configured_i;  // line 134
+  wire refused_next = command_run_i && (refused || !command_configured_i);
+  wire run = run_both && !(refused_next || still_i);
+  wire walk_both = timer == 20'd0 && first_half;  // line 171
+  wire leave_differ = command_reverse_i ^ reverse;  // line 135
   wire leave = !run || leave_differ;
-  wire either_94 = state == SinusoidalState_kFault || command_configured_i;  // line 94
-  wire either_94_2 = either_94 || state == SinusoidalState_kIdle;  // line 94
-  wire both_92 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 92
-  wire both_90 = state != SinusoidalState_kFault && fault_pin_i;  // line 90
+  wire either_95 = state == SinusoidalState_kFault || command_configured_i;  // line 95
+  wire either_95_2 = either_95 || state == SinusoidalState_kIdle;  // line 95
+  wire both_93 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 93
+  wire both_91 = state != SinusoidalState_kFault && fault_pin_i;  // line 91
   wire [19:0] timer_next_choice = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
   wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire [19:0] trust_next_choice_2 =  // line 86
+  wire [19:0] trust_next_choice_2 =  // line 87
       period_i ? ((trust_next_choice == 20'd0) ? 20'd0 : trust_next_choice - 20'd1) :
       trust_next_choice;
   wire [1:0] modulated_next_sum = modulated + {1'b0, period_i && regulated && modulated != 2'd3};
-  wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 84
+  wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 85
   wire both_3 = command_configured_i && failed_i != SinusoidalReason_kNone;
-  wire both_4 = command_run_i && refused;
-  wire both_97 = command_run_i && !both_4;  // line 97
-  wire either_134 = !both_97 || leave_differ;  // line 134
+  wire either_135 = !(command_run_i && !((command_run_i && refused) || still_i)) || leave_differ;
 
   always_ff @(posedge clk) begin
-    if (both_90 || both_92) begin
+    if (both_91 || both_93) begin
       state <= SinusoidalState_kFault;
       timer <= timer_next_choice;
       trust <= trust_next_choice_2;
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
-    end else if (either_94_2) begin
+    end else if (either_95_2) begin
       logic last;
       logic state_next_both;
       logic both_2;
@@ -114,7 +113,7 @@ module sinusoidal_sequence (
         if (run) begin
           state <= SinusoidalState_kCalibrate;
         end
-      end else if (either_94) begin
+      end else if (either_95) begin
         if (state == SinusoidalState_kCalibrate) begin
           if (run) begin
             if (measured_i) begin
@@ -129,7 +128,7 @@ module sinusoidal_sequence (
         end else begin
           logic [3:0] state_next_choice;
           logic [3:0] state_next_choice_2;
-          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 165
+          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 166
           state_next_choice_2 = (timer == 20'd0) ? state_next_choice : state;
           if (state == SinusoidalState_kPilot) begin
             if (run) begin
@@ -146,7 +145,7 @@ module sinusoidal_sequence (
             logic slow_down;
             logic [3:0] state_next_choice_3;
             logic [3:0] state_next_choice_4;
-            slow_down = run || command_brake_to_stop_i;
+            slow_down = run || command_brake_to_stop_i || still_i;
             state_next_choice_3 =
                 leave ? (slow_down ? SinusoidalState_kSlowDown : SinusoidalState_kIdle) : state;
             case (state)
@@ -241,55 +240,58 @@ module sinusoidal_sequence (
         end
       end
       case (state)
-        SinusoidalState_kIdle: begin
-          if (command_run_i && !refused && command_configured_i) begin
-            tries <= 4'd0;
-            reverse <= command_reverse_i;
-          end
-          modulated <= modulated_next_sum;
-        end
-        SinusoidalState_kCalibrate: begin
-          if (measured_i) begin
-            if (command_run_i) begin
-              if (refused_next_either) begin
-                modulated <= modulated_next_sum;
-              end else begin
-                if (words_arbitrary_i) begin
-                  modulated <= 2'd0;
-                end else begin
-                  modulated <= modulated_next_sum;
-                end
-                regulated <= !words_arbitrary_i && regulated;
-                first_half <= !words_arbitrary_i || first_half;
-              end
-            end else begin
-              modulated <= modulated_next_sum;
-            end
-          end else begin
-            modulated <= modulated_next_sum;
-          end
-        end
-        SinusoidalState_kPilot, SinusoidalState_kStarting, SinusoidalState_kRun,
+        SinusoidalState_kIdle, SinusoidalState_kCalibrate, SinusoidalState_kPilot,
+        SinusoidalState_kPattern, SinusoidalState_kStarting, SinusoidalState_kRun,
         SinusoidalState_kSlowDown: begin
           logic [3:0] tries_next_sum;
           logic [3:0] tries_next_choice;
-          logic either_84;
-          tries_next_sum = tries + {3'd0, last};  // line 120
+          logic either_85;
+          logic either_134;
+          tries_next_sum = tries + {3'd0, last};  // line 121
           tries_next_choice = (timer == 20'd0) ? tries_next_sum : tries;
-          either_84 = sampled_i || regulated;  // line 84
+          either_85 = sampled_i || regulated;  // line 85
+          either_134 = refused || still_i;  // line 134
           case (state)
+            SinusoidalState_kIdle: begin
+              if (run_both && !either_134) begin
+                tries <= 4'd0;
+                reverse <= command_reverse_i;
+              end
+              modulated <= modulated_next_sum;
+            end
+            SinusoidalState_kCalibrate: begin
+              if (measured_i) begin
+                if (run_both) begin
+                  if (!either_134 && words_arbitrary_i) begin
+                    modulated <= 2'd0;
+                    regulated <= 1'b0;
+                  end else begin
+                    modulated <= modulated_next_sum;
+                    if (!either_134) begin
+                      regulated <= !words_arbitrary_i && regulated;
+                    end
+                  end
+                  first_half <= (!either_134 && !words_arbitrary_i) || first_half;
+                end else begin
+                  modulated <= modulated_next_sum;
+                end
+              end else begin
+                modulated <= modulated_next_sum;
+              end
+            end
             SinusoidalState_kPilot: begin
-              if (command_configured_i) begin
-                if (both_97 && both_2) begin
+              if (run_both) begin
+                if (!either_134 && both_2) begin
                   modulated <= 2'd0;
                   regulated <= 1'b0;
                 end else begin
-                  if (!both_4 && command_run_i) begin
-                    tries <=
-                        (failed_i == SinusoidalReason_kNone) ?
-                        (found_i ? tries : tries_next_choice) : tries_next_sum;
-                    regulated <=
-                        (failed_i == SinusoidalReason_kNone) ? !found_i && regulated : regulated;
+                  if (!either_134) begin
+                    if (failed_i == SinusoidalReason_kNone) begin
+                      tries <= found_i ? tries : tries_next_choice;
+                      regulated <= !found_i && regulated;
+                    end else begin
+                      tries <= tries_next_sum;
+                    end
                   end
                   modulated <= modulated_next_sum;
                 end
@@ -297,8 +299,27 @@ module sinusoidal_sequence (
                 modulated <= modulated_next_sum;
               end
             end
+            SinusoidalState_kPattern: begin
+              if (run_both) begin
+                if (either_134) begin
+                  modulated <= modulated_next_sum;
+                end else begin
+                  if (state_next_both) begin
+                    modulated <= 2'd0;
+                  end else begin
+                    modulated <= modulated_next_sum;
+                  end
+                  if (!walk_both) begin
+                    regulated <= timer != 20'd0 && regulated;
+                  end
+                  first_half <= !walk_both && first_half;
+                end
+              end else begin
+                modulated <= modulated_next_sum;
+              end
+            end
             SinusoidalState_kStarting: begin
-              if (command_configured_i && !either_134) begin
+              if (command_configured_i && !either_135) begin
                 if (failed_i == SinusoidalReason_kNone) begin
                   if (trust != 20'd0) begin
                     tries <= tries_next_choice;
@@ -308,39 +329,20 @@ module sinusoidal_sequence (
                 end
               end
               modulated <= modulated_next_sum;
-              regulated <= either_84;
+              regulated <= either_85;
             end
             SinusoidalState_kRun: begin
               if (both_3) begin
                 tries <= tries_next_sum;
               end
               modulated <= modulated_next_sum;
-              regulated <= either_84;
+              regulated <= either_85;
             end
             default: begin  // SinusoidalState_kSlowDown
               modulated <= modulated_next_sum;
-              regulated <= either_84;
+              regulated <= either_85;
             end
           endcase
-        end
-        SinusoidalState_kPattern: begin
-          if (command_run_i) begin
-            if (refused_next_either) begin
-              modulated <= modulated_next_sum;
-            end else begin
-              if (state_next_both) begin
-                modulated <= 2'd0;
-              end else begin
-                modulated <= modulated_next_sum;
-              end
-              if (!walk_both) begin
-                regulated <= timer != 20'd0 && regulated;
-              end
-              first_half <= !walk_both && first_half;
-            end
-          end else begin
-            modulated <= modulated_next_sum;
-          end
         end
         default: modulated <= modulated_next_sum;
       endcase
@@ -351,10 +353,10 @@ module sinusoidal_sequence (
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
     end
-    if (both_90) begin
+    if (both_91) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (both_92) begin
+    end else if (both_93) begin
       reason <= fatal_i;
       entered <= 1'b1;
     end else begin
@@ -393,7 +395,7 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kStarting: begin
-            if (command_configured_i && !either_134) begin
+            if (command_configured_i && !either_135) begin
               if (failed_i == SinusoidalReason_kNone) begin
                 reason <=
                     (trust == 20'd0) ? reason :
@@ -412,7 +414,7 @@ module sinusoidal_sequence (
           default: ;
         endcase
       end
-      entered <= !either_94_2 || entered_next_choice;
+      entered <= !either_95_2 || entered_next_choice;
     end
     refused <= refused_next;
     if (rst) begin

@@ -117,6 +117,7 @@ module sinusoidal_top (
   logic seen_backward;
   logic busy;  // a sample is under way
   logic restart;
+  logic still;  // the set speed is 0
   logic waiting;  // for the current to decay
 
   wire codes_valid = codes_valid_i && !busy;
@@ -379,6 +380,7 @@ module sinusoidal_top (
       .plausible_i(control_speed_plausible),
       .stopping_i(control_speed_stopping),
       .found_i(pilot_found),
+      .still_i(still),
       .fatal_i(protection_fatal),
       .failed_i(orders_pilot ? pilot_failed : protection_failed),
       .words_arbitrary_i(words_sequence_arbitrary_i),
@@ -407,7 +409,7 @@ module sinusoidal_top (
       .tries_o(sequence__tries)
   );
 
-  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 144
+  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 145
   wire on_u = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;
 
   wire pwm_v_on;
@@ -473,7 +475,7 @@ module sinusoidal_top (
       .wl_o(guard_wl)
   );
 
-  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 167
+  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 169
 
   always_ff @(posedge clk) begin
     if (codes_valid) begin
@@ -500,9 +502,10 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 165
-    busy <= busy_next;  // line 167
+    seen_backward <= control_i_delta[15];  // line 167
+    busy <= busy_next;  // line 169
     restart <= sequence__entered;
+    still <= words_speed_target_i == 25'd0;  // line 159
     waiting <= pilot_waiting;
     if (rst) begin
       orders_reverse <= 1'b0;
@@ -528,6 +531,7 @@ module sinusoidal_top (
       seen_backward <= 1'b0;
       busy <= 1'b0;
       restart <= 1'b0;
+      still <= 1'b0;
       waiting <= 1'b0;
     end
   end

@@ -140,7 +140,8 @@ consteval auto system_fields(const DriveKind& drive) {
      "Idle or in fault, and run is 0: words may be written."},
     {"STATUS", "no_period", 0x10, 12, 1, Access::kReadOnly, 1, "", drive.no_period},
     {"FAULT", "drive", 0x14, 0, 1, Access::kWriteOneToClear, 0, "",
-     "The drive latched a fault.  A one re-arms it, once run is 0 and the cause is gone."},
+     "The drive latched a fault.  A one re-arms it, once run is 0 and the cause is gone, which an over-current is "
+     "some clocks after its comparator fell; else it stays, and the write is answered all the same."},
     {"FAULT", "watchdog", 0x14, 1, 1, Access::kWriteOneToClear, 0, "",
      "The heartbeat stayed away: gates off until a one is written."},
     {"FAULT", "reason", 0x14, 4, 4, Access::kReadOnly, 0, "",

@@ -129,7 +129,7 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "A smaller sum is no position."),
     word<&SinusoidalWords::speed, &RegulatorWords::target>(
         "SPEED_TARGET", "target", 0xcc, 0, Access::kShadowed, "u0.25 of 1/16 turn per sample",
-        "The set speed."),
+        "The set speed. 0 while running: stop, by slowing down and braking."),
     word<&SinusoidalWords::speed, &RegulatorWords::slew>(
         "SPEED_SLEW", "slew", 0xd0, 0, Access::kStopped, "u0.25 per sample",
         "Largest change of the set speed that is followed."),

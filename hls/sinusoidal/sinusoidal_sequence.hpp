@@ -35,6 +35,7 @@ class SinusoidalSequence {
     bool plausible = false;  // the EMF belongs to it
     bool stopping = false;   // slower than the stop speed
     bool found = false;      // the pilot pulses know the angle
+    bool still = false;      // the set speed is 0: as if `run` were down, by braking
     SinusoidalReason fatal = SinusoidalReason::kNone;
     SinusoidalReason failed = SinusoidalReason::kNone;
     SequenceWords words;
@@ -130,7 +131,7 @@ class SinusoidalSequence {
 
   void walk(const In& in, bool over, bool trusted) {
     const SequenceWords& words = in.words;
-    const bool run = in.command.run && in.command.configured && !refused_;
+    const bool run = in.command.run && in.command.configured && !refused_ && !in.still;
     const bool leave = !run || in.command.reverse != reverse_;
     const bool failed = in.failed != SinusoidalReason::kNone;
     switch (state_) {
@@ -190,7 +191,7 @@ class SinusoidalSequence {
         if (failed) {
           fail(in.failed, words);
         } else if (leave) {
-          const bool slow_down = run || in.command.brake_to_stop;
+          const bool slow_down = run || in.command.brake_to_stop || in.still;
           enter(slow_down ? SinusoidalState::kSlowDown : SinusoidalState::kIdle);
         }
         break;

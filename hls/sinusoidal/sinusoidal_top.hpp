@@ -137,6 +137,7 @@ class SinusoidalTop {
                                      .plausible = speed.plausible,
                                      .stopping = speed.stopping,
                                      .found = pilot.found,
+                                     .still = still_,
                                      .fatal = faults.fatal,
                                      .failed = orders_.pilot ? pilot.failed : faults.failed,
                                      .words = words.sequence});
@@ -155,6 +156,7 @@ class SinusoidalTop {
                                     .fault = pins.fault,
                                     .dead_time = words.bridge.dead_time});
 
+    still_ = words.speed.target == 0;
     restart_ = now.entered;
     waiting_ = pilot.waiting;
     seen_ = {.period = u.start,
@@ -224,6 +226,7 @@ class SinusoidalTop {
   Seen seen_;
   bool busy_ = false;               // a sample is under way
   bool restart_ = false;
+  bool still_ = false;  // the set speed is 0
   bool waiting_ = false;            // for the current to decay
 };
 

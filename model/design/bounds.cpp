@@ -70,8 +70,7 @@ double shorted_current(const Settings& s, double rpm) {
 
 double limited_current(const Settings& s) {
   const double line = 2 * s.motor.inductance_d_h.value_or(s.motor.inductance_h - s.motor.mutual_h);
-  const double rises = s.control.limit_blanking_s + s.sensors.limit_delay_s + 4 / s.control.clock_hz;
-  return s.sensors.limit_a + s.sensors.limit_hysteresis_a / 2 + 2 * s.inverter.bus_v / line * rises;
+  return s.sensors.limit_a + s.sensors.limit_hysteresis_a / 2 + 2 * s.inverter.bus_v / line * unbelieved(s);
 }
 
 namespace {

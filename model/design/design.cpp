@@ -15,7 +15,7 @@ constexpr double kLatestHandOver = 0.4;  // of the set speed
 constexpr double kMostTicks = 3900;      // of a ramp, with some to spare of its 4095
 constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceleration may cause
 constexpr double kEdgesBetweenLooks = 1.5;
-constexpr double kSlipMargin = 1.5;    // of the duty that the limit's current takes
+constexpr double kSlipMargin = 1.5;    // flux or resistance 1.2 times, bus 0.8 times the file's: the default envelope
 
 // Back-EMF shape of phase u at an electrical angle, peak 1.
 double shape_at(const MotorSection& m, double degrees) {
@@ -55,6 +55,15 @@ double duty_for(const Settings& s, double current, double resistance) {
   return std::clamp(duty + dead, 0.0, s.speed.maximum_duty);
 }
 
+// s.  At a standstill the bus drives the current up while the comparator is not believed, and resistance alone takes it down
+// in the off-time: one that is shorter than this lets it climb from pulse to pulse.
+double off_time(const Settings& s) {
+  constexpr double kShortest = 20e-6, kTolerance = 1.5;  // bus 1.2 times, resistance 0.8 times the file's
+  constexpr double kLongest = 4095;                      // clocks, the word
+  const double off = kTolerance * unbelieved(s) * s.inverter.bus_v / (s.sensors.limit_a * motor_constants(s).r_loop);
+  return std::clamp(off, kShortest, kLongest / s.control.clock_hz);
+}
+
 void set_bridge(const Settings& s, Parameters& p) {
   const auto& c = s.control;
   p.source = c.source;
@@ -64,7 +73,7 @@ void set_bridge(const Settings& s, Parameters& p) {
            .centred = c.centred,
            .complementary = c.chopping == Chopping::kComplementary,
            .tick_periods = std::max(1, int(std::lround(c.tick_s.value_or(1e-3) * c.pwm_hz)))};
-  p.limit = {.blanking = c.limit_blanking_s, .off_time = c.limit_off_time_s};
+  p.limit = {.blanking = c.limit_blanking_s, .off_time = c.limit_off_time_s.value_or(off_time(s))};
   p.bemf = {.sampling = c.sampling,
             .blanking = c.blanking_s,
             .sample_every = c.sample_every_s,
@@ -263,7 +272,7 @@ void set_speed(const Settings& s, Design& d) {
   p.bemf = m.k_e / bus / steps;
   // Each step builds up the current of two phases in series anew, which takes volt-seconds.
   const double commutation = 2 * (s.motor.inductance_h - s.motor.mutual_h) * s.sensors.limit_a;
-  p.loaded = p.bemf + kSlipMargin * commutation / bus;
+  p.loaded = kSlipMargin * (p.bemf + commutation / bus);
 
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;
@@ -291,6 +300,11 @@ void set_protection(const Settings& s, Design& d) {
 
 double steps_per_second(const Settings& s, double rpm) { return rpm * s.motor.pole_pairs / 10; }
 double rpm_of(const Settings& s, double f) { return f * 10 / s.motor.pole_pairs; }
+
+double unbelieved(const Settings& s) {
+  constexpr double kClocks = 4;  // synchroniser, decision, gate
+  return s.control.limit_blanking_s + s.sensors.limit_delay_s + kClocks / s.control.clock_hz;
+}
 
 MotorConstants motor_constants(const Settings& s) {
   MotorConstants m;

@@ -62,4 +62,7 @@ std::vector<std::string> problems(const Settings&);
 // The load step of the scenario: as named, else half the torque of the rated current.
 double load_step_torque(const Settings&);
 
+// s, from a switch-on to the gate's answer: so long the current limit's comparator is not believed, or not heard.
+double unbelieved(const Settings&);
+
 }  // namespace steplock::design

@@ -68,7 +68,7 @@ struct SpeedParameters {
   double kp = 0;      // duty per (step/s)
   double ki = 0;      // duty per (step/s) per s
   double bemf = 0;    // duty per (step/s), of the back-EMF
-  double loaded = 0;  // duty per (step/s), of back-EMF and commutation of the limit's current
+  double loaded = 0;  // duty per (step/s), of the greatest back-EMF and commutation of the limit's current at the lowest bus
   double minimum = 0, maximum = 1;
   double duty_slew = 0;  // 1/s
 };

@@ -78,6 +78,9 @@ void check_control(Findings& found, const Settings& s) {
     found.add("control.pwm_hz is ", c.pwm_hz, " Hz; must leave 200 clocks per period, at most ",
               c.clock_hz / 200);
   }
+  if (s.sensors.reference == Reference::kHalfBus && c.sampling != Sampling::kOnTime) {
+    found.add("sensors.reference is half_bus; the star point stands there in the on-time alone: write control.sampling = \"on_time\"");
+  }
   if (s.speed.minimum_duty >= s.speed.maximum_duty) {
     found.add("speed.minimum_duty is ", s.speed.minimum_duty, "; must be below maximum_duty, ",
               s.speed.maximum_duty);

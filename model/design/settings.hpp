@@ -87,7 +87,7 @@ struct ControlSection {
   bool centred = false;
   double minimum_pulse_s = 1e-6;
   double limit_blanking_s = 2e-6;
-  double limit_off_time_s = 20e-6;
+  std::optional<double> limit_off_time_s;
   Sampling sampling = Sampling::kBoth;
   double blanking_s = 4e-6, sample_every_s = 2e-6;
   int samples = 4;

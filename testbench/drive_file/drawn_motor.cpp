@@ -39,7 +39,7 @@ std::string drawn_motor_file(std::uint64_t seed, std::uint64_t index) {
   const int pairs = all_pairs[draw.below(kPairs, all_pairs.size())];
 
   const double omega = 2 * std::numbers::pi * frequency;
-  const double emf = draw.uniform(kEmf, 0.45, 0.7) * bus;
+  const double emf = draw.uniform(kEmf, 0.4, 0.58) * bus;
   const double flux = emf / (std::sqrt(3.0) * omega);
   const double rated = power / emf;
   const double resistance = draw.by_ratio(kLoss, 0.03, 0.2) * power / (2 * rated * rated);

@@ -5,7 +5,8 @@
 //     bus V            of the batteries and supplies in use, so that P takes 0.3 to 80 A
 //     frequency f      electrical, at set speed: 50 to 700 Hz
 //     pole pairs       1 to 21, so that 60 f / pairs is 100 to 50,000 r/min
-//     back-EMF         between two phases, its peak at set speed: 0.45 to 0.7 of V       flux = that / (sqrt(3) 2 pi f)
+//     back-EMF         between two phases, its peak at set speed: 0.4 to 0.58 of V, so that 1.2 times the flux at 0.8
+//                      times the bus still reach it                                       flux = that / (sqrt(3) 2 pi f)
 //     rated current    P over that
 //     copper loss      3 to 20 % of P                                                    R = loss / (2 I^2)
 //     reactance        2 pi f 2 L I: 3 to 25 % of V                                      L

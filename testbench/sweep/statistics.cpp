@@ -134,6 +134,11 @@ std::string prefix_digest(const std::vector<Row>& rows, std::uint64_t count) {
   return digest(text);
 }
 
+bool of_many(const SweepSetup& setup) {
+  constexpr std::size_t kNamed = 20;
+  return setup.drives.size() > kNamed;
+}
+
 bool passed(const SweepSetup& setup, const std::vector<Row>& rows) {
   const bool rtl = std::ranges::all_of(rows, [](const Row& r) { return r.rtl.empty() || r.rtl == "equal"; });
   return rows.size() == setup.runs && rtl && failures(rows).empty();
@@ -147,6 +152,7 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
   const Rows on_rtl = select(rows, [](const Row& r) { return !r.rtl.empty(); });
   Json j = Json::parse(setup_text(setup));
   j.erase("runs");
+  if (of_many(setup)) j["drives"] = setup.drives.size();
   j["planned"] = setup.runs;
   j.update(outcomes(all));
   j["outside_envelope"] = outside.size();
@@ -160,6 +166,7 @@ Json sweep_json(const SweepSetup& setup, const std::vector<Row>& rows) {
   j["per_drive"] = Json::object();
   for (const SweepDrive& d : setup.drives) {
     const Rows mine = select(rows, [&](const Row& r) { return !r.outside && r.drive == d.name; });
+    if (of_many(setup) && first_try(mine) == mine.size()) continue;
     Json& part = j["per_drive"][d.name] = outcomes(mine);
     add_starts(part, mine);
     add_spreads(part, setup, mine);

@@ -35,7 +35,9 @@ bool passed(const SweepSetup&, const std::vector<Row>&);
 // sweep.json, sweep.html and its figures; returns warnings.
 std::vector<std::string> write_sweep_report(const SweepSetup&, const std::vector<Row>&,
                                             const std::filesystem::path& folder);
-// Of the page's file and figures: starts, sinusoidal_starts, hard_starts or disturbances.
+// So many drives that a page names only those of which something is to be told.
+bool of_many(const SweepSetup&);
+// Of the page's file and figures: starts, sinusoidal_starts, hard_starts, motor_starts or disturbances.
 std::string page_stem(const SweepSetup&);
 std::string start_page(const SweepSetup&, const std::vector<Row>&);  // docs/starts.md
 // The sweep as a committed page: PAGE.md, PAGE.json (the statistics and a prefix digest), figures/.

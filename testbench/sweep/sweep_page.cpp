@@ -20,21 +20,35 @@ const char* color(std::size_t k) {
   return kColors[k % std::size(kColors)];
 }
 
+// What has a curve of its own: a drive, or all of many.
+struct Group {
+  std::string name;
+  bool all = false;
+  bool has(const Row& r) const { return !r.outside && (all || r.drive == name); }
+};
+
+std::vector<Group> groups(const SweepSetup& setup) {
+  if (of_many(setup)) return {{"all motors", true}};
+  std::vector<Group> each;
+  for (const SweepDrive& d : setup.drives) each.push_back({d.name});
+  return each;
+}
+
 // Share of a drive's runs at or below each value, in percent.
 template <class Value>
 Figure shares(const SweepSetup& setup, const std::vector<Row>& rows, Figure f, const Value& value) {
   f.logarithmic = true;
   Panel panel{.label = "runs, %", .weight = 2.4, .extra = "set yrange [0:100]\n"};
-  for (std::size_t d = 0; d < setup.drives.size(); ++d) {
+  for (const Group& g : groups(setup)) {
     std::vector<double> values;
     std::size_t all = 0;
     for (const Row& r : rows) {
-      if (r.outside || r.drive != setup.drives[d].name) continue;
+      if (!g.has(r)) continue;
       ++all;
       if (const auto x = value(r); x && *x > 0) values.push_back(*x);
     }
     std::ranges::sort(values);
-    Curve curve{setup.drives[d].name, color(d), {}, 1.6};
+    Curve curve{g.name, color(panel.curves.size()), {}, 1.6};
     curve.steps = true;
     for (std::size_t k = 0; k < values.size(); ++k) {
       curve.points.push_back({values[k], 100.0 * static_cast<double>(k + 1) / static_cast<double>(all)});
@@ -48,11 +62,11 @@ Figure shares(const SweepSetup& setup, const std::vector<Row>& rows, Figure f, c
 template <class X, class Y>
 Panel dots(const SweepSetup& setup, const std::vector<Row>& rows, const char* label, const X& x, const Y& y) {
   Panel panel{.label = label, .weight = 1.8};
-  for (std::size_t d = 0; d < setup.drives.size(); ++d) {
-    Curve curve{setup.drives[d].name, color(d)};
+  for (const Group& g : groups(setup)) {
+    Curve curve{g.name, color(panel.curves.size())};
     curve.dots = true;
     for (const Row& r : rows) {
-      if (r.outside || r.drive != setup.drives[d].name) continue;
+      if (!g.has(r)) continue;
       if (const auto value = y(r)) curve.points.push_back({x(r), *value});
     }
     curve.points = thinned(std::move(curve.points), 2000);
@@ -171,13 +185,14 @@ std::vector<std::string> write_sweep_report(const SweepSetup& setup, const std::
 std::string page_stem(const SweepSetup& setup) {
   if (setup.kind.matrix == Matrix::kDisturb) return "disturbances";
   if (setup.kind.matrix == Matrix::kHard) return "hard_starts";
+  if (of_many(setup)) return "motor_starts";
   return setup.drive_kind == design::DriveKind::kSinusoidal ? "sinusoidal_starts" : "starts";
 }
 
 void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {
   const bool disturb = setup.kind.matrix == Matrix::kDisturb;
   // As many as the tests may repeat.
-  const std::uint64_t most = disturb ? 22 : page_stem(setup) == "starts" ? 200 : 60;
+  const std::uint64_t most = disturb ? 22 : page_stem(setup) == "starts" ? 200 : of_many(setup) ? 30 : 60;
   std::vector<Figure> figures = sweep_figures(setup, rows);
   if (!disturb) {  // those that do not grow with every run
     std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });

@@ -158,6 +158,20 @@ TEST(SinusoidalSequence, AStopSlowsDownBrakesAndRests) {
   EXPECT_NEAR(s.until(S::kIdle), 6, 1);
 }
 
+TEST(SinusoidalSequence, ASetSpeedOfZeroStopsByBrakingAndAnotherOneStartsAgain) {
+  Started s;
+  s.in.fast = s.in.plausible = true;
+  s.until(S::kRun);
+  s.in.still = true;
+  EXPECT_TRUE(s.period().slow_down);
+  s.in.stopping = true;
+  EXPECT_TRUE(s.period().brake);
+  EXPECT_NEAR(s.until(S::kIdle), 6, 1);
+  for (int n = 0; n < 20; ++n) EXPECT_EQ(s.period().state, S::kIdle);
+  s.in.still = s.in.stopping = false;
+  EXPECT_LT(s.until(S::kRun), 100);
+}
+
 TEST(SinusoidalSequence, AReversalBrakesAndStartsTheOtherWay) {
   Started s;
   s.in.fast = s.in.plausible = true;

@@ -194,24 +194,26 @@ void Drive::sequence(double t, const Command& command) {
   }
   // The gates follow the regulators from the first period on that has a duty of theirs.
   if (estimating() && regulated_ && pwm_.started()) ++modulated_;
-  const bool leave = !command.run || (command.reverse ? -1 : 1) != way_;
+  const bool still = target_ == 0;  // as if `run` were down, by braking
+  const bool run = command.run && !still;
+  const bool leave = !run || (command.reverse ? -1 : 1) != way_;
   const double since = t - entered_;
   switch (state_) {
     case State::kIdle:
-      if (!command.run) break;
+      if (!run) break;
       way_ = command.reverse ? -1 : 1;
       tries_ = 0;
       reason_ = Reason::kNone;
       enter(t, State::kCalibrate);
       break;
     case State::kCalibrate:
-      if (!command.run) return enter(t, State::kIdle);
+      if (!run) return enter(t, State::kIdle);
       if (calibrated_ < p_.start.offset_samples) break;
       for (std::size_t k = 0; k < 3; ++k) offset_[k] = summed_[k] / calibrated_;
       begin_start(t);
       break;
     case State::kPilot:
-      if (!command.run) return enter(t, State::kIdle);
+      if (!run) return enter(t, State::kIdle);
       switch (pilot_.result()) {
         case PilotPulses::Result::kNone: break;
         case PilotPulses::Result::kFound:
@@ -224,7 +226,7 @@ void Drive::sequence(double t, const Command& command) {
       }
       break;
     case State::kPattern:
-      if (!command.run) return enter(t, State::kIdle);
+      if (!run) return enter(t, State::kIdle);
       if (since >= p_.start.pattern_s) enter(t, State::kStarting);
       break;
     case State::kStarting: {
@@ -243,7 +245,7 @@ void Drive::sequence(double t, const Command& command) {
     }
     case State::kRun:
       if (protection_.failed() != Reason::kNone) return fail(t, protection_.failed());
-      if (leave) enter(t, command.run || command.brake_to_stop ? State::kSlowDown : State::kIdle);
+      if (leave) enter(t, run || command.brake_to_stop || still ? State::kSlowDown : State::kIdle);
       break;
     case State::kSlowDown:
       if (!leave) return enter(t, State::kRun);
@@ -254,7 +256,7 @@ void Drive::sequence(double t, const Command& command) {
       enter(t, State::kIdle);
       break;
     case State::kRest:
-      if (!command.run) return enter(t, State::kIdle);
+      if (!run) return enter(t, State::kIdle);
       if (since >= p_.start.rest_s) enter(t, State::kCalibrate);
       break;
     case State::kFault:
