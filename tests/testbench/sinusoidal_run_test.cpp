@@ -98,6 +98,22 @@ TEST(SinusoidalRun, ItReversesOnCommand) {
   EXPECT_TRUE(record.overview.back().watch.locked());
 }
 
+TEST(SinusoidalRun, ASetSpeedOfZeroStopsItAndAnotherOneStartsItAgain) {
+  design::Settings s = drive("matsui1996");
+  s.scenario.load_step_s.reset(), s.scenario.load_off_s.reset(), s.scenario.stop_s.reset();
+  Bench bench(s, s, timeline(s), 0);
+  bench.run_until(1.0);
+  EXPECT_EQ(bench.engine().watch().state(), State::kRun);
+  bench.engine().set_target_rpm(0);
+  bench.run_until(2.0);
+  EXPECT_EQ(bench.engine().watch().state(), State::kIdle);
+  EXPECT_NEAR(rpm(bench.plant().state().speed), 0, 12);
+  bench.engine().set_target_rpm(s.scenario.speed_rpm);
+  bench.run_until(3.0);
+  EXPECT_EQ(bench.engine().watch().state(), State::kRun);
+  for (const StateChange& c : bench.take().changes) EXPECT_NE(c.state, State::kRest);
+}
+
 // The reason of the first try that failed.
 template <class Spoil>
 Reason spoiled(Spoil&& spoil, design::Settings s = drive("matsui1996")) {

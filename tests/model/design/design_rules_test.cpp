@@ -88,6 +88,44 @@ TEST(DesignRules, SpeedPiPlacesItsBandwidthOnTheMotorsPole) {
   EXPECT_NEAR(std::arg(open(5)), -kPi / 2, 1e-9);
 }
 
+// At the corner of the default envelope: 1.2 times flux and resistance at 0.8 times the bus, with the limit's current.
+TEST(DesignRules, NoRightLockOfTheEnvelopeSlips) {
+  for (const char* name : {"amano2003", "bly172s", "br2804_drone", "ceiling_fan", "hoverboard_hub", "m2310p_servo",
+                           "maxon_ec45_flat", "tekin_spindle"}) {
+    const auto s = settings_of(name);
+    const auto d = design_drive(s);
+    const auto corner = [&](double rpm) {
+      const double v = 0.8 * s.inverter.bus_v, f = steps_per_second(s, rpm);
+      const double commutation = 2 * (s.motor.inductance_h - s.motor.mutual_h) * s.sensors.limit_a * f;
+      return (1.2 * d.motor.k_e * rpm * kPi / 30 + 1.2 * d.motor.r_loop * s.sensors.limit_a + commutation) / v;
+    };
+    const auto allowed = [&](double rpm) {
+      return d.parameters.protection.slip + d.parameters.speed.loaded * steps_per_second(s, rpm);
+    };
+    for (const double part : {0.1, 0.5, 1.0}) {
+      EXPECT_LE(corner(part * s.scenario.speed_rpm), allowed(part * s.scenario.speed_rpm)) << name << ' ' << part;
+    }
+    // A rotor that stands takes the whole bus above its resistance: it slips.
+    EXPECT_GT(1.0, allowed(d.hand_over_rpm)) << name;
+  }
+}
+
+// At a standstill the bus drives the current up while nobody believes the comparator; resistance alone takes it down.
+TEST(DesignRules, InTheOffTimeTheLimitsCurrentFallsFurtherThanItRose) {
+  auto s = settings_of("bly172s");
+  EXPECT_DOUBLE_EQ(design_drive(s).parameters.limit.off_time, 20e-6);
+  for (const double thinner : {1.0, 0.1, 0.03}) {
+    s.motor.resistance_ohm = 0.4 * thinner;
+    const auto d = design_drive(s);
+    const double rises = unbelieved(s) * 1.2 * s.inverter.bus_v;
+    const double falls = d.parameters.limit.off_time * 0.8 * s.sensors.limit_a * d.motor.r_loop;
+    EXPECT_GE(falls, rises * (1 - 1e-9)) << thinner;
+  }
+  EXPECT_GT(design_drive(s).parameters.limit.off_time, 20e-6);
+  s.control.limit_off_time_s = 7e-6;
+  EXPECT_DOUBLE_EQ(design_drive(s).parameters.limit.off_time, 7e-6);
+}
+
 TEST(DesignRules, HandOverShowsTheBackEmfAboveTheComparatorsDoubt) {
   auto s = settings_of("m2310p_servo");
   s.start.hand_over_rpm.reset();

@@ -102,6 +102,21 @@ TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
   EXPECT_TRUE(names(only_problem([](S s) { s.motor.static_nm = 1e-3; }), "motor.static_nm"));
   EXPECT_TRUE(names(only_problem([](S s) { s.speed.maximum_duty = 0.01; }), "speed.minimum_duty"));
   EXPECT_TRUE(names(only_problem([](S s) { s.loop.maximum_rpm = 3001; }), "loop.maximum_rpm"));
+  EXPECT_TRUE(names(only_problem([](S s) { s.scenario.inertia_step_s = 7; }), "scenario.inertia_step_s"));
+  EXPECT_TRUE(names(only_problem([](S s) { s.hardship.spring_hz = {20, 10}; }), "hardship.spring_hz"));
+}
+
+TEST(Settings, WhatNeedsAnotherKeyNamesIt) {
+  using S = Settings&;
+  const auto names = [](const std::string& line, const char* key, const char* other) {
+    return line.rfind(key, 0) == 0 && line.find(other) != std::string::npos;
+  };
+  EXPECT_TRUE(names(only_problem([](S s) { s.load.wind_rpm = 100; }), "load.wind_rpm", "load.fan_nms2"));
+  EXPECT_TRUE(names(only_problem([](S s) { s.load.inertia_kgm2 = 0, s.load.spring_nm_rad = 1; }), "load.spring_nm_rad",
+                    "load.inertia_kgm2"));
+  EXPECT_TRUE(names(only_problem([](S s) { s.sensors.reference = Reference::kHalfBus; }), "sensors.reference",
+                    "control.sampling = \"on_time\""));
+  EXPECT_EQ(only_problem([](S s) { s.sensors.reference = Reference::kHalfBus, s.control.sampling = Sampling::kOnTime; }), "");
 }
 
 TEST(Settings, APerSecondLoopTooSlowForItsHandOverIsRefused) {
