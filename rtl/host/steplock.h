@@ -85,7 +85,8 @@ enum steplock_result steplock_get_status(const struct steplock_bus *bus,
 enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
                                             struct steplock_telemetry *telemetry);
 
-/* Stops, and re-arms drive and watchdog. */
+/* Stops, and re-arms drive and watchdog.  STEPLOCK_FAULT_LATCHED: the cause lasts; an over-current does for some clocks
+   after its comparator fell, so call it again. */
 enum steplock_result steplock_clear_fault(const struct steplock_bus *bus);
 
 /* Longest time between two heartbeats in ticks; 0: none.  Only while stopped. */
