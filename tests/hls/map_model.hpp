@@ -57,6 +57,7 @@ struct Behind<Sinusoidal> {
     return {{kPwm, kPeriod},
             {address_of(index_of<Sinusoidal>("PWM_INVERSE")), (1u << 25) / (3 * kPeriod)},
             {address_of(index_of<Sinusoidal>("START")), 0x1000u << 16},
+            {address_of(index_of<Sinusoidal>("SPEED_TARGET")), 1u << 20},
             {address_of(index_of<Sinusoidal>("START_PATTERN")), 0xfffff}};
   }
   // And how many samples may be lost, of which none comes in a test of the bus alone.

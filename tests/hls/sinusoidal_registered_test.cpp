@@ -130,6 +130,7 @@ TEST(SinusoidalRegistered, TheDriveItselfTakesEveryPeriod) {
   in.command = {.configured = true, .run = true};
   in.words.bridge.period = kShortestPeriod - 1;
   in.words.sequence.pattern = 1000;
+  in.words.speed.target = 1 << 20;
   int on = 0;
   for (int clock = 0; clock < 50'000; ++clock) {
     Drive::pins(in, out, false);
@@ -200,7 +201,10 @@ class Beside {
     CurrentSense::Codes codes{.valid = due, .u = int(random_() % 201) - 100, .v = int(random_() % 201) - 100, .dc = 2700};
 
     auto words = words_.tick({.request = request, .stopped = true}).words;
-    if (request.write && request.index == index_of("SPEED_TARGET")) target_ = request.data.raw();
+    if (request.write && request.index == index_of("SPEED_TARGET")) {
+      target_ = request.data.raw();
+      if (!command_[1].run) taken_ = target_;  // at once while the drive is stopped
+    }
     words.speed.target = UInt<25>::of(taken_);
     const auto alone = alone_.tick({.fault = false, .codes = codes, .command = command_[0], .words = words});
     command_[0] = command_[1];
