@@ -139,7 +139,7 @@ TEST(Disturbance, ABlindDriveOnAnOpenPhaseEndsBadly) {
 TEST(Disturbance, IsSeenByTheRtlOnTheSameClocks) {
   for (const Trouble kind : {Trouble::kExtraCrossing, Trouble::kMissingCrossing, Trouble::kSetSpeed,
                              Trouble::kInertia, Trouble::kStuckSteps, Trouble::kBusDip}) {
-    const DrawnRun run = run_of(calm_drive(), kind, kind == Trouble::kStuckSteps ? 9 : 0.7,
+    const DrawnRun run = run_of(calm_drive(), kind, kind == Trouble::kStuckSteps ? 9 : kind == Trouble::kInertia ? 3 : 0.7,
                                 kind == Trouble::kBusDip ? 0.01 : 0);
     const AfterFindings alone = simulate(run).after;
     const DrawnResult beside = simulate(run, {.rtl_beside = true});

@@ -90,6 +90,7 @@ TEST(DesignRules, SpeedPiPlacesItsBandwidthOnTheMotorsPole) {
 
 // At the corner of the default envelope: 1.2 times flux and resistance at 0.8 times the bus, with the limit's current.
 TEST(DesignRules, NoRightLockOfTheEnvelopeSlips) {
+  int once_slipped = 0;
   for (const char* name : {"amano2003", "bly172s", "br2804_drone", "ceiling_fan", "hoverboard_hub", "m2310p_servo",
                            "maxon_ec45_flat", "tekin_spindle"}) {
     const auto s = settings_of(name);
@@ -105,16 +106,18 @@ TEST(DesignRules, NoRightLockOfTheEnvelopeSlips) {
     for (const double part : {0.1, 0.5, 1.0}) {
       EXPECT_LE(corner(part * s.scenario.speed_rpm), allowed(part * s.scenario.speed_rpm)) << name << ' ' << part;
     }
-    // A rotor that stands takes the whole bus above its resistance: it slips.
-    EXPECT_GT(1.0, allowed(d.hand_over_rpm)) << name;
+    // The control: with the file's own back-EMF in place of the greatest, as it once was.
+    const double set = s.scenario.speed_rpm;
+    once_slipped += corner(set) > allowed(set) - 0.5 * d.parameters.speed.bemf * steps_per_second(s, set);
   }
+  EXPECT_GT(once_slipped, 0);
 }
 
 // At a standstill the bus drives the current up while nobody believes the comparator; resistance alone takes it down.
 TEST(DesignRules, InTheOffTimeTheLimitsCurrentFallsFurtherThanItRose) {
   auto s = settings_of("bly172s");
   EXPECT_DOUBLE_EQ(design_drive(s).parameters.limit.off_time, 20e-6);
-  for (const double thinner : {1.0, 0.1, 0.03}) {
+  for (const double thinner : {1.0, 0.1, 0.05}) {
     s.motor.resistance_ohm = 0.4 * thinner;
     const auto d = design_drive(s);
     const double rises = unbelieved(s) * 1.2 * s.inverter.bus_v;
