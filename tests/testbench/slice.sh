@@ -17,7 +17,7 @@ fi
 count=$5
 rm -rf "$work/whole"
 mapfile -t shards < <(seq -f "$work/%g" 0 $((count - 1)))
-"$steplock" merge "${shards[@]}" --out "$work/whole" >/dev/null
+"$steplock" merge "${shards[@]}" --out "$work/whole" >/dev/null || [ $? -eq 1 ]
 again --resume --out "$work/whole" --page "$work/whole/docs/starts.md" >/dev/null || [ $? -eq 1 ]
 jq -e --argjson runs "$runs" '.runs == $runs and .started + .rough == $runs and .rtl_differing == 0' "$work/whole/sweep.json"
 rm -rf "$work/rtl"
