@@ -15,7 +15,7 @@ constexpr double kLatestHandOver = 0.4;  // of the set speed
 constexpr double kMostTicks = 3900;      // of a ramp, with some to spare of its 4095
 constexpr double kFollow = 10.0 / 60;  // turns of a step: error that an acceleration may cause
 constexpr double kEdgesBetweenLooks = 1.5;
-constexpr double kSlipMargin = 1.5;    // flux or resistance 1.2 times, bus 0.8 times the file's: the default envelope
+constexpr double kCorner = 1.5;        // of the default envelope: 1.2 / 0.8, of what is more to what is less than the file says
 
 // Back-EMF shape of phase u at an electrical angle, peak 1.
 double shape_at(const MotorSection& m, double degrees) {
@@ -58,9 +58,8 @@ double duty_for(const Settings& s, double current, double resistance) {
 // s.  At a standstill the bus drives the current up while the comparator is not believed, and resistance alone takes it down
 // in the off-time: one that is shorter than this lets it climb from pulse to pulse.
 double off_time(const Settings& s) {
-  constexpr double kShortest = 20e-6, kTolerance = 1.5;  // bus 1.2 times, resistance 0.8 times the file's
-  constexpr double kLongest = 4095;                      // clocks, the word
-  const double off = kTolerance * unbelieved(s) * s.inverter.bus_v / (s.sensors.limit_a * motor_constants(s).r_loop);
+  constexpr double kShortest = 20e-6, kLongest = 4095;  // s; clocks, the word
+  const double off = kCorner * unbelieved(s) * s.inverter.bus_v / (s.sensors.limit_a * motor_constants(s).r_loop);
   return std::clamp(off, kShortest, kLongest / s.control.clock_hz);
 }
 
@@ -272,7 +271,7 @@ void set_speed(const Settings& s, Design& d) {
   p.bemf = m.k_e / bus / steps;
   // Each step builds up the current of two phases in series anew, which takes volt-seconds.
   const double commutation = 2 * (s.motor.inductance_h - s.motor.mutual_h) * s.sensors.limit_a;
-  p.loaded = kSlipMargin * (p.bemf + commutation / bus);
+  p.loaded = kCorner * (p.bemf + commutation / bus);
 
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;
@@ -290,7 +289,7 @@ void set_protection(const Settings& s, Design& d) {
   p.misses = q.misses;
   p.stall = q.stall_rpm ? steps_per_second(s, *q.stall_rpm) : 0.4 * d.parameters.start.hand_over;
   p.slip =
-      q.slip_duty.value_or(std::min(2.0, kSlipMargin * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
+      q.slip_duty.value_or(std::min(2.0, kCorner * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
   p.freewheel = q.freewheel_deg / 60;
   p.wrong_lock = q.wrong_lock_s;
   p.over_current = q.over_current;

@@ -62,6 +62,19 @@ void check_assumed(Findings& found, const Settings& s) {
   }
 }
 
+// What turns, of either kind of drive.
+void check_mechanics(Findings& found, const Settings& s) {
+  if (s.load.wind_rpm != 0 && s.load.fan_nms2 == 0) {
+    found.add("load.wind_rpm is ", s.load.wind_rpm, " and load.fan_nms2 is 0; wind turns a fan, give it one");
+  }
+  if (s.load.spring_nm_rad > 0 && s.load.inertia_kgm2 == 0) {
+    found.add("load.spring_nm_rad is ", s.load.spring_nm_rad, " and load.inertia_kgm2 is 0; a spring needs an inertia behind it");
+  }
+  if (s.motor.static_nm && *s.motor.static_nm < s.motor.coulomb_nm) {
+    found.add("motor.static_nm is ", *s.motor.static_nm, " N m; must be at least coulomb_nm");
+  }
+}
+
 void check_control(Findings& found, const Settings& s) {
   const auto& c = s.control;
   const double settled = (c.chopping == Chopping::kComplementary ? s.inverter.dead_time_s : 0) +
@@ -87,15 +100,6 @@ void check_control(Findings& found, const Settings& s) {
   }
   if (s.motor.shape == Shape::kTable && s.motor.table.size() < 8) {
     found.add("motor.table has ", s.motor.table.size(), " values; must have at least 8");
-  }
-  if (s.load.wind_rpm != 0 && s.load.fan_nms2 == 0) {
-    found.add("load.wind_rpm is ", s.load.wind_rpm, " and load.fan_nms2 is 0; wind turns a fan, give it one");
-  }
-  if (s.load.spring_nm_rad > 0 && s.load.inertia_kgm2 == 0) {
-    found.add("load.spring_nm_rad is ", s.load.spring_nm_rad, " and load.inertia_kgm2 is 0; a spring needs an inertia behind it");
-  }
-  if (s.motor.static_nm && *s.motor.static_nm < s.motor.coulomb_nm) {
-    found.add("motor.static_nm is ", *s.motor.static_nm, " N m; must be at least coulomb_nm");
   }
 }
 
@@ -196,6 +200,7 @@ std::vector<std::string> problems(const Settings& s) {
   Findings found;
   check_ranges(found, s);
   check_assumed(found, s);
+  check_mechanics(found, s);
   check_scenario(found, s);
   check_envelope(found, s);
   if (!found.lines.empty()) return found.lines;  // the rest divides by what may be zero

@@ -119,6 +119,15 @@ TEST(Settings, WhatNeedsAnotherKeyNamesIt) {
   EXPECT_EQ(only_problem([](S s) { s.sensors.reference = Reference::kHalfBus, s.control.sampling = Sampling::kOnTime; }), "");
 }
 
+TEST(Settings, TheMechanicsOfEitherKindAreChecked) {
+  auto s = load_drive_file(std::string(DRIVES) + "/matsui1996.toml").settings;
+  s.load.fan_nms2 = 0;
+  s.load.wind_rpm = 100;
+  const auto lines = problems(s);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].rfind("load.wind_rpm", 0), 0u) << lines[0];
+}
+
 TEST(Settings, APerSecondLoopTooSlowForItsHandOverIsRefused) {
   auto s = load_drive_file(std::string(DRIVES) + "/amano2003.toml").settings;
   s.start.hand_over_rpm = 150;  // 33 ms between crossings, against a crossover of 68 rad/s
