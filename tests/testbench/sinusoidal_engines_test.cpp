@@ -152,6 +152,21 @@ TEST(SinusoidalEngines, FaultsOfTheFixedDriveHaveTheirReasons) {
   EXPECT_EQ(spoiled([](B&) {}), Reason::kNone);
 }
 
+TEST(SinusoidalEngines, ASetSpeedOfZeroStopsTheFixedDriveAndAnotherOneStartsItAgain) {
+  design::Settings s = drive("m2310p_sinusoidal");
+  s.scenario.load_step_s.reset(), s.scenario.load_off_s.reset(), s.scenario.stop_s.reset();
+  BenchOf<FixedEngine> bench(s, s, timeline(s), 0);
+  bench.run_until(0.4);
+  EXPECT_EQ(bench.engine().watch().state(), State::kRun);
+  bench.engine().set_target_rpm(0);
+  bench.run_until(1.0);
+  EXPECT_EQ(bench.engine().watch().state(), State::kIdle);
+  bench.engine().set_target_rpm(s.scenario.speed_rpm);
+  bench.run_until(1.6);
+  EXPECT_EQ(bench.engine().watch().state(), State::kRun);
+  for (const StateChange& c : bench.take().changes) EXPECT_NE(c.state, State::kRest);
+}
+
 // Offsets, both halves of the pattern, the closed loop to set speed: 4.8 million clocks.
 TEST(SinusoidalEngines, TheRtlIsItsSourceInEveryClockOfAStart) {
   const design::Settings s = drive("m2310p_sinusoidal");
