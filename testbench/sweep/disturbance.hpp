@@ -46,7 +46,7 @@ struct Disturbance {
   double set_speed = 1;    // before it, part of the file's
   double steps_per_s = 0;  // commutation steps, of the set speed after it
   double wait_turns = 0;   // electrical, from a settled start to it
-  double place = 0;        // part of a step
+  double place = 0;        // part of a step; inertia: where in the file's set speeds the new one lies
   int phase = 0;           // of the comparator
 };
 

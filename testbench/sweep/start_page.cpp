@@ -139,21 +139,15 @@ std::string hard_head(const SweepSetup& setup) {
   return t;
 }
 
-// The first name that no motor has, of those that `steplock motors` counts.
-std::string motors_count(const SweepSetup& setup) {
-  const std::string& last = setup.drives.back().name;
-  const std::size_t digits = last.find_last_not_of("0123456789") + 1;
-  return digits < last.size() ? std::to_string(std::stoi(last.substr(digits)) + 1) : "300";
-}
-
 std::string motors_head(const SweepSetup& setup) {
   std::string t = head(setup, "Starts of motors that no file knows", "tools/starts --motors", "out/motors/*.toml",
                        "docs/motor_starts.md", "the_page_of_motor_starts_is_current");
-  t += fmt::format("`steplock motors --count {} --seed {}` writes the {} motors into out/motors: 3 W to 3 kW, 3.7 to 96 V, 1 to 21 pole "
-                   "pairs, each value drawn or following from what is ([how](sweep.md#motors-that-no-file-knows)); nobody has tuned "
-                   "anything on them. Each run draws what its motor meets from the default [envelope](drive_file.md#envelope), as a "
-                   "[start](starts.md) does. Motors that all started at the first attempt are not named.\n\n",
-                   motors_count(setup), setup.kind.seed, setup.drives.size());
+  t += fmt::format("`steplock motors --count 300 --seed {}` writes the motors into out/motors: 3 W to 3 kW, 3.7 to 96 V, 1 to 21 pole "
+                   "pairs, each value drawn or following from what is ([how](sweep.md#motors-that-no-file-knows)). Of them the design "
+                   "library accepts {}; the runs go through these in turn. Each run draws what its motor meets from the default "
+                   "[envelope](drive_file.md#envelope), as a [start](starts.md) does. A motor of which every run started at the first "
+                   "attempt is not named.\n\n",
+                   setup.kind.seed, setup.drives.size());
   return t;
 }
 
@@ -187,7 +181,7 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   const Json j = sweep_json(setup, rows);
   const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
   const bool hard = setup.kind.matrix == Matrix::kHard;
-  std::string t = hard ? hard_head(setup) : of_many(setup) ? motors_head(setup) : sinusoidal ? sinusoidal_head(setup) : six_step_head(setup);
+  std::string t = hard ? hard_head(setup) : of_drawn_motors(setup) ? motors_head(setup) : sinusoidal ? sinusoidal_head(setup) : six_step_head(setup);
   t += fmt::format("{} runs; engine `fixed`, {} runs repeated on the RTL, {} of them differ on any clock.\n\n", rows.size(),
                    j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
   t += fmt::format("{} of the started ones were watched for 200 turns and a second.\n\n", j["inside"]["watched"].get<int>());
@@ -208,7 +202,7 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   for (const auto& [name, part] : j["per_drive"].items()) t += spreads_line(name, part);
   t += spreads_line("all, inside the envelope", j) + "\n";
   if (hard) t += hardships_table(j);
-  t += goals(j, hard ? kHardGoals : of_many(setup) ? kMotorGoals : kGoals) + causes_table(j);
+  t += goals(j, hard ? kHardGoals : of_drawn_motors(setup) ? kMotorGoals : kGoals) + causes_table(j);
   t += fmt::format("![Time to lock](figures/{0}_lock_time.svg)\n\n![Peak current](figures/{0}_peak_current.svg)\n",
                    page_stem(setup));
   const auto failed = failures(rows);
@@ -217,7 +211,7 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   if (sinusoidal) t += "Why, as far as it is known: [causes](sweep.md#why-sinusoidal-starts-are-lost).\n\n";
   t += "| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
   for (const Row* r : failed) {
-    t += fmt::format("| `steplock run {}/{}.toml --replay {}` | {} | {} | {} |\n", of_many(setup) ? "out/motors" : "drives", r->drive, r->seed,
+    t += fmt::format("| `steplock run {}/{}.toml --replay {}` | {} | {} | {} |\n", of_drawn_motors(setup) ? "out/motors" : "drives", r->drive, r->seed,
                      name_of(r->findings.outcome), failure(*r), r->outside ? "outside" : "inside");
   }
   return t;

@@ -139,6 +139,10 @@ bool of_many(const SweepSetup& setup) {
   return setup.drives.size() > kNamed;
 }
 
+bool of_drawn_motors(const SweepSetup& setup) {
+  return of_many(setup) && std::ranges::all_of(setup.drives, [](const SweepDrive& d) { return d.name.starts_with("motor_"); });
+}
+
 bool passed(const SweepSetup& setup, const std::vector<Row>& rows) {
   const bool rtl = std::ranges::all_of(rows, [](const Row& r) { return r.rtl.empty() || r.rtl == "equal"; });
   return rows.size() == setup.runs && rtl && failures(rows).empty();

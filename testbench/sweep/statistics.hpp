@@ -37,6 +37,8 @@ std::vector<std::string> write_sweep_report(const SweepSetup&, const std::vector
                                             const std::filesystem::path& folder);
 // So many drives that a page names only those of which something is to be told.
 bool of_many(const SweepSetup&);
+// That many, and all of them from `steplock motors`.
+bool of_drawn_motors(const SweepSetup&);
 // Of the page's file and figures: starts, sinusoidal_starts, hard_starts, motor_starts or disturbances.
 std::string page_stem(const SweepSetup&);
 std::string start_page(const SweepSetup&, const std::vector<Row>&);  // docs/starts.md
