@@ -31,6 +31,7 @@ module rotor_follower #(
     output logic        restart_o,  // strobe: a drive begins
     output logic        caught_o,  // strobe: hand over, the crossing is now
     output logic        sure_o,  // the rotor is followed
+    output logic        slows_o,  // it turns the other way, as far as is known, and is being braked
     output logic        blocked_o  // strobe: three steps in a row moved nothing
 );
   logic [8:0] at_bits;
@@ -71,13 +72,14 @@ module rotor_follower #(
   logic out_restart;  // strobe: a drive begins
   logic out_caught;  // strobe: hand over, the crossing is now
   logic out_sure;  // the rotor is followed
+  logic out_slows;  // it turns the other way, as far as is known, and is being braked
   logic out_blocked;  // strobe: three steps in a row moved nothing
 
-  wire both_121 = on_i && FOLLOWS;  // line 121
+  wire both_123 = on_i && FOLLOWS;  // line 123
   wire loads = at_bits[5] && goes;
 
   always_ff @(posedge clk) begin
-    if (both_121) begin
+    if (both_123) begin
       logic crossed;
       logic ready;
       logic caught;
@@ -86,16 +88,16 @@ module rotor_follower #(
       logic ends_either_2;
       logic over;
       logic ends;
-      logic [1:0] choice_109;
-      logic [1:0] choice_112;
-      logic [2:0] choice_109_2;
-      logic [3:0] choice_109_3;
-      logic [3:0] wide_112;
-      logic [5:0] wide_114;
-      logic [7:0] choice_109_4;
-      logic [7:0] either_116;
-      logic [8:0] choice_109_5;
-      logic [8:0] either_117;
+      logic [1:0] choice_110;
+      logic [1:0] choice_113;
+      logic [2:0] choice_110_2;
+      logic [3:0] choice_110_3;
+      logic [3:0] wide_113;
+      logic [5:0] wide_115;
+      logic [7:0] choice_110_4;
+      logic [7:0] either_117;
+      logic [8:0] choice_110_5;
+      logic [8:0] either_118;
       logic [7:0] count_choice;
       logic news;
       logic on;
@@ -105,7 +107,11 @@ module rotor_follower #(
       logic now_back;
       logic judge_both;
       logic judge_either;
+      logic judge_choice_2;
+      logic judge_both_2;
+      logic choice;
       logic judge_both_3;
+      logic choice_2;
       logic [1:0] now_edges;
       logic [1:0] now_edges_choice;
       logic [1:0] now_edges_2;
@@ -122,41 +128,47 @@ module rotor_follower #(
       crossed = at_bits[8] && crossing_i && belief_real;
       ready = (!good || fast_i) ? good : steady_i && !slow_i;
       caught = crossed && belief_edges[1] && ready;
-      ends_either = at_bits[8:7] == 2'd0 || caught;  // line 154
+      ends_either = at_bits[8:7] == 2'd0 || caught;  // line 156
       late = belief_edges[1] && overdue && quarter_i;
-      ends_either_2 = ends_either || crossed || late;  // line 154
+      ends_either_2 = ends_either || crossed || late;  // line 156
       over = strobe && none;
       ends = (ends_either_2 || !over) ? ends_either ^ ends_either_2 : !timed && at_bits[8];
-      choice_109 = (ends || (at_bits[1] && !over) || at_bits[0]) ? 2'd2 : 2'd0;  // line 109
-      choice_112 = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 112
-      choice_109_2 = (choice_112 == 2'd0) ? 3'd0 : 3'd4;  // line 109
-      choice_109_3 = (at_bits[2] && over) ? 4'd8 : 4'd0;  // line 109
-      wide_112 = {1'b0, {1'b0, choice_109} | choice_109_2};  // line 112
-      wide_114 = {1'b0, {1'b0, wide_112 | choice_109_3} | {at_bits[3], 4'd0}};  // line 114
-      choice_109_4 = ((at_bits[6] || !at_bits[7]) ? at_bits[6] : !(over || ends)) ? 8'd128 : 8'd0;
-      either_116 =  // line 116
-          {1'b0, {1'b0, wide_114 | {at_bits[4], 5'd0}} | {at_bits[5], 6'd0}} | choice_109_4;
-      choice_109_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
-      either_117 = {1'b0, either_116} | choice_109_5;  // line 117
+      choice_110 = (ends || (at_bits[1] && !over) || at_bits[0]) ? 2'd2 : 2'd0;  // line 110
+      choice_113 = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 113
+      choice_110_2 = (choice_113 == 2'd0) ? 3'd0 : 3'd4;  // line 110
+      choice_110_3 = (at_bits[2] && over) ? 4'd8 : 4'd0;  // line 110
+      wide_113 = {1'b0, {1'b0, choice_110} | choice_110_2};  // line 113
+      wide_115 = {1'b0, {1'b0, wide_113 | choice_110_3} | {at_bits[3], 4'd0}};  // line 115
+      choice_110_4 = ((at_bits[6] || !at_bits[7]) ? at_bits[6] : !(over || ends)) ? 8'd128 : 8'd0;
+      either_117 =  // line 117
+          {1'b0, {1'b0, wide_115 | {at_bits[4], 5'd0}} | {at_bits[5], 6'd0}} | choice_110_4;
+      choice_110_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
+      either_118 = {1'b0, either_117} | choice_110_5;  // line 118
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
       news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:136
       on = sight_on || sight_skipped;  // follow_law.hpp:123
       goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:131
-      judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 91
+      judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 92
       stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:145
       now_back = (sight_contrary || sight_across) && !belief_back;  // follow_law.hpp:139
       judge_both = sight_contrary && belief_moved;  // follow_law.hpp:138
-      judge_either = on || judge_both;  // line 91
-      judge_both_3 = sight_legal && !sight_here;  // line 91
+      judge_either = on || judge_both;  // line 92
+      judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
+      judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 92
+      choice = at_bits[4] ? judge_both_2 : belief_back;
+      judge_both_3 = sight_legal && !sight_here;  // line 92
+      choice_2 =
+          at_bits[4] ? !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
+          belief_moved;
       now_edges = (!belief_back && belief_edges != 2'd3) ? belief_edges + 2'd1 : belief_edges;
-      now_edges_choice =  // line 91
+      now_edges_choice =  // line 92
           on ? now_edges :
           judge_both ? belief_edges :
           2'd0;
       now_edges_2 = (belief_real && judge_both_3) ? now_edges_choice : belief_edges;
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
       choice_3 = at_bits[4] ? now_edges_3 : belief_edges;
-      code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 157
+      code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 159
       now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:157
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
@@ -164,7 +176,7 @@ module rotor_follower #(
       now_idle = (judge_choice || sight_tired) ? 8'd0 : belief_idle + 8'd1;
       choice_5 = at_bits[4] ? now_idle : belief_idle;
       to_middle = (step_i[1] ^ step_i[0]) && !step_i[2];  // divide_by_n.hpp:28
-      at_bits <= either_117;
+      at_bits <= either_118;
       prescale <= count_choice;
       strobe <= count_choice[7:1] == 7'd0;
       if (ends) begin
@@ -177,9 +189,9 @@ module rotor_follower #(
         logic count_unequal;
         logic left_next_choice;
         logic left_next_both;
-        count_both = at_bits[7:1] & 7'h41;  // line 176
-        count_choice_2 = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 103
-        count_unequal = (at_bits[6:0] & 7'h41) != 7'd0;  // line 175
+        count_both = at_bits[7:1] & 7'h41;  // line 178
+        count_choice_2 = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 104
+        count_unequal = (at_bits[6:0] & 7'h41) != 7'd0;  // line 177
         left_next_choice = (count_both == 7'd0) ? over && at_bits[7] : count_both != 7'd0;
         left_next_both = over && left_next_choice;
         if (count_unequal || left_next_both) begin
@@ -258,10 +270,6 @@ module rotor_follower #(
       belief_rest <= choice_4;
       belief_idle <= choice_5;
       if (at_bits[3]) begin
-        logic judge_choice_2;
-        logic judge_both_2;
-        logic choice;
-        logic choice_2;
         logic clear;
         logic three_or_four;
         logic [2:0] next_step_either;
@@ -279,13 +287,7 @@ module rotor_follower #(
         logic [2:0] behind_2;
         logic [2:0] behind_3;
         logic [2:0] ahead;
-        judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
-        judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 91
-        choice = at_bits[4] ? judge_both_2 : belief_back;
-        choice_2 =
-            at_bits[4] ? !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
-            belief_moved;
-        clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 98
+        clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 99
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
@@ -338,7 +340,7 @@ module rotor_follower #(
         good <= 1'b0;
         out_caught <= 1'b0;
       end
-      out_drive <= (either_116[7] || either_117[8]) && at_bits[8:7] != 2'd0;
+      out_drive <= (either_117[7] || either_118[8]) && at_bits[8:7] != 2'd0;
       if (at_bits[5]) begin
         if (stands) begin
           logic three_or_four_2;
@@ -382,6 +384,7 @@ module rotor_follower #(
           endcase
         end
       end
+      out_slows <= choice && choice_2;
     end else begin
       at_bits <= 9'd1;
       prescale <= 8'd0;
@@ -416,13 +419,14 @@ module rotor_follower #(
       out_drive <= 1'b0;
       out_step <= 3'd0;
       out_caught <= 1'b0;
+      out_slows <= 1'b0;
       out_blocked <= 1'b0;
     end
-    timed <= both_121 && belief_edges[1] && (update_i || timed);
-    out_load <= both_121 && loads;
-    out_changed <= both_121 && loads && changes;
-    out_restart <= both_121 && at_bits[6];
-    out_sure <= both_121 && belief_edges[1];
+    timed <= both_123 && belief_edges[1] && (update_i || timed);
+    out_load <= both_123 && loads;
+    out_changed <= both_123 && loads && changes;
+    out_restart <= both_123 && at_bits[6];
+    out_sure <= both_123 && belief_edges[1];
     if (rst) begin
       at_bits <= 9'd1;
       prescale <= 8'd0;
@@ -462,6 +466,7 @@ module rotor_follower #(
       out_restart <= 1'b0;
       out_caught <= 1'b0;
       out_sure <= 1'b0;
+      out_slows <= 1'b0;
       out_blocked <= 1'b0;
     end
   end
@@ -473,5 +478,6 @@ module rotor_follower #(
   assign restart_o = out_restart;
   assign caught_o = out_caught;
   assign sure_o = out_sure;
+  assign slows_o = out_slows;
   assign blocked_o = out_blocked;
 endmodule

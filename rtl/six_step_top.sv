@@ -207,6 +207,7 @@ module six_step_top #(
   wire rotor_restart;
   wire rotor_caught;
   wire rotor_sure;
+  wire rotor_slows;
   wire rotor_blocked;
   rotor_follower #(.FOLLOWS(WITH_FOLLOWER)) rotor (
       .clk(clk),
@@ -236,6 +237,7 @@ module six_step_top #(
       .restart_o(rotor_restart),
       .caught_o(rotor_caught),
       .sure_o(rotor_sure),
+      .slows_o(rotor_slows),
       .blocked_o(rotor_blocked)
   );
 
@@ -299,6 +301,7 @@ module six_step_top #(
       .follower_drives_i(rotor_drive && (rotor_sure || chop)),
       .caught_i(rotor_caught),
       .sure_i(rotor_sure),
+      .slows_i(rotor_slows),
       .blocked_i(rotor_blocked),
       .still_i(still),
       .at_i(divided_step),
@@ -629,7 +632,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 251
+    still <= words_speed_target_i == 26'd0;  // line 252
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -646,14 +649,14 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 234
+    lags <= detector_error[15];  // line 235
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
     crossing <= bemf_crossing;
     hurries <= detector_hurries;
-    freewheels <= bemf_freewheel[15:12] == 4'd7;  // line 266
+    freewheels <= !hall_2 && bemf_freewheel[15:13] > 3'd2;
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;

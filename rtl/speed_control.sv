@@ -11,7 +11,7 @@ module speed_control (
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
     input  logic        hurries_i,  // freewheeling just hid the crossing of a rotor that leads
-    input  logic        freewheels_i,  // freewheeling took almost half of the last step
+    input  logic        freewheels_i,  // freewheeling took 3/8 of the last step, or more
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32
@@ -103,9 +103,10 @@ module speed_control (
   wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 181
   wire falls_2 = !at_bits[11] || yields;
   wire integrated = both_69 && multiplier_done;
-  wire [11:0] moved_choice = (integrated ? limited : held) ? 12'd0 : words_duty_slew_i;  // line 219
-  wire [12:0] moved_choice_2 = falls_2 ? ~{1'b0, words_duty_slew_i} : {1'b0, moved_choice};
-  wire [17:0] moved_2 = {2'd0, duty_next} + {{5{moved_choice_2[12]}}, moved_choice_2};
+  wire held_next = integrated ? limited : held;  // line 73
+  wire [12:0] moved_choice =  // line 219
+      falls_2 ? ~{1'b0, words_duty_slew_i} : {1'b0, held_next ? 12'd0 : words_duty_slew_i};
+  wire [17:0] moved_2 = {2'd0, duty_next} + {{5{moved_choice[12]}}, moved_choice};
   wire bound_both = !at_bits[8] && !at_bits[11] && (control || !at_bits[3]);  // line 189
   wire [16:0] bound_choice =  // line 189
       bound_both ? ((!at_bits[12] && !at_bits[13]) ? {1'b0, duty_next} : moved) :
@@ -125,7 +126,7 @@ module speed_control (
         at_bits <= at_bits_next_choice;
       end
       falls <= slew_sum[28];
-      rises <= !slew_sum[28];
+      rises <= !(slew_sum[28] || held_next);
     end else begin
       logic multiplies;
       multiplies = !(of_error || at_bits[16]) && !at_bits[3];
@@ -187,7 +188,7 @@ module speed_control (
       reference <= {2'd0, frequency_i};
     end
     not_target <= ~{1'b0, target_i};  // line 151
-    passes <= at_bits[2] && control && (rises ^ !slew_sum[28]);  // line 146
+    passes <= at_bits[2] && control && (slew_sum[28] ? rises : falls);  // line 146
     duty <= duty_next;  // line 181
     if (multiplier_done) begin
       if (at_bits[16]) begin

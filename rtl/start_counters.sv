@@ -12,7 +12,7 @@ module start_counters (
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
     input  logic        turns_reverse_i,  // while observing: the code last moved downwards
-    input  logic        sure_i,  // a follower has the rotor
+    input  logic        hopeful_i,  // a follower has the rotor, or brakes one that turns the other way
     input  logic        words_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
     input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
@@ -56,7 +56,7 @@ module start_counters (
   wire out_over = tick_i && last && !entered_i;
   wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 133
   wire last_next = !entered_i && ticks == 15'd0;  // line 95
-  wire in_vain = words_method_i && state_bits_i[5] && last_next && !sure_i;
+  wire in_vain = words_method_i && state_bits_i[5] && last_next && !hopeful_i;
   wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 124
 
   always_ff @(posedge clk) begin

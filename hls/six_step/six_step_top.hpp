@@ -125,6 +125,7 @@ class SixStepTop {
                                     .follower_drives = rotor.drive && (rotor.sure || chop_),
                                     .caught = rotor.caught,
                                     .sure = rotor.sure,
+                                    .slows = rotor.slows,
                                     .blocked = rotor.blocked,
                                     .still = still_,
                                     .at = divided_.step,
@@ -263,7 +264,7 @@ class SixStepTop {
     reverse_ = start.reverse;
     crossing_ = bemf.crossing;
     hurries_ = detector.hurries;
-    freewheels_ = bemf.freewheel.slice<15, 12>() == 7;  // 7/16 of a step: more current would hide the crossing
+    freewheels_ = !hall && bemf.freewheel.slice<15, 13>() >= 3;  // 3/8 of a step: more current would hide the crossing, or did
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;

@@ -1,6 +1,6 @@
 // Speed control: from the VCO's frequency to the on-time of the PWM, once per tick.
 //
-//     reference  moves towards target by at most slew
+//     reference  moves towards target by at most slew; not upwards while the current limit cuts
 //     e          = reference - frequency
 //     integral  += ki e >> shift        within [minimum, maximum]; frozen where it would wind up
 //     duty       = integral + (kp e >> shift)       within [minimum, maximum] and duty_slew
@@ -13,7 +13,7 @@
 // catching a rotor.
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
-// almost half a step and the duty would rise (or the limit cuts), or it hid the crossing of a rotor that hurries on, the
+// 3/8 of a step or more and the duty would rise (or the limit cuts), or it hid the crossing of a rotor that hurries on, the
 // duty falls by its slew until a crossing shows: more current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
@@ -45,7 +45,7 @@ class SpeedControl {
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
     bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads
-    bool freewheels = false;             // freewheeling took almost half of the last step
+    bool freewheels = false;             // freewheeling took 3/8 of the last step, or more
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;
@@ -143,9 +143,9 @@ class SpeedControl {
     } else if (passes_) {
       reference_ = wrap<Frequency>(~not_target_);
     }
-    passes_ = at_.holds(Stage::kReach) && control && lower != rises_;
+    passes_ = at_.holds(Stage::kReach) && control && (lower ? falls_ : rises_);
     if (at_.holds(Stage::kIdle)) {
-      rises_ = lower;
+      rises_ = lower && !held_;
       falls_ = !lower;
     }
     not_target_ = ~UInt<27>(in.target);

@@ -4,7 +4,7 @@
 //               kAccelerate last twice as long after each failed try, three times
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
 //     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left and has no rotor: the next one would be the same
+//               So is one that follows, has no ticks left, and neither has a rotor nor brakes one: the next would be the same
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
@@ -33,7 +33,7 @@ class StartCounters {
     bool update = false;         // strobe: the phase detector has a new error
     bool good = false;           // with `update`: it is a small one
     bool turns_reverse = false;  // while observing: the code last moved downwards
-    bool sure = false;           // a follower has the rotor
+    bool hopeful = false;        // a follower has the rotor, or brakes one that turns the other way
     StartWords words;
   };
 
@@ -101,7 +101,7 @@ class StartCounters {
   }
 
   void count_tries(const In& in, bool over) {
-    const bool in_vain = follows(in) && in.state.holds(State::kAccelerate) && last_ && !in.sure;
+    const bool in_vain = follows(in) && in.state.holds(State::kAccelerate) && last_ && !in.hopeful;
     tried_ = retries_ >= in.words.retries || in_vain;
     if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
       retries_ = 0;

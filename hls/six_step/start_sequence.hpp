@@ -58,6 +58,7 @@ class StartSequence {
     bool follower_drives = false;     // the rotor follower: gates may be on
     bool caught = false;              // strobe: and the rotor can be handed over, in the middle of the present step
     bool sure = false;                // it has the rotor
+    bool slows = false;               // or brakes one that turns the other way
     bool blocked = false;             // strobe: it cannot move it
     bool still = false;               // the set speed is 0: as if `run` were down, by braking
     Step at = 0;                      // the present step
@@ -97,7 +98,7 @@ class StartSequence {
                                           .update = in.update,
                                           .good = in.good,
                                           .turns_reverse = in.turns_reverse,
-                                          .sure = in.sure,
+                                          .hopeful = in.sure || in.slows,
                                           .words = in.words});
     const Duty duty = open_loop_.tick({.state = at_,
                                        .strong = counts.strong,

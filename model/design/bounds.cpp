@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kLeastOvershoot = 0.1, kLeastLock = 5, kLeastKick = 720;
+constexpr double kStepsToTell = 3;  // of a follower, until a rotor's direction is known for sure
 
 // Fundamental over the peak of the back-EMF; of a table, that of a square wave, since no shape has more.
 double fundamental(const MotorSection& m) {
@@ -23,9 +24,10 @@ double fundamental(const MotorSection& m) {
 // rpm against the wanted direction when the run begins.
 double backwards(const ScenarioSection& n) { return std::max(0.0, n.start_speed_rpm * (n.reverse ? 1 : -1)); }
 
-// Accelerations of slew and limit, natural frequency, set speed: all of one unit of speed.
+// Accelerations of slew and limit, natural frequency, set speed: all of one unit of speed.  What the ramp excites at its
+// begin may be in phase with what it excites at its end.
 double passes_by(double slew, double limit, double natural, double target) {
-  return 1 + std::max(kLeastOvershoot, std::min(slew, limit) / (natural * target));
+  return 1 + std::max(kLeastOvershoot, 2 * std::min(slew, limit) / (natural * target));
 }
 
 double highest_sinusoidal_speed(const Settings& file, const Settings& motor) {
@@ -45,7 +47,11 @@ double highest_speed(const Settings& file, const Settings& motor) {
   // Of duty and of current, steps/s^2.
   const double per_duty = motor.inverter.bus_v * m.k_e / (m.r_loop * m.inertia) * steps;
   const double limit = motor.sensors.limit_a * m.k_e / m.inertia * steps;
-  return passes_by(p.slew, limit, std::sqrt(p.ki * per_duty), p.target);
+  const double settled = passes_by(p.slew, limit, std::sqrt(p.ki * per_duty), p.target);
+  if (file.start.method == Method::kRamp) return settled;
+  // Driven by the limit through three edges, and no faster than the bus turns it.
+  const double found = std::min(std::sqrt(2 * limit * kStepsToTell), motor.inverter.bus_v / m.k_e * steps);
+  return std::max(settled, found / p.target);
 }
 
 double longest_lock(const Settings& file, const Settings& motor) {

@@ -6,8 +6,10 @@
 //                I = K E / sqrt(R^2 + (w (L - M))^2)                      K = 1.02 + 0.98 exp(-3 R / (w (L - M))), IEC 60909
 //                start by ramp: the first, and the second at the set speed, which an idle winding carries past the shunt
 //                sinusoidal: the level of its over-current protection
-//     speed      1 + w / w_set, at least 1.1: at the end of its ramp the PI loop of natural frequency w_n passes the set
-//                speed by at most w = a / w_n, a the slew's acceleration or the limit's, whichever is less
+//     speed      1 + 2 w / w_set, at least 1.1: begin and end of its ramp each excite the PI loop of natural frequency w_n
+//                by at most w = a / w_n, a the slew's acceleration or the limit's, whichever is less.
+//                Start that follows: nor less than sqrt(2 a_limit 180 degrees), what the limit's current makes of a light
+//                rotor until three edges have told its direction
 //     kick_deg   one mechanical turn, two electrical ones at least
 //     lock_s     each attempt as long as half of the limit's torque, less the load, takes from the speed that the rotor
 //                has backwards to hand-over; 5 s at least (sinusoidal: 5 s).  Infinite where that torque does not exceed the load

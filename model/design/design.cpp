@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "model/design/ramp_overshoot.hpp"
 #include "model/design/start.hpp"
 
 namespace steplock::design {
@@ -249,6 +251,36 @@ void set_follower(const Settings& s, Design& d) {
   p.reset_duty = t.find_duty.value_or(0.95);
 }
 
+// The steepest ramp up to `most`, steps/s^2, at whose end no rotor of the envelope passes the set speed by more than 8 %,
+// of the tenth that a start may: ticks and the duty's slew take the rest.  With the most bus and the least flux, which damps
+// least; a rotor that is too heavy for the ramp follows the limit's current.
+double settles(const Settings& s, const Design& d, double most) {
+  constexpr double kPasses = 0.08, kFiner = 1.05;
+  constexpr int kInertias = 16;
+  const auto& p = d.parameters.speed;
+  const auto& e = s.envelope;
+  const auto& m = d.motor;
+  const double steps = 6 * s.motor.pole_pairs / (2 * kPi), flux = e.flux[0];
+  const double rise = p.target - d.parameters.start.hand_over;
+  double steepest = most;
+  for (int k = 0; k <= kInertias; ++k) {
+    const double inertia = e.inertia[0] * std::pow(e.inertia[1] / e.inertia[0], double(k) / kInertias);
+    const double limit = flux * m.k_e * s.sensors.limit_a / (m.inertia * inertia) * steps;
+    const SpeedLoop loop{.gain = e.bus[1] * flux / (p.bemf * m.tau_m * inertia),
+                         .pole = flux * flux / (m.tau_m * inertia),
+                         .kp = p.kp,
+                         .ki = p.ki};
+    // From a ramp that is right whatever its length.
+    double slew = kPasses * p.target / ramp_overshoot(loop);
+    while (slew < std::min(steepest, limit) &&
+           kFiner * slew * ramp_overshoot(loop, rise / (kFiner * slew)) <= kPasses * p.target) {
+      slew *= kFiner;
+    }
+    if (slew < limit) steepest = std::min(steepest, slew);
+  }
+  return steepest;
+}
+
 void set_speed(const Settings& s, Design& d) {
   const auto& v = s.speed;
   auto& p = d.parameters.speed;
@@ -276,7 +308,8 @@ void set_speed(const Settings& s, Design& d) {
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;
   const double able = 0.4 * std::max(0.1 * torque, torque - friction) / m.inertia * steps;
-  p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s) : std::min(able, followed(loop, f_a));
+  p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s)
+                        : settles(s, d, std::min(able, followed(loop, f_a)));
   p.duty_slew = v.duty_slew_per_s.value_or(
       std::max(3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.02));
   p.minimum = v.minimum_duty;
@@ -287,7 +320,11 @@ void set_protection(const Settings& s, Design& d) {
   const auto& q = s.protection;
   auto& p = d.parameters.protection;
   p.misses = q.misses;
-  p.stall = q.stall_rpm ? steps_per_second(s, *q.stall_rpm) : 0.4 * d.parameters.start.hand_over;
+  // With Hall sensors a start is no start but speed control from standstill: of the speed that its slew has reached after the
+  // six steps that a stall takes, half.
+  const double least = 0.4 * d.parameters.start.hand_over;
+  const double derived = s.control.source == Source::kHall ? std::min(least, std::sqrt(3 * d.parameters.speed.slew)) : least;
+  p.stall = q.stall_rpm ? steps_per_second(s, *q.stall_rpm) : derived;
   p.slip =
       q.slip_duty.value_or(std::min(2.0, kCorner * duty_for(s, s.sensors.limit_a, d.motor.r_loop)));
   p.freewheel = q.freewheel_deg / 60;

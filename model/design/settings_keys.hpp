@@ -234,7 +234,7 @@ void for_each_key(S& s, Visitor&& visit) {
   section = "protection";
   auto& q = s.protection;
   k("misses", q.misses, "", "score at which a lock counts as lost", 1, 63);
-  k("stall_rpm", q.stall_rpm, "rpm", "slower is a stall; default: 0.4 x hand-over", 0, 1e6);
+  k("stall_rpm", q.stall_rpm, "rpm", "slower is a stall; default: 0.4 x hand-over; with Hall sensors what a start can pass", 0, 1e6);
   k("slip_duty", q.slip_duty, "", "duty above what speed and commutation take that no right lock shows", 0, 2);
   k("freewheel_deg", q.freewheel_deg, "deg", "longer freewheeling is wrong", 1, 60);
   k("wrong_lock_s", q.wrong_lock_s, "s",

@@ -107,7 +107,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .good = detector_.good(),
                     .ramp_done = ramp_done_,
                     .blocked = following() && follower_.blocked(),
-                    .sure = following() && follower_.sure(),
+                    .hopeful = following() && (follower_.sure() || follower_.slows()),
                     .still = target_ == 0,
                     .frequency = filter_.frequency(),
                     .caught = caught_});
@@ -119,9 +119,9 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
     const bool lags = detector_.error() < 0;
     if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
-  // Freewheeling of 7/16 of a step, and more current would hide the crossing.
-  const double freewheels = vco_.commutated() ? freewheel : bemf_.freewheel();
-  if (freewheels > 0 || vco_.commutated()) long_freewheel_ = freewheels >= 7.0 / 16 && freewheels < 0.5;
+  // Freewheeling of 3/8 of a step, and more current would hide the crossing, if it is not hidden yet.
+  const double freewheels = !vco_.commutated() ? bemf_.freewheel() : before_seen ? freewheel : 1;
+  if (freewheels > 0 || vco_.commutated()) long_freewheel_ = freewheels >= 3.0 / 8;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 

@@ -1,7 +1,7 @@
 // Speed control, once per tick: PI from the loop's frequency to the duty, with slew limits.
 //
 //     duty = integral + kp (ref - f)        integral' = ki (ref - f), frozen against a limit
-//     ref moves towards the target by at most slew
+//     ref moves towards the target by at most slew; not upwards while the current limit cuts
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_speed_control_test.cpp
 #pragma once
@@ -33,7 +33,7 @@ class SpeedControl {
   // falls if it would rise else; `hurries`: one of a rotor that leads is hidden, it falls as well.
   void tick(double target, double f, bool limited, bool hurries = false, bool freewheels = false) {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
-    reference_ += std::clamp(target - reference_, -move, move);
+    reference_ += std::clamp(target - reference_, -move, held_ ? 0 : move);
     const double error = reference_ - f;
     const double low = std::max(p_.minimum, duty_ - slew),
                  high = std::min(p_.maximum, duty_ + (hurries || ((limited || asks_) && freewheels) ? -slew : limited ? 0 : slew));
@@ -44,6 +44,7 @@ class SpeedControl {
       integral_ = std::clamp(integral_ + p_.ki * tick_ * error, p_.minimum, p_.maximum);
     duty_ = std::clamp(wanted, low, high);
     asks_ = wanted > high;
+    held_ = limited;
   }
 
   double duty() const { return duty_; }
@@ -53,6 +54,7 @@ class SpeedControl {
   design::SpeedParameters p_;
   double tick_, duty_ = 0, integral_ = 0, reference_ = 0;
   bool asks_ = false;  // for more than it got
+  bool held_ = false;  // by the current limit
 };
 
 }  // namespace steplock::reference

@@ -112,7 +112,7 @@ void StartSequence::update(const In& in) {
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
       if (p_.method == design::Method::kFollow && ticks_ >= kMostTicks) {
-        if (!in.sure) retries_ = p_.retries;  // the next one would be the same
+        if (!in.hopeful) retries_ = p_.retries;  // the next one would be the same
         fail(Reason::kNoLock);
       }
       return;

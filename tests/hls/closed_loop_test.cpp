@@ -24,8 +24,9 @@ const design::Settings& settings() {
   return file.settings;
 }
 
-Words designed_words() {
-  const auto& s = settings();
+Words designed_words(design::Source source = design::Source::kBemf) {
+  auto s = settings();
+  s.control.source = source;
   return hls_words(design::quantise(design::design_drive(s).parameters, s.control.clock_hz).words);
 }
 
@@ -196,7 +197,7 @@ TEST(ClosedLoop, BrakesARotorThatTurnsTheOtherWayAndThenStarts) {
 TEST(ClosedLoop, RunsOnHallSensorsToo) {
   for (const bool reverse : {false, true}) {
     Rig rig(20);
-    rig.in.words.source = Source::kHall;
+    rig.in.words = designed_words(design::Source::kHall);
     rig.in.command.reverse = reverse;
     rig.run_for(1.0);
     EXPECT_EQ(rig.out.state, State::kRun);
@@ -229,8 +230,8 @@ TEST(ClosedLoop, EachPartThatBreaksEndsInAFaultWithItsReason) {
   };
   for (const Broken& broken : cases) {
     Rig rig;
+    if (broken.reason == Reason::kHallCode) rig.in.words = designed_words(design::Source::kHall);
     rig.in.words.start.retries = 0;
-    if (broken.reason == Reason::kHallCode) rig.in.words.source = Source::kHall;
     rig.run_for(0.5);
     ASSERT_EQ(rig.out.state, State::kRun) << int(broken.reason);
     broken.part(rig);

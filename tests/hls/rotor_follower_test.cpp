@@ -90,6 +90,24 @@ TEST(RotorFollower, WithoutAnIntervalADriveOfARotorThatIsFollowedEndsAfterItsPro
   EXPECT_EQ(b.until(false), 5000) << "until the VCO says that it is over";
 }
 
+TEST(RotorFollower, SaysThatItBrakesARotorOnceThatPassedAnEdgeBackwards) {
+  Bench b;
+  for (const int sector : {3, 2, 1, 0}) {
+    b.code(kCodes[sector]);
+    b.until(true);
+    EXPECT_FALSE(b.out.sure);
+    EXPECT_EQ(b.out.slows, sector == 0) << sector;  // 3 at rest, 2 moves, 1 tells which way
+    b.until(false);
+  }
+  for (const int sector : {1, 2, 3, 4, 5}) {  // it turned round
+    b.code(kCodes[sector]);
+    b.until(true);
+    b.until(false);
+  }
+  EXPECT_TRUE(b.out.sure);
+  EXPECT_FALSE(b.out.slows);
+}
+
 // A good interval of a rotor that was not fast before may end at any speed: it accelerates.
 TEST(RotorFollower, HandsOverOnlyWhatWasFastThroughoutTheLastInterval) {
   for (const bool fast_before : {false, true}) {

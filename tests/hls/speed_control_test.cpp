@@ -214,6 +214,29 @@ TEST(SpeedControl, HoldsTheDutyWhileTheCurrentLimitCutsAndDoesNotWindUp) {
   EXPECT_GT(update(dut, in).duty, held);
 }
 
+// The reference is seen through kp: with ki 0 the duty is that of the entry and kp times what the reference has gained.
+TEST(SpeedControl, TheReferenceWaitsForARotorThatTheCurrentLimitHoldsBack) {
+  SpeedControl dut;
+  auto in = typical();
+  in.words.ki = 0;
+  in.words.kp = 1 << 12;
+  in.words.slew = 100 << 4;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 1000 << 4;
+  in.limited = true;
+  for (int i = 0; i < 20; ++i) update(dut, in);
+  in.limited = false;
+  for (int i = 0; i < 3; ++i) update(dut, in);  // the last cut still counts in the first of them
+  // Four ticks of the slew at most: one before the first cut counted, the last two, and this one.
+  EXPECT_NEAR(double(update(dut, in).duty.raw()), 400, 101);
+  in.target = 0;  // downwards it never waits
+  in.limited = true;
+  for (int i = 0; i < 20; ++i) update(dut, in);
+  in.limited = false;
+  EXPECT_EQ(update(dut, in).duty, Duty(0));
+}
+
 TEST(SpeedControl, LowersTheDutyWhereTheLimitsCurrentFreewheelsForHalfAStep) {
   SpeedControl dut;
   auto in = accelerating(dut);

@@ -157,13 +157,13 @@ TEST(StartCounters, NoTriesAreLeftAfterAsManyFailuresAsTheWordSays) {
   }
 }
 
-// What has found no rotor in 4095 ticks would not in as many again; one that it has is only slow.
+// What has found no rotor in 4095 ticks would not in as many again; one that it has, or brakes, is only slow.
 TEST(StartCounters, AStartThatFollowedNoRotorToItsEndIsTheLast) {
-  for (const bool sure : {false, true}) {
+  for (const bool hopeful : {false, true}) {
     for (const Method method : {Method::kFollow, Method::kRamp}) {
       Bench bench;
       bench.in.words.method = method;
-      bench.in.sure = sure;
+      bench.in.hopeful = hopeful;
       bench.enter(State::kAccelerate);
       for (int i = 0; i < 4095; ++i) {
         ASSERT_FALSE(bench.tick());
@@ -171,7 +171,7 @@ TEST(StartCounters, AStartThatFollowedNoRotorToItsEndIsTheLast) {
           EXPECT_FALSE(bench.out.tried);
         }
       }
-      EXPECT_EQ(bench.out.tried, method == Method::kFollow && !sure);
+      EXPECT_EQ(bench.out.tried, method == Method::kFollow && !hopeful);
       EXPECT_TRUE(bench.tick());
       bench.enter(State::kRest);
       EXPECT_FALSE(bench.out.tried);

@@ -101,28 +101,49 @@ TEST(StartBounds, ARunThatEndsInABrakeMayCarryItsCurrent) {
   EXPECT_EQ(current_bound(s), std::max(rest, shorted_current(s, kBrakedFrom * design_drive(s).hand_over_rpm)));
 }
 
-// w'' = w_n^2 (set - w): what an undamped loop passes its set speed by, after a ramp of this acceleration.
+// e'' = -w_n^2 e: an undamped loop whose reference begins to rise, and stops half a period later, when the speed is fastest.
 TEST(StartBounds, AHeavyRotorMayPassTheSetSpeedByMore) {
   Settings file = settings_of("m2310p_servo"), motor = file;
+  file.start.method = Method::kRamp;
   EXPECT_EQ(start_bounds(file).speed, 1.1);
   const Design d = design_drive(file);
-  double last = 1.1;
   for (const double heavier : {100.0, 1000.0, 1e4}) {
     motor.motor.inertia_kgm2 = heavier * file.motor.inertia_kgm2;
     motor.load.inertia_kgm2 = heavier * file.load.inertia_kgm2;
     const MotorConstants m = motor_constants(motor);
     const double steps = 6 * file.motor.pole_pairs / (2 * kPi);
     const double a = std::min(d.parameters.speed.slew, file.sensors.limit_a * m.k_e / m.inertia * steps);
-    const double natural2 = d.parameters.speed.ki * file.inverter.bus_v * m.k_e / m.r_loop / m.inertia * steps;
-    double over = 0, speed = a;  // of the error, steps/s and steps/s^2
-    for (double t = 0, dt = 1e-4 / std::sqrt(natural2); t * std::sqrt(natural2) < 3; t += dt) {
-      speed -= natural2 * over * dt;
-      over += speed * dt;
-      last = std::max(last, 1 + over / d.parameters.speed.target);
+    const double natural = std::sqrt(d.parameters.speed.ki * file.inverter.bus_v * m.k_e / m.r_loop / m.inertia * steps);
+    double last = 1.1, error = 0, change = a;  // reference less speed, steps/s and steps/s^2
+    bool rises = true;
+    for (double t = 0, dt = 1e-4 / natural; t * natural < 6; t += dt) {
+      if (rises && t * natural >= kPi) {
+        rises = false;
+        change -= a;
+      }
+      change -= natural * natural * error * dt;
+      error += change * dt;
+      if (!rises) last = std::max(last, 1 - error / d.parameters.speed.target);
     }
     EXPECT_NEAR(start_bounds(file, motor).speed, last, 1e-3 * last) << heavier;
-    last = 1.1;
   }
+}
+
+// Three steps under the limit's torque, nothing against it.
+TEST(StartBounds, ALightRotorMayBeFastBeforeItsDirectionIsKnown) {
+  const Settings file = settings_of("m2310p_servo");
+  Settings motor = file;
+  motor.motor.inertia_kgm2 /= 2;
+  const MotorConstants m = motor_constants(motor);
+  const double torque = m.k_e * file.sensors.limit_a, dt = 1e-7;
+  double angle = 0, speed = 0;  // rad, rad/s
+  while (angle * file.motor.pole_pairs < kPi) {
+    speed += torque / m.inertia * dt;
+    angle += speed * dt;
+  }
+  EXPECT_NEAR(start_bounds(file, motor).speed, speed * 30 / kPi / file.scenario.speed_rpm, 1e-3);
+  motor.motor.inertia_kgm2 = file.motor.inertia_kgm2 * 1e-3;  // as fast as its bus turns it
+  EXPECT_NEAR(start_bounds(file, motor).speed, m.no_load * 30 / kPi / file.scenario.speed_rpm, 1e-3);
 }
 
 TEST(StartBounds, ALockTakesAsLongAsTheTorqueNeeds) {

@@ -34,6 +34,46 @@ TEST(DesignRules, ATableOfASinusEqualsTheSinus) {
   EXPECT_NEAR(motor_constants(s).k_e, sinus, 1e-4 * sinus);
 }
 
+// Six steps from standstill under constant acceleration, of which the last shall be above the stall.
+TEST(DesignRules, AStartWithHallSensorsIsFasterThanAStallAfterSixSteps) {
+  auto s = settings_of("bly172s");
+  const double usual = design_drive(s).parameters.protection.stall;
+  s.control.source = Source::kHall;
+  const Parameters p = design_drive(s).parameters;
+  EXPECT_LE(p.protection.stall, usual);
+  EXPECT_NEAR(p.protection.stall, std::sqrt(2 * p.speed.slew * 6) / 2, 1e-9);
+  s.speed.slew_rpm_s = 1e6;
+  EXPECT_EQ(design_drive(s).parameters.protection.stall, usual);
+}
+
+// The linear loop at each of many inertias, driven by the ramp that the design chose.
+TEST(DesignRules, NoInertiaOfTheEnvelopePassesTheSetSpeedByMoreThanEightHundredths) {
+  for (const char* name : {"bly172s", "hoverboard_hub", "m2310p_servo", "maxon_ec45_flat", "tekin_spindle"}) {
+    const auto s = settings_of(name);
+    const Design d = design_drive(s);
+    const auto& p = d.parameters.speed;
+    const double rise = p.target - d.parameters.start.hand_over, flux = s.envelope.flux[0];
+    const double steps = 6 * s.motor.pole_pairs / (2 * kPi);
+    double most = 0;
+    for (double j = s.envelope.inertia[0]; j <= s.envelope.inertia[1]; j *= 1.02) {
+      const double slew = std::min(p.slew, flux * d.motor.k_e * s.sensors.limit_a / (j * d.motor.inertia) * steps);
+      const double gain = s.envelope.bus[1] * flux / (p.bemf * d.motor.tau_m * j), pole = flux * flux / (d.motor.tau_m * j);
+      double speed = 0, integral = 0;
+      const double dt = 1e-4;
+      for (double t = 0; t < 4; t += dt) {
+        const double error = std::min(slew * t, rise) - speed;
+        integral += p.ki * error * dt;
+        speed += (gain * (integral + p.kp * error) - pole * speed) * dt;
+        most = std::max(most, (speed - rise) / p.target);
+      }
+    }
+    // The rule looks at seventeen inertias, which lie a quarter apart, and at ramps a twentieth apart; it stops at the first that is
+    // too steep, which need not be the last.
+    EXPECT_LE(most, 1.1 * 0.08) << name;
+    EXPECT_GE(most, 0.8 * 0.08) << name;
+  }
+}
+
 TEST(DesignRules, StepsAndRpmAreInverse) {
   const auto s = settings_of("hoverboard_hub");
   EXPECT_DOUBLE_EQ(steps_per_second(s, 200), 200.0 / 60 * 15 * 6);

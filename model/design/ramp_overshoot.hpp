@@ -1,0 +1,82 @@
+// How far a speed can pass its target at the end of a ramp: a PI control of a motor that is one pole.
+//
+//     f' = gain duty - pole f          duty = ki integral(e) + kp e,   e = reference - f
+//     s^2 + (pole + kp gain) s + ki gain
+//
+// A reference that rises with slope 1 for ever leaves the error
+//
+//     e(t) = c (1 - exp(-d t) (cosh q t + (d - 1/c) sinh(q t) / q)),   c = pole / w^2,  w^2 = ki gain,
+//                                                                      d = (pole + kp gain) / 2,  q^2 = d^2 - w^2
+//
+// and one that stops after T is this one less the same, begun T later: f passes its target by e(t - T) - e(t).  So no ramp,
+// however long, passes by more than what e falls after its first maximum; one of half a period does.
+//
+// Doc: docs/design.md   Test: tests/model/design/ramp_overshoot_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace steplock::design {
+
+struct SpeedLoop {
+  double gain = 0;  // speed per s and duty
+  double pole = 0;  // 1/s
+  double kp = 0;    // duty per speed
+  double ki = 0;    // duty per speed and s
+};
+
+// The error after a ramp of slope 1 began, in s.
+class RampError {
+ public:
+  explicit RampError(const SpeedLoop& loop)
+      : w2_(loop.ki * loop.gain),
+        d_((loop.pole + loop.kp * loop.gain) / 2),
+        c_(loop.pole / w2_),
+        q_(std::sqrt(std::complex<double>(d_ * d_ - w2_)) + 1e-9 * d_) {}
+
+  double operator()(double t) const {
+    // Both halves of the hyperbolic functions with their decay, so that neither grows beyond bounds.
+    const auto up = std::exp((q_ - d_) * t), down = std::exp((-q_ - d_) * t);
+    return c_ - ((c_ * (up + down) + (c_ * d_ - 1) * (up - down) / q_) / 2.0).real();
+  }
+  // Behind this nothing higher follows: a period, or what the slower of two poles needs to settle.
+  double settled() const {
+    return q_.imag() > q_.real() ? std::min(2 * std::numbers::pi / q_.imag(), 8 / d_) : 8 * (d_ + q_.real()) / w2_;
+  }
+
+ private:
+  double w2_, d_, c_;
+  std::complex<double> q_;
+};
+
+inline constexpr int kPlaces = 200;  // that are looked at
+
+// s: times the slope it is the speed by which the target is passed at the end of a ramp that takes `rise` (s).
+inline double ramp_overshoot(const SpeedLoop& loop, double rise) {
+  const RampError error(loop);
+  const double end = error.settled();
+  double most = 0;
+  for (int k = 1; k <= kPlaces; ++k) {
+    const double t = end * k / kPlaces;
+    most = std::max(most, error(t) - error(rise + t));
+  }
+  return most;
+}
+
+// The same of the worst ramp.
+inline double ramp_overshoot(const SpeedLoop& loop) {
+  const RampError error(loop);
+  const double end = error.settled();
+  double highest = 0, most = 0;
+  for (int k = 1; k <= kPlaces; ++k) {
+    const double e = error(end * k / kPlaces);
+    highest = std::max(highest, e);
+    most = std::max(most, highest - e);
+  }
+  return most;
+}
+
+}  // namespace steplock::design

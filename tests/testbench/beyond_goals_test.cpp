@@ -1,0 +1,60 @@
+#include "testbench/sweep/beyond_goals.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplock {
+namespace {
+
+struct Page {
+  SweepSetup setup;
+  std::vector<Row> rows;
+
+  Page() { setup.drives.push_back({.name = "fan", .fingerprint = "", .weight = 1, .limit_a = 10}); }
+  Row& add(std::uint64_t seed) {
+    Row row;
+    row.drive = "fan";
+    row.seed = seed;
+    row.findings.outcome = Outcome::kStarted;
+    row.findings.peak_current_a = 10;
+    row.findings.lock_time_s = 1;
+    row.findings.peak_speed = 1.05;
+    rows.push_back(row);
+    return rows.back();
+  }
+};
+
+TEST(BeyondGoals, NothingIsSaidWhereNothingLiesBeyond) {
+  Page page;
+  page.add(1);
+  EXPECT_EQ(beyond_goals(page.setup, page.rows), "");
+}
+
+TEST(BeyondGoals, CountsAndNamesTheWorst) {
+  Page page;
+  for (std::uint64_t k = 1; k <= 5; ++k) page.add(k).findings.peak_speed = 1.1 + 0.01 * double(k % 4);
+  const std::string text = beyond_goals(page.setup, page.rows);
+  EXPECT_NE(text.find("over the set speed, beyond 1.1: 4 of 5 runs."), text.npos) << text;
+  const auto at = [&](const char* seed) { return text.find(std::string("fan `--replay ") + seed + "` |"); };
+  EXPECT_LT(at("3"), at("2"));
+  EXPECT_LT(at("2"), at("1"));
+  EXPECT_EQ(at("5"), text.npos) << "three are shown";
+  EXPECT_EQ(text.find("Peak current"), text.npos);
+}
+
+TEST(BeyondGoals, APeakIsOverTheDrivesLimitAndARunThatWasNotAskedIsNotCounted) {
+  Page page;
+  page.add(7).findings.peak_current_a = 11.6;
+  page.rows.back().findings.kick_deg = 361;
+  page.rows.back().conditions.speed = -0.9;
+  Row& latched = page.add(8);
+  latched.findings.outcome = Outcome::kLatched;
+  latched.findings.lock_time_s = 9;
+  const std::string text = beyond_goals(page.setup, page.rows);
+  EXPECT_NE(text.find("beyond 1.15: 1 of 2 runs."), text.npos) << text;
+  EXPECT_NE(text.find("| 1.16 | inertia 1, bus 1, flux 1, load 0, turns at -0.9 of the set speed |"), text.npos) << text;
+  EXPECT_NE(text.find("beyond 360: 1 of 1 runs."), text.npos) << text;
+  EXPECT_EQ(text.find("Time to lock"), text.npos);
+}
+
+}  // namespace
+}  // namespace steplock
