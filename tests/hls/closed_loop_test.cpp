@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "model/plant/plant.hpp"
@@ -39,6 +40,7 @@ struct Rig {
   std::uint64_t clock = 0;
   std::vector<State> visited;
   double worst_late = 0;  // degrees, of commutations while locked
+  double peak = 0;        // A, of any phase
   bool lying_shunt = false, dead_comparators = false, dead_halls = false;
 
   explicit Rig(double angle_deg = 0, double rpm = 0)
@@ -90,6 +92,7 @@ struct Rig {
   // The first clock at which a pin may change again.
   std::uint64_t show_pins() {
     const auto& p = plant.pins();
+    for (const double i : plant.state().current) peak = std::max(peak, std::abs(i));
     in.pins.comparator_u = p.comparator[0];
     in.pins.comparator_v = p.comparator[1];
     in.pins.comparator_w = p.comparator[2];
@@ -240,6 +243,31 @@ TEST(ClosedLoop, EachPartThatBreaksEndsInAFaultWithItsReason) {
     EXPECT_EQ(rig.out.reason, broken.reason);
     const auto& g = rig.out.gates;
     EXPECT_FALSE(g.uh || g.ul || g.vh || g.vl || g.wh || g.wl);
+  }
+}
+
+// What may be written while the motor turns, each at its worst: the drive may lose its lock, or latch.  The shunt sees what the
+// bus drives, and past it flows what shorted windings drive at the speed that it turns at: no phase carries more than both.
+TEST(ClosedLoop, NoGainWrittenWhileRunningDrivesMoreThanTheLimitAndShortedWindings) {
+  void (*const writes[])(Words&) = {
+      [](Words& w) { w.loop.ki = UInt<16>::max(); }, [](Words& w) { w.loop.kp = UInt<16>::max(); },
+      [](Words& w) { w.loop.ki = w.loop.kp = UInt<16>::max(); }, [](Words& w) { w.speed.kp = UInt<16>::max(); },
+      [](Words& w) { w.speed.ki = UInt<16>::max(); }, [](Words& w) { w.speed.ki = w.speed.kp = UInt<16>::max(); },
+  };
+  for (std::size_t k = 0; k < std::size(writes); ++k) {
+    Rig rig;
+    rig.run_for(0.5);
+    ASSERT_EQ(rig.out.state, State::kRun);
+    rig.peak = 0;
+    writes[k](rig.in.words);
+    double fastest = 0, slowest = 1e9;
+    for (int i = 0; i < 100; ++i) {
+      rig.run_for(0.01);
+      fastest = std::max(fastest, rig.rpm()), slowest = std::min(slowest, rig.rpm());
+    }
+    const double speed = std::max(fastest, -slowest);
+    EXPECT_LE(rig.peak, design::limited_current(settings()) + design::shorted_current(settings(), speed)) << k;
+    EXPECT_LT(speed, 1.3 * set_rpm()) << k;
   }
 }
 
