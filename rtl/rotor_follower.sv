@@ -50,6 +50,7 @@ module rotor_follower #(
   logic [2:0] belief_rest;  // code u v w of the rotor at rest
   logic [7:0] belief_idle;  // looks without news
   logic [1:0] belief_stood;  // times that it was too many of them, in a row
+  logic belief_onward;  // the last time the step after it was taken, not the one before
   logic sight_legal;  // neither 000 nor 111, and clear or of a rotor that has passed an edge
   logic sight_clear;  // hardly a sample said otherwise
   logic sight_rests;  // the code of the rotor at rest
@@ -60,7 +61,7 @@ module rotor_follower #(
   logic sight_across;  // three
   logic sight_tired;  // no news once more would be `still`
   logic goes;  // what was judged of it: another step
-  logic stands;  // the next one, for want of news
+  logic stands;  // a neighbour, for want of news
   logic changes;  // a rotor that is followed passed an edge
   logic overdue;  // the expected interval is over
   logic timed;  // an interval was measured: there is one to expect
@@ -145,13 +146,13 @@ module rotor_follower #(
       choice_110_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
       either_118 = {1'b0, either_117} | choice_110_5;  // line 118
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
-      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:136
-      on = sight_on || sight_skipped;  // follow_law.hpp:123
-      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:131
+      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:138
+      on = sight_on || sight_skipped;  // follow_law.hpp:125
+      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:133
       judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 92
-      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:145
-      now_back = (sight_contrary || sight_across) && !belief_back;  // follow_law.hpp:139
-      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:138
+      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:147
+      now_back = (sight_contrary || sight_across) && !belief_back;  // follow_law.hpp:141
+      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:140
       judge_either = on || judge_both;  // line 92
       judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
       judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 92
@@ -169,7 +170,7 @@ module rotor_follower #(
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
       choice_3 = at_bits[4] ? now_edges_3 : belief_edges;
       code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 159
-      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:157
+      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:159
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
       choice_4 = at_bits[4] ? now_rest_3 : belief_rest;
@@ -233,7 +234,7 @@ module rotor_follower #(
           goes <= 1'b1;
         end else begin
           logic now_real;
-          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:129
+          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:131
           belief_real <= belief_real || now_real;
           if (belief_real) begin
             if (sight_legal) begin
@@ -260,6 +261,7 @@ module rotor_follower #(
             belief_stood <= 2'd0;
           end
         end
+        belief_onward <= !(stands_2 ^ !belief_onward);
         stands <= stands_2;
         changes <= sight_on && sight_legal && belief_real && !belief_back && belief_edges != 2'd0;
         out_blocked <= stands_2 && belief_stood == 2'd2;
@@ -275,7 +277,7 @@ module rotor_follower #(
         logic [2:0] next_step_either;
         logic [2:0] code_of_choice;
         logic [1:0] code_of_choice_2;
-        logic [2:0] code_of;  // follow_law.hpp:107
+        logic [2:0] code_of;  // follow_law.hpp:109
         logic [2:0] see_differ;
         logic [2:0] other;
         logic v_2;
@@ -291,8 +293,8 @@ module rotor_follower #(
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:90
-        code_of_choice_2 =  // follow_law.hpp:107
+        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:92
+        code_of_choice_2 =  // follow_law.hpp:109
             (code_of_choice == 3'd3) ? 2'd2 :
             (code_of_choice == 3'd4) ? 2'd3 :
             2'd1;
@@ -302,11 +304,11 @@ module rotor_follower #(
           3'd2: code_of = 3'd6;
           default: code_of = {1'b0, code_of_choice_2};
         endcase
-        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:107
-        other = see_differ ^ code;  // follow_law.hpp:107
-        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:108
-        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:108
-        u_2 = !(w_2 || v_2);  // follow_law.hpp:108
+        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:109
+        other = see_differ ^ code;  // follow_law.hpp:109
+        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:110
+        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:110
+        u_2 = !(w_2 || v_2);  // follow_law.hpp:110
         behind = (v_2 ? 3'd4 : 3'd0) | {1'b0, w_2 ? 2'd2 : 2'd0} | {2'd0, u_2};
         case (step_i)
           3'd0, 3'd3, 3'd1, 3'd4: begin
@@ -318,9 +320,9 @@ module rotor_follower #(
             ahead_choice = 3'd4;
           end
         endcase
-        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:99
-        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:109
-        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:99
+        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:101
+        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:111
+        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:101
         sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_3 != 2'd0);
         sight_clear <= clear;
         sight_rests <= code == choice_4;
@@ -343,19 +345,22 @@ module rotor_follower #(
       out_drive <= (either_117[7] || either_118[8]) && at_bits[8:7] != 2'd0;
       if (at_bits[5]) begin
         if (stands) begin
+          logic step_after_differ;
           logic three_or_four_2;
           logic to_high;
           logic to_middle_2;
+          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:163
           three_or_four_2 = step_i[1:0] == 2'd3 || (step_i[2] && !step_i[0]);  // divide_by_n.hpp:27
           to_high =  // divide_by_n.hpp:29
-              (!reverse_i || step_i[2]) ? (reverse_i ? step_i[0] : three_or_four_2) :
+              step_after_differ ? three_or_four_2 :
+              step_i[2] ? step_i[0] :
               !step_i[1] && !step_i[0];
-          to_middle_2 = reverse_i ? three_or_four_2 : to_middle;  // divide_by_n.hpp:28
+          to_middle_2 = step_after_differ ? to_middle : three_or_four_2;  // divide_by_n.hpp:28
           out_step <=
               (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle_2 ? 2'd2 : 2'd0} | {2'd0, !step_i[0]};
         end else begin
           logic [2:0] code_2;
-          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:101
+          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:103
           case (code_2)
             3'd2: out_step <= {1'b0, reverse_i ? 2'd2 : 2'd3};
             3'd3: begin
@@ -402,6 +407,7 @@ module rotor_follower #(
       belief_rest <= 3'd0;
       belief_idle <= 8'd0;
       belief_stood <= 2'd0;
+      belief_onward <= 1'b0;
       sight_legal <= 1'b0;
       sight_clear <= 1'b0;
       sight_rests <= 1'b0;
@@ -444,6 +450,7 @@ module rotor_follower #(
       belief_rest <= 3'd0;
       belief_idle <= 8'd0;
       belief_stood <= 2'd0;
+      belief_onward <= 1'b0;
       sight_legal <= 1'b0;
       sight_clear <= 1'b0;
       sight_rests <= 1'b0;

@@ -20,13 +20,14 @@
 //       the wanted way       +2, just passed one    on: an edge went by unseen
 //       either               3                      it turned round: the same step is right as it is
 //                            all else               the wanted way; the code's step
-//     no news `still` times                         the next step, as with a rotor at rest: a dead centre.  Three times
-//                                                   in a row: blocked
+//     no news `still` times                         the next step, as with a rotor at rest: a dead centre.  The time after
+//                                                   the one before, which alone turns a rotor on that lies opposite to
+//                                                   its step; and so on.  Three times in a row: blocked
 //
 // "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.
 //
-//     latency      none     registers    those of Belief: 19 bits     multipliers  none
+//     latency      none     registers    those of Belief: 20 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/follow_law_test.cpp
 
@@ -47,6 +48,7 @@ struct FollowLaw {
     UInt<3> rest = 0;     // code u v w of the rotor at rest
     UInt<8> idle = 0;     // looks without news
     UInt<2> stood = 0;    // times that it was too many of them, in a row
+    bool onward = false;  // the last time the step after it was taken, not the one before
     bool sure() const { return edges.bit(1); }
     bool operator==(const Belief&) const = default;
   };
@@ -68,7 +70,7 @@ struct FollowLaw {
   struct News {
     Belief belief;
     bool goes = false;     // another step is to be driven
-    bool stands = false;   // the next one, without news
+    bool stands = false;   // a neighbour, without news
     bool changed = false;  // a rotor that is followed passed an edge
     bool blocked = false;  // three steps in a row moved nothing
   };
@@ -145,7 +147,7 @@ struct FollowLaw {
     const bool stands = !news && sight.tired;
     now.idle = news ? UInt<8>(0) : wrap<UInt<8>>(was.idle + 1);
     if (news) now.stood = 0;
-    if (stands) now = {.looked = true, .rest = at_rest(sight, code), .stood = wrap<UInt<2>>(was.stood + 1)};
+    if (stands) now = {.looked = true, .rest = at_rest(sight, code), .stood = wrap<UInt<2>>(was.stood + 1), .onward = !was.onward};
     return {.belief = now,
             .goes = goes || stands,
             .stands = stands,
@@ -158,7 +160,7 @@ struct FollowLaw {
 
   // The step to drive after that.
   static constexpr Step step_after(const News& news, UInt<3> code, Step step, bool reverse) {
-    return news.stands ? next_step(step, reverse) : step_of(code, reverse, news.belief.back);
+    return news.stands ? next_step(step, reverse == news.belief.onward) : step_of(code, reverse, news.belief.back);
   }
 };
 

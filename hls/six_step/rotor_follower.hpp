@@ -17,7 +17,7 @@
 //     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, once
 //                  an interval was measured, until the expected one is over by a quarter
 //     latency      1 clock: outputs are registers
-//     registers    91 bits     multipliers  none
+//     registers    93 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
 
@@ -197,7 +197,7 @@ class RotorFollower {
   FollowLaw::Belief belief_;
   FollowLaw::Sight sight_;  // of this look
   bool goes_ = false;       // what was judged of it: another step
-  bool stands_ = false;     // the next one, for want of news
+  bool stands_ = false;     // a neighbour, for want of news
   bool changes_ = false;    // a rotor that is followed passed an edge
   bool overdue_ = false;  // the expected interval is over
   bool timed_ = false;    // an interval was measured: there is one to expect

@@ -144,7 +144,8 @@ class RotorFollower {
       real_ = false;
       rest_ = now_at_rest;
       idle_ = 0;
-      go(in.step + way);
+      onward_ = !onward_;
+      go(in.step + (onward_ ? way : -way));
     }
   }
 
@@ -157,6 +158,7 @@ class RotorFollower {
   std::optional<std::array<bool, 3>> rest_;  // code of a rotor at rest
   bool real_ = false, moved_ = false;
   int belief_ = +1, edges_ = 0, idle_ = 0, stood_ = 0;
+  bool onward_ = false;  // the last time that nothing moved the step after was driven, not the one before
   std::optional<int> loaded_;
   bool changed_ = false, caught_ = false, blocked_ = false, timed_ = false;
 };

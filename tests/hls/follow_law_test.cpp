@@ -178,6 +178,24 @@ TEST(FollowLaw, WithoutNewsForLongTheStepMovesOn) {
   EXPECT_EQ(news.belief.idle, UInt<8>(0));
 }
 
+// A rotor that friction holds opposite to its step goes the wrong way with the next one, and there it is held again.
+TEST(FollowLaw, EachTimeThatTheStepMovesOnItGoesTheOtherWay) {
+  for (const bool reverse : {false, true}) {
+    const UInt<3> code = FollowLaw::code_of(2, reverse);
+    Belief b;
+    for (const int expected : {+1, -1, +1}) {
+      FollowLaw::News news;
+      for (int i = 0; i < 21 && !news.stands; ++i) {
+        news = FollowLaw::judge(b, FollowLaw::see(code, true, 2, reverse, b, 20), code);
+        b = news.belief;
+      }
+      const int way = reverse ? -1 : 1;
+      EXPECT_EQ(FollowLaw::step_after(news, code, 2, reverse), Step((2 + way * expected + 6) % 6)) << expected;
+      b = {.looked = true, .real = true, .edges = 1, .onward = b.onward};  // it turned meanwhile
+    }
+  }
+}
+
 TEST(FollowLaw, ThreeStepsInARowThatMoveNothingAreABlockedRotor) {
   const auto still = [](Belief b, int code) {
     FollowLaw::News news;

@@ -85,11 +85,16 @@ void set_start(const Settings& s, Design& d) {
   auto& t = p.start;
   t.by = z.by;
   t.pattern_current = z.pattern_current_a.value_or(rated);
-  // The held rotor swings with w^2 = pole_pairs torque / J; two dozen radians of it, in two halves.
+  // The held rotor swings with w^2 = pole_pairs torque / J: two dozen radians of it, in two halves.  Where
+  // friction is little, nothing but the back-EMF, through the winding, ends the swing: a tenth of the heaviest rotor's is left
+  // after each half.
   const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
   const double stiffness = p.motor.pole_pairs * d.rated_torque * t.pattern_current / rated;
+  const double link = p.motor.pole_pairs * s.motor.flux_vs;  // V s/rad
+  const double fades = 2 * s.envelope.inertia[1] * inertia * (p.motor.resistance) / (1.5 * link * link);
   t.pattern_s = z.pattern_s.value_or(
-      std::clamp(24 * std::sqrt(inertia / stiffness), 0.05, 5.0) + 10 * p.motor.inductance_q / p.motor.resistance);
+      std::clamp(std::max(24 * std::sqrt(inertia / stiffness), 2 * std::log(10.0) * fades), 0.05, 5.0) +
+      10 * p.motor.inductance_q / p.motor.resistance);
   const double mistaken =
       kMistaken * p.motor.resistance * p.speed.limit / p.motor.k_e;  // rad/s, at rest
   const double lock = z.lock_rpm.value_or(
