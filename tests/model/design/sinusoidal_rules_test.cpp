@@ -81,6 +81,28 @@ TEST(SinusoidalRules, ALockTakesHalfAnElectricalTurnUnlessTheFileSaysElse) {
   EXPECT_EQ(design_drive(s).parameters.start.lock_s, 0.005);
 }
 
+// J w' = -k angle - b w, b the torque that the back-EMF's current makes through the resistance: the heaviest rotor of the
+// envelope, without friction, is let go a degree from the pattern's place.
+TEST(SinusoidalRules, APatternLastsUntilTheHeaviestRotorsSwingHasFaded) {
+  for (const char* name : {"br2804_sinusoidal", "m2310p_sinusoidal"}) {
+    const Settings s = load_drive_file(std::string(DRIVES) + "/" + name + ".toml").settings;
+    const Design d = design_drive(s);
+    const auto& p = d.parameters;
+    const double pairs = p.motor.pole_pairs, inertia = s.envelope.inertia[1] * (s.motor.inertia_kgm2 + s.load.inertia_kgm2);
+    const double stiffness = pairs * d.rated_torque * p.start.pattern_current / s.motor.rated_current_a;
+    const double damping = 1.5 * std::pow(pairs * s.motor.flux_vs, 2) / p.motor.resistance;
+    double angle = 1, speed = 0, swing = 0;  // electrical degrees, and per s
+    const double half = p.start.pattern_s / 2, period = 2 * std::numbers::pi * std::sqrt(inertia / stiffness), dt = period * 1e-4;
+    for (double t = 0; t < half; t += dt) {
+      speed -= (stiffness * angle + damping * speed) / inertia * dt;
+      angle += speed * dt;
+      if (t > half - period) swing = std::max(swing, std::abs(angle));
+    }
+    // What a swing is a period before the end, less what the current's rise takes of the time.
+    EXPECT_LT(swing, 0.1 * std::exp(damping / (2 * inertia) * period)) << name;
+  }
+}
+
 TEST(SinusoidalRules, ABelievedConstantMovesTheDriveAndNotTheMotor) {
   Settings s = matsui();
   s.sinusoidal.k_em = 1.25;
