@@ -69,7 +69,7 @@ class HostModule : public sc_core::sc_module {
     std::uint32_t events = 0;
     if (steplock_take_interrupts(&bus, &events) != STEPLOCK_OK) return "take interrupts";
     started_s_ = sc_core::sc_time_stamp().to_seconds();
-    wait(sc_time(0.1, sc_core::SC_SEC));
+    wait(sc_time(0.25, sc_core::SC_SEC));
     if (steplock_get_telemetry(&bus, &telemetry_) != STEPLOCK_OK) return "telemetry";
     measured.notify(sc_core::SC_ZERO_TIME);
     if (steplock_stop(&bus, 0) != STEPLOCK_OK) return "stop";
