@@ -20,9 +20,9 @@
 //       the wanted way       +2, just passed one    on: an edge went by unseen
 //       either               3                      it turned round: the same step is right as it is
 //                            all else               the wanted way; the code's step
-//     no news `still` times                         the next step, as with a rotor at rest: a dead centre.  The time after
-//                                                   the one before, which alone turns a rotor on that lies opposite to
-//                                                   its step; and so on.  Three times in a row: blocked
+//     no news `still` times                         a dead centre: the step after this one, as with a rotor at rest; when
+//                                                   it stands again, the step before (a rotor held opposite to its step
+//                                                   needs that one); in turn.  Three times in a row: blocked
 //
 // "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.

@@ -31,6 +31,8 @@ struct SpeedLoop {
 // The error after a ramp of slope 1 began, in s.
 class RampError {
  public:
+  static constexpr int kPlaces = 200;  // until it has settled, that are looked at
+
   explicit RampError(const SpeedLoop& loop)
       : w2_(loop.ki * loop.gain),
         d_((loop.pole + loop.kp * loop.gain) / 2),
@@ -42,25 +44,24 @@ class RampError {
     const auto up = std::exp((q_ - d_) * t), down = std::exp((-q_ - d_) * t);
     return c_ - ((c_ * (up + down) + (c_ * d_ - 1) * (up - down) / q_) / 2.0).real();
   }
+  double place(int k) const { return settled() * k / kPlaces; }
+
+ private:
   // Behind this nothing higher follows: a period, or what the slower of two poles needs to settle.
   double settled() const {
     return q_.imag() > q_.real() ? std::min(2 * std::numbers::pi / q_.imag(), 8 / d_) : 8 * (d_ + q_.real()) / w2_;
   }
 
- private:
   double w2_, d_, c_;
   std::complex<double> q_;
 };
 
-inline constexpr int kPlaces = 200;  // that are looked at
-
 // s: times the slope it is the speed by which the target is passed at the end of a ramp that takes `rise` (s).
 inline double ramp_overshoot(const SpeedLoop& loop, double rise) {
   const RampError error(loop);
-  const double end = error.settled();
   double most = 0;
-  for (int k = 1; k <= kPlaces; ++k) {
-    const double t = end * k / kPlaces;
+  for (int k = 1; k <= RampError::kPlaces; ++k) {
+    const double t = error.place(k);
     most = std::max(most, error(t) - error(rise + t));
   }
   return most;
@@ -69,10 +70,9 @@ inline double ramp_overshoot(const SpeedLoop& loop, double rise) {
 // The same of the worst ramp.
 inline double ramp_overshoot(const SpeedLoop& loop) {
   const RampError error(loop);
-  const double end = error.settled();
   double highest = 0, most = 0;
-  for (int k = 1; k <= kPlaces; ++k) {
-    const double e = error(end * k / kPlaces);
+  for (int k = 1; k <= RampError::kPlaces; ++k) {
+    const double e = error(error.place(k));
     highest = std::max(highest, e);
     most = std::max(most, highest - e);
   }

@@ -121,7 +121,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   }
   // Freewheeling of 3/8 of a step, and more current would hide the crossing, if it is not hidden yet.
   const double freewheels = !vco_.commutated() ? bemf_.freewheel() : before_seen ? freewheel : 1;
-  if (freewheels > 0 || vco_.commutated()) long_freewheel_ = freewheels >= 3.0 / 8;
+  if (freewheels > 0 || vco_.commutated()) long_freewheel_ = !hall && freewheels >= 3.0 / 8;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 

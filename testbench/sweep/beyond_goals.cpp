@@ -5,18 +5,24 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-
+#include <vector>
 
 namespace steplock {
 namespace {
 
 constexpr std::size_t kShown = 3;
 
+// What explains a run beyond a goal, and of which runs.
+struct Cause {
+  std::function<bool(const Row&)> of;
+  const char* text;
+};
+
 struct Goal {
   const char* what;
   double goal;
   std::function<std::optional<double>(const Row&)> measured;  // nothing: not asked of this run
-  const char* why;
+  std::vector<Cause> causes;                                  // the first that is of a run counts
 };
 
 std::string motor_of(const Row& r) {
@@ -35,9 +41,18 @@ std::string part(const std::vector<Row>& rows, const Goal& goal) {
     if (measured && *measured > goal.goal) beyond.push_back(&r);
   }
   if (beyond.empty()) return "";
+  std::string t = fmt::format("{} beyond {:g}: {} of {} runs.", goal.what, goal.goal, beyond.size(), asked);
+  std::vector<std::size_t> of(goal.causes.size() + 1);  // the last is none
+  for (const Row* r : beyond) {
+    const auto cause = std::ranges::find_if(goal.causes, [&](const Cause& c) { return c.of(*r); });
+    ++of[static_cast<std::size_t>(cause - goal.causes.begin())];
+  }
+  for (std::size_t k = 0; k < goal.causes.size(); ++k) {
+    if (of[k] > 0) t += fmt::format(" {} {}.", of[k], goal.causes[k].text);
+  }
+  if (of.back() > 0) t += fmt::format(" {}: not explained here.", of.back());
   std::ranges::stable_sort(beyond, std::greater{}, [&](const Row* r) { return *goal.measured(*r); });
-  std::string t = fmt::format("{} beyond {:g}: {} of {} runs. {}\n\n| replay | measured | motor |\n|---|---:|---|\n",
-                              goal.what, goal.goal, beyond.size(), asked, goal.why);
+  t += "\n\n| replay | measured | motor |\n|---|---:|---|\n";
   for (std::size_t k = 0; k < std::min(kShown, beyond.size()); ++k) {
     const Row& r = *beyond[k];
     t += fmt::format("| {} `--replay {}` | {:.3g} | {} |\n", r.drive, r.seed, *goal.measured(r), motor_of(r));
@@ -48,23 +63,29 @@ std::string part(const std::vector<Row>& rows, const Goal& goal) {
 }  // namespace
 
 std::string beyond_goals(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const auto backwards = [](const Row& r) { return r.conditions.speed < 0; };
+  const auto light = [](const Row& r) { return r.conditions.inertia < 1; };
+  const auto heavy = [](const Row& r) { return r.conditions.inertia > 1; };
+  const auto every = [](const Row&) { return true; };
   const Goal goals[] = {
       {"Peak current, over the limit,", kPeakGoal,
        [&](const Row& r) {
          const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
          return d == setup.drives.end() || d->limit_a == 0 ? std::nullopt : std::optional(r.findings.peak_current_a / d->limit_a);
        },
-       "A rotor that turns backwards is braked by its shorted windings: that current flows through no shunt, and speed, flux and "
-       "inductance set it."},
+       {{backwards, "turned backwards, and such a rotor is braked by shorted windings: that current flows through no shunt, and speed, "
+                    "flux and inductance set it"}}},
       {"Time to lock, s,", kLockGoal,
        [](const Row& r) { return r.findings.outcome == Outcome::kStarted ? r.findings.lock_time_s : std::nullopt; },
-       "The limit's torque, less the load, needs that time, more than once where the rotor turned backwards."},
+       {{backwards, "turned backwards first"},
+        {[](const Row& r) { return r.findings.retries > 0; }, "needed more than one attempt"},
+        {heavy, "had more inertia than the file's, and a limit to its torque"}}},
       {"Kick backwards, electrical degrees,", kKickGoal, [](const Row& r) { return r.findings.kick_deg; },
-       "A code and its opposite, turned the other way, look alike, so an edge at least is passed before the direction is known; one "
-       "whose back-EMF is lost in the comparators' offset and noise tells nothing, and the next is waited for."},
+       {{every, "passed more than the one edge that tells the direction: a code and its opposite, turned the other way, look alike, and "
+                "the back-EMF of a first edge may be less than the comparators' offset and noise"}}},
       {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
-       "A light rotor gets there under the limit's current while its direction is being told; a heavy one passes the set speed as the "
-       "ramp ends, since the control is designed for the file's inertia."},
+       {{light, "had less inertia than the file's, and got there under the limit's current while its direction was being told"},
+        {heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
   };
   std::string t;
   for (const Goal& goal : goals) t += part(rows, goal);

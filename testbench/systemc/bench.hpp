@@ -22,12 +22,15 @@ namespace steplock {
 
 inline HostModule::Plan plan_of(const design::Settings& s) {
   const double clock_hz = s.control.clock_hz;
-  const Words words =
-      hls_words(design::quantise(design::design_drive(s).parameters, clock_hz).words);
+  const design::Parameters p = design::design_drive(s).parameters;
+  const Words words = hls_words(design::quantise(p, clock_hz).words);
+  // The ramp of the set speed from hand-over on, and what the speed then swings for.
+  const double settle_s = (p.speed.target - p.start.hand_over) / p.speed.slew + 0.1;
   const auto erpm = static_cast<std::uint32_t>(s.scenario.speed_rpm * s.motor.pole_pairs);
   return {.words = register_words(words),
           .speed = steplock_speed(erpm, static_cast<std::uint32_t>(clock_hz),
-                                  static_cast<unsigned>(words.loop.divide.raw()))};
+                                  static_cast<unsigned>(words.loop.divide.raw())),
+          .settle_s = settle_s};
 }
 
 template <class Drive>

@@ -27,6 +27,7 @@ class HostModule : public sc_core::sc_module {
   struct Plan {
     std::vector<steplock_word> words;
     std::uint32_t speed = 0;  // as steplock_speed() gives it
+    double settle_s = 0;      // from the lock to the set speed
   };
 
   tlm_utils::simple_initiator_socket<HostModule, 32> socket{"socket"};
@@ -69,7 +70,7 @@ class HostModule : public sc_core::sc_module {
     std::uint32_t events = 0;
     if (steplock_take_interrupts(&bus, &events) != STEPLOCK_OK) return "take interrupts";
     started_s_ = sc_core::sc_time_stamp().to_seconds();
-    wait(sc_time(0.25, sc_core::SC_SEC));
+    wait(sc_time(plan_.settle_s, sc_core::SC_SEC));
     if (steplock_get_telemetry(&bus, &telemetry_) != STEPLOCK_OK) return "telemetry";
     measured.notify(sc_core::SC_ZERO_TIME);
     if (steplock_stop(&bus, 0) != STEPLOCK_OK) return "stop";

@@ -31,9 +31,13 @@ TEST(BeyondGoals, NothingIsSaidWhereNothingLiesBeyond) {
 
 TEST(BeyondGoals, CountsAndNamesTheWorst) {
   Page page;
-  for (std::uint64_t k = 1; k <= 5; ++k) page.add(k).findings.peak_speed = 1.1 + 0.01 * double(k % 4);
+  for (std::uint64_t k = 1; k <= 5; ++k) {
+    page.add(k).findings.peak_speed = 1.1 + 0.01 * double(k % 4);
+    page.rows.back().conditions.inertia = k == 2 ? 0.5 : 5;
+  }
   const std::string text = beyond_goals(page.setup, page.rows);
-  EXPECT_NE(text.find("over the set speed, beyond 1.1: 4 of 5 runs."), text.npos) << text;
+  EXPECT_NE(text.find("over the set speed, beyond 1.1: 4 of 5 runs. 1 had less inertia"), text.npos) << text;
+  EXPECT_NE(text.find(" 3 had more inertia"), text.npos) << text;
   const auto at = [&](const char* seed) { return text.find(std::string("fan `--replay ") + seed + "` |"); };
   EXPECT_LT(at("3"), at("2"));
   EXPECT_LT(at("2"), at("1"));
@@ -50,10 +54,16 @@ TEST(BeyondGoals, APeakIsOverTheDrivesLimitAndARunThatWasNotAskedIsNotCounted) {
   latched.findings.outcome = Outcome::kLatched;
   latched.findings.lock_time_s = 9;
   const std::string text = beyond_goals(page.setup, page.rows);
-  EXPECT_NE(text.find("beyond 1.15: 1 of 2 runs."), text.npos) << text;
+  EXPECT_NE(text.find("beyond 1.15: 1 of 2 runs. 1 turned backwards"), text.npos) << text;
   EXPECT_NE(text.find("| 1.16 | inertia 1, bus 1, flux 1, load 0, turns at -0.9 of the set speed |"), text.npos) << text;
   EXPECT_NE(text.find("beyond 360: 1 of 1 runs."), text.npos) << text;
   EXPECT_EQ(text.find("Time to lock"), text.npos);
+}
+
+TEST(BeyondGoals, WhatNoCauseExplainsIsSaidSo) {
+  Page page;
+  page.add(7).findings.peak_current_a = 11.6;
+  EXPECT_NE(beyond_goals(page.setup, page.rows).find("1 of 1 runs. 1: not explained here."), std::string::npos);
 }
 
 }  // namespace
