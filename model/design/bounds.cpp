@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "model/design/rules.hpp"
 #include "model/design/sinusoidal/design.hpp"
 
 namespace steplock::design {
@@ -24,33 +25,32 @@ double fundamental(const MotorSection& m) {
 // rpm against the wanted direction when the run begins.
 double backwards(const ScenarioSection& n) { return std::max(0.0, n.start_speed_rpm * (n.reverse ? 1 : -1)); }
 
-// Accelerations of slew and limit, natural frequency, set speed: all of one unit of speed.  What the ramp excites at its
-// begin may be in phase with what it excites at its end.
-double passes_by(double slew, double limit, double natural, double target) {
-  return 1 + std::max(kLeastOvershoot, 2 * std::min(slew, limit) / (natural * target));
-}
+// Speed and target are of one unit.
+double passes_by(double speed, double target) { return 1 + std::max(kLeastOvershoot, speed / target); }
 
 double highest_sinusoidal_speed(const Settings& file, const Settings& motor) {
   const sinusoidal::SpeedRegulator p = sinusoidal::design_drive(file).parameters.speed;
   const double pairs = motor.motor.pole_pairs;
   const double per_ampere =
       pairs * pairs * std::sqrt(1.5) * motor.motor.flux_vs / (motor.motor.inertia_kgm2 + motor.load.inertia_kgm2);
-  return passes_by(p.slew, p.limit * per_ampere, std::sqrt(p.ki * per_ampere), p.target);
+  return passes_by(std::min(p.slew, p.limit * per_ampere) / std::sqrt(p.ki * per_ampere), p.target);
 }
 
 double highest_speed(const Settings& file, const Settings& motor) {
   if (file.drive.kind == DriveKind::kSinusoidal) return highest_sinusoidal_speed(file, motor);
-  const Design d = design_drive(file);
-  const SpeedParameters& p = d.parameters.speed;
+  const SpeedParameters p = design_drive(file).parameters.speed;
   const MotorConstants m = motor_constants(motor);
-  const double steps = 6 * motor.motor.pole_pairs / (2 * kPi);
-  // Of duty and of current, steps/s^2.
-  const double per_duty = motor.inverter.bus_v * m.k_e / (m.r_loop * m.inertia) * steps;
-  const double limit = motor.sensors.limit_a * m.k_e / m.inertia * steps;
-  const double settled = passes_by(p.slew, limit, std::sqrt(p.ki * per_duty), p.target);
+  const int pairs = motor.motor.pole_pairs;
+  const double limit = acceleration(m, motor.sensors.limit_a, pairs);
+  const SpeedLoop loop = speed_loop(p, m, motor.inverter.bus_v, pairs);
+  // The duty at hand-over is the back-EMF's: it does not know the load.
+  const double decelerates = (motor.load.opposing_nm + motor.motor.coulomb_nm) / m.k_e;
+  const double settled = passes_by(std::min(p.slew, limit) * ramp_overshoot(loop) +
+                                       acceleration(m, decelerates, pairs) * load_rebound(loop),
+                                   p.target);
   if (file.start.method == Method::kRamp) return settled;
   // Driven by the limit through three edges, and no faster than the bus turns it.
-  const double found = std::min(std::sqrt(2 * limit * kStepsToTell), motor.inverter.bus_v / m.k_e * steps);
+  const double found = std::min(std::sqrt(2 * limit * kStepsToTell), steps_per_second(motor, m.no_load * 30 / kPi));
   return std::max(settled, found / p.target);
 }
 

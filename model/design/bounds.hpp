@@ -6,8 +6,10 @@
 //                I = K E / sqrt(R^2 + (w (L - M))^2)                      K = 1.02 + 0.98 exp(-3 R / (w (L - M))), IEC 60909
 //                start by ramp: the first, and the second at the set speed, which an idle winding carries past the shunt
 //                sinusoidal: the level of its over-current protection
-//     speed      1 + 2 w / w_set, at least 1.1: begin and end of its ramp each excite the PI loop of natural frequency w_n
-//                by at most w = a / w_n, a the slew's acceleration or the limit's, whichever is less.
+//     speed      what the PI loop passes at the end of the worst ramp, and after the dip in which it meets the load, which the
+//                duty at hand-over does not know (ramp_overshoot.hpp); at least 1.1.  The ramp has the slew's acceleration a,
+//                or the limit's, whichever is less.
+//                Sinusoidal: 1 + a / (w_n w_set), of a loop of natural frequency w_n that nothing damps.
 //                Start that follows: nor less than sqrt(2 a_limit 180 degrees), what the limit's current makes of a light
 //                rotor until three edges have told its direction
 //     kick_deg   one mechanical turn, two electrical ones at least

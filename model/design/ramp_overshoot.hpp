@@ -1,4 +1,5 @@
-// How far a speed can pass its target at the end of a ramp: a PI control of a motor that is one pole.
+// How far a speed can pass its target at the end of a ramp, and after a load has come: a PI control of a motor that is one
+// pole.
 //
 //     f' = gain duty - pole f          duty = ki integral(e) + kp e,   e = reference - f
 //     s^2 + (pole + kp gain) s + ki gain
@@ -10,6 +11,12 @@
 //
 // and one that stops after T is this one less the same, begun T later: f passes its target by e(t - T) - e(t).  So no ramp,
 // however long, passes by more than what e falls after its first maximum; one of half a period does.
+//
+// A load that comes when the reference and the speed were equal, and that decelerates by 1, leaves
+//
+//     e(t) = exp(-d t) sinh(q t) / q
+//
+// which an imaginary q takes below zero: what the integral gathered in the dip makes the speed pass its target.
 //
 // Doc: docs/design.md   Test: tests/model/design/ramp_overshoot_test.cpp
 #pragma once
@@ -44,6 +51,8 @@ class RampError {
     const auto up = std::exp((q_ - d_) * t), down = std::exp((-q_ - d_) * t);
     return c_ - ((c_ * (up + down) + (c_ * d_ - 1) * (up - down) / q_) / 2.0).real();
   }
+  // The same after a load that decelerates by 1 has come.
+  double of_load(double t) const { return ((std::exp((q_ - d_) * t) - std::exp((-q_ - d_) * t)) / (2.0 * q_)).real(); }
   double place(int k) const { return settled() * k / kPlaces; }
 
  private:
@@ -76,6 +85,14 @@ inline double ramp_overshoot(const SpeedLoop& loop) {
     highest = std::max(highest, e);
     most = std::max(most, highest - e);
   }
+  return most;
+}
+
+// s: times the deceleration by a load it is the speed by which the target is passed after the dip.
+inline double load_rebound(const SpeedLoop& loop) {
+  const RampError error(loop);
+  double most = 0;
+  for (int k = 1; k <= RampError::kPlaces; ++k) most = std::max(most, -error.of_load(error.place(k)));
   return most;
 }
 

@@ -12,11 +12,11 @@ constexpr double kPi = std::numbers::pi;
 
 double steps_per_radian(int pole_pairs) { return 6 * pole_pairs / (2 * kPi); }
 
-// The steepest ramp up to `most`, steps/s^2, at whose end no rotor of the envelope passes the set speed by more than 8 %,
-// of the tenth that a start may: ticks and the duty's slew take the rest.  With the most bus and the least flux, which damps
-// least; a rotor that is too heavy for the ramp follows the limit's current.
+// The steepest ramp up to `most`, steps/s^2, at whose end no rotor of the envelope passes the set speed by more than 6 %,
+// of the tenth that a start may: the dip in which it meets its load, ticks and the duty's slew take the rest.  With the most bus and
+// the least flux, which damps least; a rotor that is too heavy for the ramp follows the limit's current.
 double settles(const Settings& s, const Design& d, double most) {
-  constexpr double kPasses = 0.08, kFiner = 1.05;
+  constexpr double kPasses = 0.06, kFiner = 1.05;
   constexpr int kInertias = 16;
   const auto& p = d.parameters.speed;
   const auto& e = s.envelope;
@@ -80,10 +80,11 @@ void set_speed(const Settings& s, Design& d) {
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;
   const double able = 0.4 * std::max(0.1 * torque, torque - friction) / m.inertia * steps;
-  p.slew = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s)
-                        : settles(s, d, std::min(able, followed(loop, f_a)));
+  const double steepest = v.slew_rpm_s ? steps_per_second(s, *v.slew_rpm_s) : std::min(able, followed(loop, f_a));
+  p.slew = v.slew_rpm_s ? steepest : settles(s, d, steepest);
+  // The duty has to turn a heavy rotor's acceleration off sooner than a ramp turns it on.
   p.duty_slew = v.duty_slew_per_s.value_or(
-      std::max(3 * p.slew * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.02));
+      std::max(3 * steepest * p.bemf, s.motor.rated_current_a * m.r_loop / bus / 0.02));
   p.minimum = v.minimum_duty;
   p.maximum = v.maximum_duty;
 }

@@ -49,5 +49,26 @@ TEST(RampOvershoot, IsTwiceTheSlopeOverTheNaturalFrequencyAtMost) {
   EXPECT_NEAR(ramp_overshoot({.gain = 100, .pole = 1e-6, .kp = 0, .ki = 1}), 0.2, 1e-4);
 }
 
+TEST(LoadRebound, IsWhatTheLoopStepByStepPassesBy) {
+  constexpr double kCoarse = 0.01;
+  for (const double pole : {0.5, 5.0, 50.0}) {
+    for (const double kp : {0.0, 0.05, 0.5}) {
+      const SpeedLoop loop{.gain = 100, .pole = pole, .kp = kp, .ki = 1};
+      const double end = 20 / std::min(loop.pole + loop.kp * loop.gain, std::sqrt(loop.ki * loop.gain)), dt = 1e-6 * end;
+      double speed = 0, integral = 0, most = 0;  // both from where they hold the target without load
+      for (double t = 0; t < end; t += dt) {
+        integral -= loop.ki * speed * dt;
+        speed += (loop.gain * (integral - loop.kp * speed) - loop.pole * speed - 1) * dt;
+        most = std::max(most, speed);
+      }
+      EXPECT_NEAR(load_rebound(loop), most, kCoarse * most + 1e-6) << pole << " " << kp;
+    }
+  }
+}
+
+TEST(LoadRebound, IsTheDipWhereNothingDamps) {
+  EXPECT_NEAR(load_rebound({.gain = 100, .pole = 1e-6, .kp = 0, .ki = 1}), 0.1, 1e-4);
+}
+
 }  // namespace
 }  // namespace steplock::design
