@@ -46,6 +46,7 @@ module rotor_follower #(
   logic belief_real;  // a code was seen that is not that of a rotor at rest
   logic belief_back;  // it turns the other way
   logic belief_moved;  // and passed an edge since that is believed
+  logic belief_far;  // the code before this one was two edges the other way
   logic [1:0] belief_edges;  // passed the wanted way in a row, up to 3
   logic [2:0] belief_rest;  // code u v w of the rotor at rest
   logic [7:0] belief_idle;  // looks without news
@@ -56,7 +57,8 @@ module rotor_follower #(
   logic sight_rests;  // the code of the rotor at rest
   logic sight_here;  // turns are 0
   logic sight_on;  // one edge as believed
-  logic sight_skipped;  // or two, of a rotor that moves
+  logic sight_skipped;  // or two: of a rotor that moves, or that did so before the other way
+  logic sight_far;  // two the other way
   logic sight_contrary;  // one the other way
   logic sight_across;  // three
   logic sight_tired;  // no news once more would be `still`
@@ -113,18 +115,18 @@ module rotor_follower #(
       logic choice;
       logic judge_both_3;
       logic choice_2;
+      logic judge_both_4;
       logic [1:0] now_edges;
-      logic [1:0] now_edges_choice;
       logic [1:0] now_edges_2;
       logic [1:0] now_edges_3;
-      logic [1:0] choice_3;
+      logic [1:0] choice_4;
       logic [2:0] code;
       logic [2:0] now_rest;
       logic [2:0] now_rest_2;
       logic [2:0] now_rest_3;
-      logic [2:0] choice_4;
+      logic [2:0] choice_5;
       logic [7:0] now_idle;
-      logic [7:0] choice_5;
+      logic [7:0] choice_6;
       logic to_middle;
       crossed = at_bits[8] && crossing_i && belief_real;
       ready = (!good || fast_i) ? good : steady_i && !slow_i;
@@ -146,13 +148,13 @@ module rotor_follower #(
       choice_110_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
       either_118 = {1'b0, either_117} | choice_110_5;  // line 118
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
-      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:138
-      on = sight_on || sight_skipped;  // follow_law.hpp:125
-      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:133
+      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:144
+      on = sight_on || sight_skipped;  // follow_law.hpp:130
+      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:138
       judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 92
-      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:147
-      now_back = (sight_contrary || sight_across) && !belief_back;  // follow_law.hpp:141
-      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:140
+      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:153
+      now_back = (sight_contrary || sight_across || (sight_far && belief_far)) && !belief_back;
+      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:146
       judge_either = on || judge_both;  // line 92
       judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
       judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 92
@@ -161,21 +163,19 @@ module rotor_follower #(
       choice_2 =
           at_bits[4] ? !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
           belief_moved;
+      judge_both_4 = belief_real && judge_both_3;  // line 92
       now_edges = (!belief_back && belief_edges != 2'd3) ? belief_edges + 2'd1 : belief_edges;
-      now_edges_choice =  // line 92
-          on ? now_edges :
-          judge_both ? belief_edges :
-          2'd0;
-      now_edges_2 = (belief_real && judge_both_3) ? now_edges_choice : belief_edges;
+      now_edges_2 =
+          judge_both_4 ? (on ? now_edges : judge_both ? belief_edges : 2'd0) : belief_edges;
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
-      choice_3 = at_bits[4] ? now_edges_3 : belief_edges;
+      choice_4 = at_bits[4] ? now_edges_3 : belief_edges;
       code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 159
-      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:159
+      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:165
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
-      choice_4 = at_bits[4] ? now_rest_3 : belief_rest;
+      choice_5 = at_bits[4] ? now_rest_3 : belief_rest;
       now_idle = (judge_choice || sight_tired) ? 8'd0 : belief_idle + 8'd1;
-      choice_5 = at_bits[4] ? now_idle : belief_idle;
+      choice_6 = at_bits[4] ? now_idle : belief_idle;
       to_middle = (step_i[1] ^ step_i[0]) && !step_i[2];  // divide_by_n.hpp:28
       at_bits <= either_118;
       prescale <= count_choice;
@@ -230,11 +230,12 @@ module rotor_follower #(
           belief_real <= 1'b0;
           belief_back <= 1'b0;
           belief_moved <= 1'b0;
+          belief_far <= 1'b0;
           belief_stood <= belief_stood + 2'd1;
           goes <= 1'b1;
         end else begin
           logic now_real;
-          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:131
+          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:136
           belief_real <= belief_real || now_real;
           if (belief_real) begin
             if (sight_legal) begin
@@ -248,6 +249,7 @@ module rotor_follower #(
                   goes <= !judge_both && !sight_across;
                 end
                 belief_moved <= judge_either;
+                belief_far <= sight_far;
               end
             end else begin
               goes <= 1'b0;
@@ -268,16 +270,16 @@ module rotor_follower #(
       end else begin
         out_blocked <= 1'b0;
       end
-      belief_edges <= choice_3;
-      belief_rest <= choice_4;
-      belief_idle <= choice_5;
+      belief_edges <= choice_4;
+      belief_rest <= choice_5;
+      belief_idle <= choice_6;
       if (at_bits[3]) begin
         logic clear;
         logic three_or_four;
         logic [2:0] next_step_either;
         logic [2:0] code_of_choice;
         logic [1:0] code_of_choice_2;
-        logic [2:0] code_of;  // follow_law.hpp:109
+        logic [2:0] code_of;  // follow_law.hpp:113
         logic [2:0] see_differ;
         logic [2:0] other;
         logic v_2;
@@ -289,12 +291,13 @@ module rotor_follower #(
         logic [2:0] behind_2;
         logic [2:0] behind_3;
         logic [2:0] ahead;
+        logic see_equal;
         clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 99
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:92
-        code_of_choice_2 =  // follow_law.hpp:109
+        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:96
+        code_of_choice_2 =  // follow_law.hpp:113
             (code_of_choice == 3'd3) ? 2'd2 :
             (code_of_choice == 3'd4) ? 2'd3 :
             2'd1;
@@ -304,11 +307,11 @@ module rotor_follower #(
           3'd2: code_of = 3'd6;
           default: code_of = {1'b0, code_of_choice_2};
         endcase
-        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:109
-        other = see_differ ^ code;  // follow_law.hpp:109
-        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:110
-        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:110
-        u_2 = !(w_2 || v_2);  // follow_law.hpp:110
+        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:113
+        other = see_differ ^ code;  // follow_law.hpp:113
+        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:114
+        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:114
+        u_2 = !(w_2 || v_2);  // follow_law.hpp:114
         behind = (v_2 ? 3'd4 : 3'd0) | {1'b0, w_2 ? 2'd2 : 2'd0} | {2'd0, u_2};
         case (step_i)
           3'd0, 3'd3, 3'd1, 3'd4: begin
@@ -320,18 +323,26 @@ module rotor_follower #(
             ahead_choice = 3'd4;
           end
         endcase
-        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:101
-        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:111
-        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:101
-        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_3 != 2'd0);
+        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:105
+        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:115
+        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:105
+        see_equal = other == ~ahead;  // follow_law.hpp:121
+        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_4 != 2'd0);
         sight_clear <= clear;
-        sight_rests <= code == choice_4;
+        sight_rests <= code == choice_5;
         sight_here <= see_differ == code;
         sight_on <= other == (choice ? behind_3 : ahead);
-        sight_skipped <= other == ~behind_3 && choice_2 && !choice;
+        if (choice) begin
+          logic choice_3;
+          choice_3 = at_bits[4] ? !stands_2 && (judge_both_4 ? sight_far : belief_far) : belief_far;
+          sight_skipped <= see_equal && choice_3;
+        end else begin
+          sight_skipped <= other == ~behind_3 && choice_2;
+        end
+        sight_far <= see_equal;
         sight_contrary <= other == (choice ? ahead : behind_3);
         sight_across <= other == 3'd7;
-        sight_tired <= ({1'b0, still_i} <= {1'b0, choice_5} + 9'd1);
+        sight_tired <= ({1'b0, still_i} <= {1'b0, choice_6} + 9'd1);
       end
       if (belief_edges[1]) begin
         if (update_i) begin
@@ -349,7 +360,7 @@ module rotor_follower #(
           logic three_or_four_2;
           logic to_high;
           logic to_middle_2;
-          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:163
+          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:169
           three_or_four_2 = step_i[1:0] == 2'd3 || (step_i[2] && !step_i[0]);  // divide_by_n.hpp:27
           to_high =  // divide_by_n.hpp:29
               step_after_differ ? three_or_four_2 :
@@ -360,7 +371,7 @@ module rotor_follower #(
               (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle_2 ? 2'd2 : 2'd0} | {2'd0, !step_i[0]};
         end else begin
           logic [2:0] code_2;
-          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:103
+          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:107
           case (code_2)
             3'd2: out_step <= {1'b0, reverse_i ? 2'd2 : 2'd3};
             3'd3: begin
@@ -403,6 +414,7 @@ module rotor_follower #(
       belief_real <= 1'b0;
       belief_back <= 1'b0;
       belief_moved <= 1'b0;
+      belief_far <= 1'b0;
       belief_edges <= 2'd0;
       belief_rest <= 3'd0;
       belief_idle <= 8'd0;
@@ -414,6 +426,7 @@ module rotor_follower #(
       sight_here <= 1'b0;
       sight_on <= 1'b0;
       sight_skipped <= 1'b0;
+      sight_far <= 1'b0;
       sight_contrary <= 1'b0;
       sight_across <= 1'b0;
       sight_tired <= 1'b0;
@@ -446,6 +459,7 @@ module rotor_follower #(
       belief_real <= 1'b0;
       belief_back <= 1'b0;
       belief_moved <= 1'b0;
+      belief_far <= 1'b0;
       belief_edges <= 2'd0;
       belief_rest <= 3'd0;
       belief_idle <= 8'd0;
@@ -457,6 +471,7 @@ module rotor_follower #(
       sight_here <= 1'b0;
       sight_on <= 1'b0;
       sight_skipped <= 1'b0;
+      sight_far <= 1'b0;
       sight_contrary <= 1'b0;
       sight_across <= 1'b0;
       sight_tired <= 1'b0;

@@ -18,6 +18,8 @@
 //                            +1, just passed one    no news
 //                            +1                     it turns the wanted way
 //       the wanted way       +2, just passed one    on: an edge went by unseen
+//                            -2, for a second time  it turns the other way, two edges between two looks
+//       the other way        -2, -2 before          on, backwards: an edge went by unseen
 //       either               3                      it turned round: the same step is right as it is
 //                            all else               the wanted way; the code's step
 //     no news `still` times                         a dead centre: the step after this one, as with a rotor at rest; when
@@ -27,7 +29,7 @@
 // "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.
 //
-//     latency      none     registers    those of Belief: 20 bits     multipliers  none
+//     latency      none     registers    those of Belief: 21 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/follow_law_test.cpp
 
@@ -44,6 +46,7 @@ struct FollowLaw {
     bool real = false;    // a code was seen that is not that of a rotor at rest
     bool back = false;    // it turns the other way
     bool moved = false;   // and passed an edge since that is believed
+    bool far = false;     // the code before this one was two edges the other way
     UInt<2> edges = 0;    // passed the wanted way in a row, up to 3
     UInt<3> rest = 0;     // code u v w of the rotor at rest
     UInt<8> idle = 0;     // looks without news
@@ -60,7 +63,8 @@ struct FollowLaw {
     bool rests = false;     // the code of the rotor at rest
     bool here = false;      // turns are 0
     bool on = false;        // one edge as believed
-    bool skipped = false;   // or two, of a rotor that moves
+    bool skipped = false;   // or two: of a rotor that moves, or that did so before the other way
+    bool far = false;       // two the other way
     bool contrary = false;  // one the other way
     bool across = false;    // three
     bool tired = false;     // no news once more would be `still`
@@ -114,7 +118,8 @@ struct FollowLaw {
             .rests = code == was.rest,
             .here = other == 0,
             .on = other == (was.back ? behind : ahead),
-            .skipped = other == (behind ^ UInt<3>(7)) && was.moved && !was.back,
+            .skipped = was.back ? other == (ahead ^ UInt<3>(7)) && was.far : other == (behind ^ UInt<3>(7)) && was.moved,
+            .far = other == (ahead ^ UInt<3>(7)),
             .contrary = other == (was.back ? ahead : behind),
             .across = other == 7,
             .tired = was.idle + 1 >= still};
@@ -132,13 +137,14 @@ struct FollowLaw {
       now.back = now.moved = false;
       news = goes = sight.legal && (first || !sight.rests);
     } else if (sight.legal && !sight.here) {
+      now.far = sight.far;
       if (on) {
         now.moved = true;
         now.edges = was.back || was.edges == 3 ? was.edges : wrap<UInt<2>>(was.edges + 1);
         news = was.edges != 0 || was.back;
         goes = true;
       } else if (!sight.contrary || !was.moved) {
-        now.back = (sight.contrary || sight.across) && !was.back;
+        now.back = (sight.contrary || sight.across || (sight.far && was.far)) && !was.back;
         now.moved = false;
         now.edges = 0;
         goes = !sight.across;

@@ -17,7 +17,7 @@
 //     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, once
 //                  an interval was measured, until the expected one is over by a quarter
 //     latency      1 clock: outputs are registers
-//     registers    93 bits     multipliers  none
+//     registers    95 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
 

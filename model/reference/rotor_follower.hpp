@@ -118,15 +118,17 @@ class RotorFollower {
     } else if (sector >= 0) {
       const int turns = ((step_for(belief_) - in.step) * way % 6 + 6) % 6;
       const bool on = turns == (belief_ > 0 ? 1 : 5);
-      const bool skipped = turns == 2 && moved_ && belief_ > 0;
+      const bool far = turns == 4, again = far && far_;
+      const bool skipped = belief_ > 0 ? turns == 2 && moved_ : again;
       const bool contrary = turns == (belief_ > 0 ? 5 : 1);
+      if (turns != 0) far_ = far;
       if (on || skipped) {
         changed_ = on && belief_ > 0 && edges_ >= 1;
         news = belief_ < 0 || edges_ >= 1;
         moved_ = true;
         if (belief_ > 0) ++edges_;
         go(step_for(belief_));
-      } else if (contrary && !moved_) {
+      } else if (again || (contrary && !moved_)) {
         doubt(-belief_);
         go(step_for(belief_));
       } else if (turns == 3) {
@@ -141,7 +143,7 @@ class RotorFollower {
     if (idle_ >= p_.still && !news) {
       blocked_ = ++stood_ == 3;
       doubt(+1);
-      real_ = false;
+      real_ = far_ = false;
       rest_ = now_at_rest;
       idle_ = 0;
       onward_ = !onward_;
@@ -156,7 +158,7 @@ class RotorFollower {
   int samples_ = 0;
   std::array<int, 3> high_ = {};
   std::optional<std::array<bool, 3>> rest_;  // code of a rotor at rest
-  bool real_ = false, moved_ = false;
+  bool real_ = false, moved_ = false, far_ = false;
   int belief_ = +1, edges_ = 0, idle_ = 0, stood_ = 0;
   bool onward_ = false;  // the last time that nothing moved the step after was driven, not the one before
   std::optional<int> loaded_;

@@ -36,19 +36,20 @@ TEST(FollowLaw, StepAndSectorHaveOneNumberForwardAndTheStepIsOneLessBackwards) {
 
 // Of every code, step, direction and belief: what see() tells from bits is the difference of steps, modulo six.
 TEST(FollowLaw, TheBitsThatDifferTellTheTurns) {
-  for (int k = 0; k < 1 << 9; ++k) {
-    const bool reverse = (k & 1) != 0, back = (k & 2) != 0, moved = (k & 4) != 0;
-    const int step = k >> 3 & 7, sector = k >> 6;
+  for (int k = 0; k < 1 << 10; ++k) {
+    const bool reverse = (k & 1) != 0, back = (k & 2) != 0, moved = (k & 4) != 0, far = k >> 9 != 0;
+    const int step = k >> 3 & 7, sector = k >> 6 & 7;
     if (step > 5 || sector > 5) continue;
     const int code = back ? kCodes[sector] ^ 7 : kCodes[sector];
     const int seen = reverse ? (sector + 5) % 6 : sector;
     const int turns = ((reverse ? step - seen : seen - step) + 6) % 6;
-    const auto sight = FollowLaw::see(code, true, step, reverse, {.back = back, .moved = moved}, kStill);
+    const auto sight = FollowLaw::see(code, true, step, reverse, {.back = back, .moved = moved, .far = far}, kStill);
     EXPECT_TRUE(sight.legal);
     EXPECT_EQ(sight.here, turns == 0) << k;
     EXPECT_EQ(sight.on, turns == (back ? 5 : 1)) << k;
     EXPECT_EQ(sight.contrary, turns == (back ? 1 : 5)) << k;
-    EXPECT_EQ(sight.skipped, turns == 2 && moved && !back) << k;
+    EXPECT_EQ(sight.skipped, back ? turns == 4 && far : turns == 2 && moved) << k;
+    EXPECT_EQ(sight.far, turns == 4) << k;
     EXPECT_EQ(sight.across, turns == 3) << k;
   }
 }
@@ -164,6 +165,32 @@ TEST(FollowLaw, AnEdgeThatWentByUnseenCountsOnlyOfARotorThatMoves) {
   EXPECT_FALSE(standing.belief.sure());
 }
 
+// A light rotor that its first step drove backwards: two edges between two looks.  Taken for one that turns the wanted
+// way, its step would drive it on backwards, look by look.  Once alone tells nothing: a first code may have been noise.
+TEST(FollowLaw, TwoEdgesBackwardsBetweenTwoLooksAreBrakedTheSecondTime) {
+  for (const bool moved : {false, true}) {
+    const auto first = look(real({.moved = moved, .edges = moved ? 2 : 0}), kCodes[0], 2);
+    EXPECT_TRUE(first.goes && !first.belief.back);
+    EXPECT_EQ(first.step, Step(0));
+    const auto second = look(first.belief, kCodes[4], 0);
+    EXPECT_TRUE(second.goes && second.belief.back);
+    EXPECT_EQ(second.step, Step(1));
+    EXPECT_EQ(second.belief.edges, UInt<2>(0));
+    const auto third = look(second.belief, kCodes[2], 1);
+    EXPECT_TRUE(third.goes && third.belief.back && third.belief.moved);
+    EXPECT_EQ(third.step, Step(5));
+    EXPECT_FALSE(third.belief.sure() || third.changed);
+  }
+}
+
+TEST(FollowLaw, AnotherCodeBetweenTwoJumpsBackwardsForgetsTheFirst) {
+  Belief b = look(real(), kCodes[0], 2).belief;
+  b = look(b, kCodes[1], 0).belief;
+  const auto again = look(b, kCodes[5], 1);
+  EXPECT_FALSE(again.belief.back);
+  EXPECT_FALSE(look(real({.back = true}), kCodes[0], 5).belief.back) << "nor is the first one of a rotor thought to turn back";
+}
+
 TEST(FollowLaw, WithoutNewsForLongTheStepMovesOn) {
   Belief b = look({}, kCodes[2], 0).belief;
   for (int i = 1; i < 20; ++i) {
@@ -223,12 +250,13 @@ TEST(FollowLaw, ThreeStepsInARowThatMoveNothingAreABlockedRotor) {
 TEST(FollowLaw, ReverseIsForwardInTheMirror) {
   const auto mirrored = [](int code) { return (code & 1) << 2 | (code & 2) | (code & 4) >> 2; };
   int cases = 0;
-  for (int bits = 0; bits < 1 << 10; ++bits) {
+  for (int bits = 0; bits < 1 << 11; ++bits) {
     for (int code = 0; code < 8; ++code) {
       for (int step = 0; step < 6; ++step) {
         Belief b{.looked = (bits & 1) != 0, .real = (bits & 2) != 0, .back = (bits & 4) != 0, .moved = (bits & 8) != 0,
-                 .edges = bits >> 4 & 3, .rest = bits >> 6 & 7, .idle = bits % 3 == 0 ? 19 : 3, .stood = bits % 4};
-        const bool clear = bits < 1 << 9;
+                 .far = (bits & 1 << 10) != 0, .edges = bits >> 4 & 3, .rest = bits >> 6 & 7, .idle = bits % 3 == 0 ? 19 : 3,
+                 .stood = bits % 4};
+        const bool clear = (bits & 1 << 9) == 0;
         const auto forward = look(b, code, step, false, clear);
         b.rest = mirrored(bits >> 6 & 7);
         auto back = look(b, mirrored(code), 5 - step, true, clear);
@@ -245,7 +273,7 @@ TEST(FollowLaw, ReverseIsForwardInTheMirror) {
       }
     }
   }
-  EXPECT_EQ(cases, 1024 * 48);
+  EXPECT_EQ(cases, 2048 * 48);
 }
 
 }  // namespace

@@ -75,6 +75,17 @@ TEST(ReferenceRotorFollower, BrakesARotorThatTurnsTheOtherWayAndTurnsWithIt) {
   EXPECT_TRUE(b.follower.sure());
 }
 
+TEST(ReferenceRotorFollower, BrakesARotorThatPassesTwoEdgesBackwardsBetweenTwoLooks) {
+  Bench b;
+  b.look(0);
+  EXPECT_EQ(b.look(5), 5);
+  EXPECT_EQ(b.look(3), 3);  // once tells nothing
+  EXPECT_EQ(b.look(1), 4);  // twice does: the opposite of step 1
+  EXPECT_EQ(b.look(5), 2);  // two more
+  EXPECT_EQ(b.look(4), 1);  // and one
+  EXPECT_FALSE(b.follower.sure());
+}
+
 TEST(ReferenceRotorFollower, MovesTheFieldOnWithoutNews) {
   Bench b;
   b.look(2);
