@@ -24,10 +24,12 @@ std::map<std::string, std::string> files_below(const fs::path& directory) {
   return files;
 }
 
-// What a run writes, and in an environment of its own, so that addresses differ.
+// What a run writes, into a folder of the test's own since tests run side by side, and in an environment of its own, so
+// that addresses differ.
 std::map<std::string, std::string> print(const std::string& arguments, const std::string& name) {
   fs::current_path(HLSGEN_ROOT);
-  const fs::path out = fs::path(testing::TempDir()) / ("hlsgen_" + name);
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path out = fs::path(testing::TempDir()) / ("hlsgen_" + test + "_" + name);
   fs::remove_all(out);
   const std::string command = "PADDING=" + std::string(name.size() * 997 % 4096, 'x') + " " +
                               HLSGEN_PROGRAM + " " + arguments + " -o " + out.string() +
