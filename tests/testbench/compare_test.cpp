@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
-
 #include "model/design/design.hpp"
 #include "tests/testbench/short_drive.hpp"
 
@@ -18,15 +16,15 @@ design::Settings until_steady() {
   s.scenario.load_off_s.reset();
   s.scenario.reverse_s.reset();
   s.scenario.stop_s.reset();
-  s.scenario.duration_s = 0.4;
+  s.scenario.duration_s = 0.45;
   return s;
 }
 
 TEST(Compare, RtlEqualsFixedOnEveryClockAndFloatStaysWithinTheBudget) {
   const Comparison c = compare_engines(until_steady(), {});
-  EXPECT_EQ(c.lockstep.clocks, 4800000u);
+  EXPECT_EQ(c.lockstep.clocks, 5400000u);
   EXPECT_TRUE(c.lockstep.equal()) << c.lockstep.first_port << " at " << c.lockstep.first_clock;
-  EXPECT_GT(c.shadow.commutations, 2 * 6 * std::size_t(short_drive().motor.pole_pairs)) << "two turns of the rotor";
+  EXPECT_GT(c.shadow.commutations, 100u);
   EXPECT_EQ(c.shadow.signals.size(), 6u);
   EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
   EXPECT_TRUE(c.passed());

@@ -110,7 +110,7 @@ double highest_of_many_ramps(const Settings& file, const Settings& motor) {
   const double period = 2 * kPi / std::sqrt(p.ki * bus * m.k_e / m.r_loop / m.inertia * steps), dt = 1e-4 * period;
   const double against = (motor.load.opposing_nm + motor.motor.coulomb_nm) / m.inertia;
   double highest = 1.1;
-  for (double rise = 0.1 * period; rise < 1.5 * period; rise *= 1.02) {
+  for (double rise = 0.1 * period; rise < 1.5 * period; rise *= 1.01) {
     double speed = 0, integral = 0;  // rad/s
     for (double t = 0; t < rise + period; t += dt) {
       const double error = a * std::min(t, rise) - speed * steps;
@@ -127,17 +127,19 @@ TEST(StartBounds, AHeavyRotorMayPassTheSetSpeedByMore) {
   file.start.method = Method::kRamp;
   file.motor.coulomb_nm = 0;
   EXPECT_EQ(start_bounds(file).speed, 1.1);
+  int loads_matter = 0;
   for (const double heavier : {100.0, 1000.0, 1e4}) {
     Settings motor = file;
     motor.motor.inertia_kgm2 *= heavier;
     motor.load.inertia_kgm2 *= heavier;
     const double highest = highest_of_many_ramps(file, motor);
-    EXPECT_NEAR(start_bounds(file, motor).speed, highest, 2e-3 * highest) << heavier;
+    EXPECT_NEAR(start_bounds(file, motor).speed, highest, 1e-3 * highest) << heavier;
     motor.load.opposing_nm = 0.02;
     const double loaded = highest_of_many_ramps(file, motor);
-    EXPECT_LE(loaded, start_bounds(file, motor).speed * (1 + 2e-3)) << heavier;
-    if (highest > 1.1) EXPECT_GT(loaded, highest) << heavier;
+    EXPECT_LE(loaded, start_bounds(file, motor).speed * (1 + 1e-3)) << heavier;
+    loads_matter += loaded > highest;
   }
+  EXPECT_EQ(loads_matter, 2) << "the limit hardly moves the heaviest";
 }
 
 // Three steps under the limit's torque, nothing against it.
