@@ -52,7 +52,7 @@ module sinusoidal_bare (
     input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
     input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
     input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_sequence_pattern_i,  // each of its two halves; all pilot pulses at most
+    input  logic [19:0] words_sequence_pattern_i,  // each of its three thirds; all pilot pulses at most
     input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_sequence_brake_i,

@@ -50,7 +50,7 @@ module sinusoidal_top (
     input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
     input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
     input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_sequence_pattern_i,  // each of its two halves; all pilot pulses at most
+    input  logic [19:0] words_sequence_pattern_i,  // each of its three thirds; all pilot pulses at most
     input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_sequence_brake_i,
@@ -97,8 +97,9 @@ module sinusoidal_top (
   logic orders_reverse;  // the wanted direction
   logic orders_calibrate;
   logic orders_pilot;  // pulses are wanted
-  logic orders_hold;  // one leg alone
-  logic orders_hold_v;  // that is v
+  logic orders_hold;  // legs of the pattern, or of a pilot pulse
+  logic orders_hold_u;  // u is one of them
+  logic orders_hold_v;  // v is
   logic orders_regulate;  // the loop is closed
   logic orders_estimate;  // the estimator has seen a whole period of it
   logic orders_slow_down;
@@ -213,6 +214,7 @@ module sinusoidal_top (
       .reverse_i(orders_reverse),
       .slow_down_i(orders_slow_down),
       .hold_i(orders_hold),
+      .hold_u_i(orders_hold_u),
       .hold_v_i(orders_hold_v),
       .pilot_i(orders_pilot),
       .search_i(pilot_search),
@@ -356,6 +358,7 @@ module sinusoidal_top (
   wire sequence__calibrate;
   wire sequence__pilot;
   wire sequence__hold;
+  wire sequence__hold_u;
   wire sequence__hold_v;
   wire sequence__regulate;
   wire sequence__estimate;
@@ -399,6 +402,7 @@ module sinusoidal_top (
       .calibrate_o(sequence__calibrate),
       .pilot_o(sequence__pilot),
       .hold_o(sequence__hold),
+      .hold_u_o(sequence__hold_u),
       .hold_v_o(sequence__hold_v),
       .regulate_o(sequence__regulate),
       .estimate_o(sequence__estimate),
@@ -409,7 +413,7 @@ module sinusoidal_top (
       .tries_o(sequence__tries)
   );
 
-  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 145
+  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 146
   wire on_u = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;
 
   wire pwm_v_on;
@@ -475,7 +479,7 @@ module sinusoidal_top (
       .wl_o(guard_wl)
   );
 
-  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 169
+  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 170
 
   always_ff @(posedge clk) begin
     if (codes_valid) begin
@@ -483,6 +487,7 @@ module sinusoidal_top (
       orders_calibrate <= sequence__calibrate;
       orders_pilot <= sequence__pilot;
       orders_hold <= sequence__hold;
+      orders_hold_u <= sequence__hold_u;
       orders_hold_v <= sequence__hold_v;
       orders_regulate <= sequence__regulate;
       orders_estimate <= sequence__estimate;
@@ -502,16 +507,17 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 167
-    busy <= busy_next;  // line 169
+    seen_backward <= control_i_delta[15];  // line 168
+    busy <= busy_next;  // line 170
     restart <= sequence__entered;
-    still <= words_speed_target_i == 25'd0;  // line 159
+    still <= words_speed_target_i == 25'd0;  // line 160
     waiting <= pilot_waiting;
     if (rst) begin
       orders_reverse <= 1'b0;
       orders_calibrate <= 1'b0;
       orders_pilot <= 1'b0;
       orders_hold <= 1'b0;
+      orders_hold_u <= 1'b0;
       orders_hold_v <= 1'b0;
       orders_regulate <= 1'b0;
       orders_estimate <= 1'b0;

@@ -292,6 +292,7 @@ module six_step_top #(
       .words_rest_i(words_start_rest_i),
       .words_retries_i(words_start_retries_i),
       .fast_i(fast),
+      .slow_i(slow),
       .commutate_i(divided_commutate),
       .update_i(update),
       .good_i(good),
@@ -632,7 +633,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 252
+    still <= words_speed_target_i == 26'd0;  // line 253
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -649,7 +650,7 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 235
+    lags <= detector_error[15];  // line 236
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;

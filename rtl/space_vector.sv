@@ -15,8 +15,9 @@ module space_vector (
     input  logic [13:0] minimum_i,  // clocks
     input  logic [11:0] dead_i,  // u8.4 clocks; 0: nothing to make up for
     input  logic        sine_i,  // no zero component
-    input  logic        hold_i,  // one leg alone
-    input  logic        hold_v_i,  // that leg is v, else u
+    input  logic        hold_i,  // legs of a pattern, not a vector
+    input  logic        hold_u_i,  // u is one of them
+    input  logic        hold_v_i,  // v is
     input  logic [14:0] hold_voltage_i,  // u0.15
     input  logic        start_i,  // begins a sample, unless busy
     output logic [13:0] on_u_o,  // clocks
@@ -46,14 +47,14 @@ module space_vector (
   logic done;
   logic missed;
 
-  wire [32:0] sum_61 = {product[31], product} + 33'd16384;  // line 61
+  wire [32:0] sum_62 = {product[31], product} + 33'd16384;  // line 62
   wire [17:0] u = {{2{v_alpha_i[15]}}, v_alpha_i};
   wire [17:0] least = ($signed(common_kept_2) < $signed(u)) ? common_kept_2 : u;
   wire [17:0] greatest = ($signed(kept_6) < $signed(u)) ? u : kept_6;
-  wire [18:0] common_sum = {least[17], least} + {greatest[17], greatest};  // line 64
-  wire [31:0] kept_7_next_difference = 32'd268435456 - {2'd0, product[29:0]};  // line 56
-  wire [28:0] sum_57 = product[28:0] + 29'd8192;  // line 57
-  wire [31:0] share_sum = {product[30], product[30:0]} + 32'd2048;  // line 83
+  wire [18:0] common_sum = {least[17], least} + {greatest[17], greatest};  // line 65
+  wire [31:0] kept_7_next_difference = 32'd268435456 - {2'd0, product[29:0]};  // line 57
+  wire [28:0] sum_58 = product[28:0] + 29'd8192;  // line 58
+  wire [31:0] share_sum = {product[30], product[30:0]} + 32'd2048;  // line 84
   wire [21:0] exact = {kept_8[20], kept_8[20:0]} + 22'd8;
   wire [15:0] i_w = kept_5 ? voltage_kept_3 : w_kept_4[15:0];
   wire voltage_kept_3_next_both = i_w[15] && i_w[14:4] != 11'd2047;  // applied_voltage.hpp:32
@@ -67,9 +68,9 @@ module space_vector (
         logic [15:0] voltage_kept_1_next_choice_2;
         logic [15:0] common_kept_2_next_choice;
         logic [15:0] common_kept_2_next_choice_2;
-        logic [16:0] sum_65;
-        logic [17:0] difference_65;
-        logic [2:0] part_65;
+        logic [16:0] sum_66;
+        logic [17:0] difference_66;
+        logic [2:0] part_66;
         voltage_kept_1_next_choice = (i_u_i[15] && i_u_i[14:4] != 11'd2047) ? 16'd65520 : i_u_i;
         voltage_kept_1_next_choice_2 =  // applied_voltage.hpp:32
             (voltage_kept_1_next_choice[15] || voltage_kept_1_next_choice[14:4] == 11'd0) ?
@@ -78,9 +79,9 @@ module space_vector (
         common_kept_2_next_choice_2 =  // applied_voltage.hpp:32
             (common_kept_2_next_choice[15] || common_kept_2_next_choice[14:4] == 11'd0) ?
             common_kept_2_next_choice : 16'd16;
-        sum_65 = {i_u_i[15], i_u_i} + {i_v_i[15], i_v_i};  // line 65
-        difference_65 = -{sum_65[16], sum_65};  // line 65
-        part_65 = difference_65[17:15];  // line 65
+        sum_66 = {i_u_i[15], i_u_i} + {i_v_i[15], i_v_i};  // line 66
+        difference_66 = -{sum_66[16], sum_66};  // line 66
+        part_66 = difference_66[17:15];  // line 66
         step <= {3'd0, start_i};
         if (hold_i) begin
           kept_0 <= 17'd0;
@@ -89,13 +90,13 @@ module space_vector (
         end
         voltage_kept_1 <= {3'd0, voltage_kept_1_next_choice_2};
         common_kept_2 <= {2'd0, common_kept_2_next_choice_2};
-        case (part_65)
+        case (part_66)
           3'd0: begin
             voltage_kept_3 <= 16'd32768;
-            w_kept_4 <= {2'd0, difference_65[15:0]};
+            w_kept_4 <= {2'd0, difference_66[15:0]};
           end
           3'd7: begin
-            voltage_kept_3 <= difference_65[15:0];
+            voltage_kept_3 <= difference_66[15:0];
             w_kept_4 <= 18'd32767;
           end
           default: begin
@@ -103,7 +104,7 @@ module space_vector (
             w_kept_4 <= 18'd32767;
           end
         endcase
-        kept_5 <= !sum_65[16] && sum_65[15:0] != 16'd0;
+        kept_5 <= !sum_66[16] && sum_66[15:0] != 16'd0;
         factor_a <= v_beta_i;
         factor_b <= 16'd28378;
       end
@@ -125,11 +126,11 @@ module space_vector (
         factor_b <= {1'b0, inverse};
       end
       4'd2: begin
-        logic [17:0] wide_62;
-        wide_62 = {{3{v_alpha_i[15]}}, v_alpha_i[15:1]};  // line 62
+        logic [17:0] wide_63;
+        wide_63 = {{3{v_alpha_i[15]}}, v_alpha_i[15:1]};  // line 63
         step <= step + 4'd1;
-        voltage_kept_1 <= {1'b0, sum_61[32:15] - wide_62};
-        w_kept_4 <= sum_61[32:15] + wide_62;
+        voltage_kept_1 <= {1'b0, sum_62[32:15] - wide_63};
+        w_kept_4 <= sum_62[32:15] + wide_63;
         factor_a <= voltage_kept_1[15:0];
         factor_b <= {4'd0, dead_i};
       end
@@ -170,7 +171,7 @@ module space_vector (
         step <= step + 4'd1;
         if (hold_i) begin
           voltage_kept_1 <= {4'd0, hold_v_i ? hold_voltage_i : 15'd0};
-          voltage_kept_3 <= {1'b0, hold_v_i ? 15'd0 : hold_voltage_i};
+          voltage_kept_3 <= {1'b0, hold_u_i ? hold_voltage_i : 15'd0};
           w_kept_4 <= 18'd0;
         end else begin
           logic [18:0] common_kept_2_wide;
@@ -179,15 +180,15 @@ module space_vector (
           logic [15:0] free;
           logic [18:0] free_difference_3;
           logic [15:0] free_2;
-          common_kept_2_wide = {common_kept_2[17], common_kept_2};  // line 67
-          free_difference = {{3{v_alpha_i[15]}}, v_alpha_i} - common_kept_2_wide;  // line 67
+          common_kept_2_wide = {common_kept_2[17], common_kept_2};  // line 68
+          free_difference = {{3{v_alpha_i[15]}}, v_alpha_i} - common_kept_2_wide;  // line 68
           free_difference_2 = {voltage_kept_1[17], voltage_kept_1[17:0]} - common_kept_2_wide;
           free =
               free_difference_2[18] ?
               ((free_difference_2[18:15] == 4'd15) ? free_difference_2[15:0] : 16'd32768) :
               (free_difference_2[18:15] == 4'd0) ? free_difference_2[15:0] :
               16'd32767;
-          free_difference_3 = {w_kept_4[17], w_kept_4} - common_kept_2_wide;  // line 67
+          free_difference_3 = {w_kept_4[17], w_kept_4} - common_kept_2_wide;  // line 68
           free_2 =
               free_difference_3[18] ?
               ((free_difference_3[18:15] == 4'd15) ? free_difference_3[15:0] : 16'd32768) :
@@ -213,15 +214,15 @@ module space_vector (
       end
       4'd6: begin
         if (product[29:13] < 17'd65535) begin
-          logic [14:0] choice_58;
-          choice_58 = (sum_57[28:26] == 3'd0) ? 15'd4096 : sum_57[28:14];  // line 58
-          if (sum_57[28:26] == 3'd0) begin
+          logic [14:0] choice_59;
+          choice_59 = (sum_58[28:26] == 3'd0) ? 15'd4096 : sum_58[28:14];  // line 59
+          if (sum_58[28:26] == 3'd0) begin
             inverse <= 15'd4096;
           end else begin
-            inverse <= sum_57[28:14];
+            inverse <= sum_58[28:14];
           end
-          kept_8 <= {16'd0, choice_58};
-          factor_b <= {1'b0, choice_58};
+          kept_8 <= {16'd0, choice_59};
+          factor_b <= {1'b0, choice_59};
         end else begin
           inverse <= 15'd32767;
           kept_8 <= 31'd32767;
@@ -244,10 +245,10 @@ module space_vector (
         logic all;
         logic [13:0] kept_8_next_choice;
         logic [30:0] wide;
-        kept_8_next_sum = {3'd0, kept_0} + {product[29], product[29:11]};  // line 86
+        kept_8_next_sum = {3'd0, kept_0} + {product[29], product[29:11]};  // line 87
         none = $signed(exact[21:4]) < $signed({4'd0, minimum_i});
-        kept_5_next_either = (kept_8[20] && kept_8[20:3] != 18'd262143) || none;  // line 89
-        voltage_kept_1_next_difference = {5'd0, period_i} - {exact[21], exact[21:4]};  // line 88
+        kept_5_next_either = (kept_8[20] && kept_8[20:3] != 18'd262143) || none;  // line 90
+        voltage_kept_1_next_difference = {5'd0, period_i} - {exact[21], exact[21:4]};  // line 89
         all = $signed(voltage_kept_1) < $signed({5'd0, minimum_i});
         kept_8_next_choice =
             (step == 4'd11) ? kept_7[13:0] :
@@ -273,7 +274,7 @@ module space_vector (
           end
           4'd13: begin
             logic [13:0] kept_7_next_choice;
-            kept_7_next_choice =  // line 89
+            kept_7_next_choice =  // line 90
                 kept_5 ? 14'd0 :
                 all ? period_i :
                 kept_7[13:0];
@@ -286,7 +287,7 @@ module space_vector (
           end
           4'd14: begin
             logic [13:0] voltage_kept_3_next_choice;
-            voltage_kept_3_next_choice =  // line 89
+            voltage_kept_3_next_choice =  // line 90
                 kept_5 ? 14'd0 :
                 all ? period_i :
                 voltage_kept_3[13:0];
@@ -368,6 +369,6 @@ module space_vector (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, kept_8[30:21], sum_61[14:0], common_sum[0], kept_7_next_difference[12:0],
-      sum_57[13:0], share_sum[11:0], exact[3:0], voltage_kept_3_next_choice_2[3:0]};
+      &{1'b0, kept_8[30:21], sum_62[14:0], common_sum[0], kept_7_next_difference[12:0],
+      sum_58[13:0], share_sum[11:0], exact[3:0], voltage_kept_3_next_choice_2[3:0]};
 endmodule

@@ -47,7 +47,7 @@ module word_registers_sinusoidal (
     output logic        words_sequence_arbitrary_o,  // no pattern before the loop is closed
     output logic        words_sequence_pilot_o,  // pilot pulses instead of the pattern: a salient rotor
     output logic [14:0] words_sequence_hold_voltage_o,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    output logic [19:0] words_sequence_pattern_o,  // each of its two halves; all pilot pulses at most
+    output logic [19:0] words_sequence_pattern_o,  // each of its three thirds; all pilot pulses at most
     output logic [19:0] words_sequence_lock_o,  // the estimate has to be trusted for so long
     output logic [19:0] words_sequence_give_up_o,  // no lock in this time is a failed try
     output logic [19:0] words_sequence_brake_o,
@@ -106,7 +106,7 @@ module word_registers_sinusoidal (
   logic words_sequence_arbitrary;  // no pattern before the loop is closed
   logic words_sequence_pilot;  // pilot pulses instead of the pattern: a salient rotor
   logic [14:0] words_sequence_hold_voltage;  // u0.15, of the pattern's leg, or of a pilot pulse's
-  logic [19:0] words_sequence_pattern;  // each of its two halves; all pilot pulses at most
+  logic [19:0] words_sequence_pattern;  // each of its three thirds; all pilot pulses at most
   logic [19:0] words_sequence_lock;  // the estimate has to be trusted for so long
   logic [19:0] words_sequence_give_up;  // no lock in this time is a failed try
   logic [19:0] words_sequence_brake;

@@ -33,8 +33,9 @@ class SinusoidalControl {
     bool locked = false;     // a slow estimate is to be believed
     bool reverse = false;    // the wanted direction
     bool slow_down = false;  // towards a stop
-    bool hold = false;       // one leg alone
-    bool hold_v = false;     // that leg is v, else u
+    bool hold = false;       // legs of a pattern, or of a pilot pulse, not a vector
+    bool hold_u = false;     // u is one of them
+    bool hold_v = false;     // v is
     bool pilot = false;      // pulses: a leg's on-time without regard to what its current may be
     bool search = false;     // `a` and `b` are the currents that are turned
     Int<16> a = 0;           // s0.15
@@ -105,8 +106,9 @@ class SinusoidalControl {
                                        .minimum = in.bridge.minimum,
                                        .dead = compensate ? in.bridge.lost : DeadClocks(0),
                                        .sine = in.bridge.sine,
-                                       .hold = in.hold || in.pilot,
-                                       .hold_v = in.hold && in.hold_v,
+                                       .hold = in.hold,
+                                       .hold_u = in.hold_u,
+                                       .hold_v = in.hold_v,
                                        .hold_voltage = in.hold_voltage});
     const auto speed = regulator_.tick({.enable = in.regulate,
                                         .reverse = in.reverse,

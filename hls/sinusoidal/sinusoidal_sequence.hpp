@@ -4,15 +4,16 @@
 //                                        |         |
 //                    pilot ----------^   (failed: rest -> calibrate, so many times, then fault)
 //
-// Pattern: first leg v alone, so that a rotor exactly opposite to u moves, then leg u; the rotor's
-// N pole then stands at winding u, which is angle 0.  Pilot: PilotPulses looks for the angle; not
+// Pattern: leg v, then v and u, then u, 120, 60 and 0 degrees.  A load holds a rotor near each of these
+// places, and near its opposite; from what it leaves of one, the next is near enough to be reached.  The
+// rotor's N pole then stands at winding u, which is angle 0.  Pilot: PilotPulses looks for the angle; not
 // found in `pattern` periods is a try that failed for want of decay.  Starting: the loop is closed; the gates
 // follow from the first period on that has on-times of the regulators, and the estimator from the
 // period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
 // without a gap.
 //
 //     latency      1 clock; all outputs follow from registers
-//     registers    60 bits     multipliers  none
+//     registers    61 bits     multipliers  none
 //
 // Doc: docs/blocks/sinusoidal_sequence.md   Test: tests/hls/sinusoidal_sequence_test.cpp
 
@@ -48,8 +49,9 @@ class SinusoidalSequence {
     bool reverse = false;     // the wanted direction
     bool calibrate = false;
     bool pilot = false;       // pulses are wanted
-    bool hold = false;        // one leg alone
-    bool hold_v = false;      // that is v
+    bool hold = false;        // legs of the pattern, or of a pilot pulse
+    bool hold_u = false;      // u is one of them
+    bool hold_v = false;      // v is
     bool regulate = false;    // the loop is closed
     bool estimate = false;    // the estimator has seen a whole period of it
     bool modulate = false;    // gates follow the PWM
@@ -68,8 +70,9 @@ class SinusoidalSequence {
                   .reverse = reverse_,
                   .calibrate = state_ == SinusoidalState::kCalibrate,
                   .pilot = state_ == SinusoidalState::kPilot,
-                  .hold = holding,
-                  .hold_v = first_half_,
+                  .hold = holding || state_ == SinusoidalState::kPilot,
+                  .hold_u = state_ == SinusoidalState::kPilot || (holding && third_ != 0),
+                  .hold_v = holding && third_ != 2,
                   .regulate = regulating,
                   .estimate = regulating && modulated_ >= 2,
                   .modulate = holding || (regulating && modulated_ != 0),
@@ -150,7 +153,7 @@ class SinusoidalSequence {
           begin_to_turn(words);
         } else if (in.measured) {
           timer_ = words.pattern;
-          first_half_ = true;
+          third_ = 0;
           enter(words.pilot ? SinusoidalState::kPilot : SinusoidalState::kPattern);
         }
         break;
@@ -168,9 +171,9 @@ class SinusoidalSequence {
       case SinusoidalState::kPattern:
         if (!run) {
           enter(SinusoidalState::kIdle);
-        } else if (over && first_half_) {
+        } else if (over && third_ != 2) {
           timer_ = words.pattern;
-          first_half_ = false;
+          third_ = wrap<UInt<2>>(third_ + 1);
         } else if (over) {
           begin_to_turn(words);
         }
@@ -228,7 +231,7 @@ class SinusoidalSequence {
   UInt<4> tries_ = 0;        // that failed
   UInt<2> modulated_ = 0;    // periods begun under the regulators
   bool regulated_ = false;   // their first on-times stand
-  bool first_half_ = false;  // of the pattern
+  UInt<2> third_ = 0;        // of the pattern
   bool reverse_ = false;
   bool refused_ = false;  // `run` was up before the words were valid: that is no wish to start
   bool entered_ = false;

@@ -92,6 +92,7 @@ class SinusoidalTop {
                                          .reverse = orders_.reverse,
                                          .slow_down = orders_.slow_down,
                                          .hold = orders_.hold,
+                                         .hold_u = orders_.hold_u,
                                          .hold_v = orders_.hold_v,
                                          .pilot = orders_.pilot,
                                          .search = pilot.search,

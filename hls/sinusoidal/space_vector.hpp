@@ -8,8 +8,8 @@
 // pulse makes up for its dead time.  On or off times below `minimum` become 0 % or 100 %, here and
 // not only in the PWM generator, because the applied voltage is reconstructed from what comes out.
 //
-// With `hold` one leg alone gets `hold_voltage`, the two others stay low: a pattern that turns the
-// rotor to a known place.
+// With `hold` the legs of `hold_u` and `hold_v` get `hold_voltage`, the others stay low: a pattern that
+// turns the rotor to a known place.  One leg or two, the current's vector is of the same length.
 //
 // 1 / v_dc follows by one step of Newton a sample, r <- r (2 - v_dc r), which doubles its digits:
 // from any dc voltage above an eighth of the full scale to the last place in ten samples.
@@ -40,8 +40,9 @@ class SpaceVector {
     LegClocks minimum = 0;      // clocks
     DeadClocks dead = 0;        // u8.4 clocks; 0: nothing to make up for
     bool sine = false;          // no zero component
-    bool hold = false;          // one leg alone
-    bool hold_v = false;        // that leg is v, else u
+    bool hold = false;          // legs of a pattern, not a vector
+    bool hold_u = false;        // u is one of them
+    bool hold_v = false;        // v is
     UInt<15> hold_voltage = 0;  // u0.15
   };
 
@@ -67,7 +68,7 @@ class SpaceVector {
       const auto free = saturate<Int<16>>(voltage - common);
       return !in.hold ? free : holds ? Int<16>(in.hold_voltage) : Int<16>(0);
     };
-    return {.on_u = leg(in, pick(u, !in.hold_v), in.i_u),
+    return {.on_u = leg(in, pick(u, in.hold_u), in.i_u),
             .on_v = leg(in, pick(v, in.hold_v), in.i_v),
             .on_w = leg(in, pick(w, false), i_w)};
   }

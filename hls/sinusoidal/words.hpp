@@ -50,7 +50,7 @@ struct SequenceWords {
   bool arbitrary = false;     // no pattern before the loop is closed
   bool pilot = false;         // pilot pulses instead of the pattern: a salient rotor
   UInt<15> hold_voltage = 0;  // u0.15, of the pattern's leg, or of a pilot pulse's
-  Periods pattern = 0;        // each of its two halves; all pilot pulses at most
+  Periods pattern = 0;        // each of its three thirds; all pilot pulses at most
   Periods lock = 0;           // the estimate has to be trusted for so long
   Periods give_up = 0;        // no lock in this time is a failed try
   Periods brake = 0;

@@ -115,6 +115,7 @@ class SixStepTop {
                                     .source = words.source,
                                     .words = start_words,
                                     .fast = fast_,
+                                    .slow = slow_,
                                     .commutate = divided_.commutate,
                                     .update = update_,
                                     .good = good_,

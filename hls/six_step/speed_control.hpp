@@ -10,7 +10,8 @@
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
 // mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds
 // up). Integral and reference follow, so that control begins without a jump, after a start as after
-// catching a rotor.
+// catching a rotor.  It begins once more that way where a rotor has come down to a lower target: it coasts, and what the integral
+// lost in vain meanwhile would take it far below.
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
 // 3/8 of a step or more and the duty would rise (or the limit cuts), or it hid the crossing of a rotor that hurries on, the
@@ -73,20 +74,22 @@ class SpeedControl {
     if (integrated) {
       held_ = limited;
       asks_ = limited || at_high_;
+      resumes_ = control && descends_ && !far_ && !wrap<Int<32>>(product.product).negative();
     }
 
+    descend(in, control);  // before slew() takes `passes_`
     slew(in, control);
     work(in, wrap<Int<32>>(product.product), product.done, limited);
     choose(product.done, product.ends);
     whole_ = at_.holds_one_of(Stage::kAdd, Stage::kProportional);
     alone_ = in.mode == SpeedMode::kFixed || at_.holds(Stage::kAdd);
-    control_ = in.mode == SpeedMode::kControl;
+    control_ = in.mode == SpeedMode::kControl && !presets_;
     of_error_ = at_.holds_one_of(Stage::kSlip, Stage::kWholeHigh) || (of_error_ && !product.done);
     starts_ = at_.holds_one_of(Stage::kReach, Stage::kSlip, Stage::kWholeHigh, Stage::kDuty);
     const bool idle = at_.holds(Stage::kIdle);
     if (idle ? in.tick : !multiplies || product.done) {
       at_ = !control && at_.holds(Stage::kBemf)   ? Stages(Stage::kHigh)
-            : !control && at_.holds(Stage::kHigh) ? Stages(Stage::kDuty)
+            : !control && !presets_ && at_.holds(Stage::kHigh) ? Stages(Stage::kDuty)
                                                   : at_.next();
     }
     return out;
@@ -195,16 +198,27 @@ class SpeedControl {
     low_was_ = low_ && !sums_;
     high_was_ = high_ && !sums_;
     sums_ = at_.holds(Stage::kAdd) || (ends && at_.holds_one_of(Stage::kBemf, Stage::kProportional));
-    low_ = sums_ || at_.holds_one_of(Stage::kWhole, Stage::kUp) || (done && at_.holds(Stage::kProportional));
-    high_ = sums_ || at_.holds_one_of(Stage::kWholeLow, Stage::kLow) || (control_ && at_.holds(Stage::kHigh)) ||
-            (!control_ && done && at_.holds(Stage::kBemf));
+    low_ = sums_ || at_.holds_one_of(Stage::kWhole, Stage::kUp) || (done && at_.holds(Stage::kProportional)) ||
+           (presets_ && done && at_.holds(Stage::kBemf));
+    high_ = sums_ || at_.holds_one_of(Stage::kWholeLow, Stage::kLow) || ((control_ || presets_) && at_.holds(Stage::kHigh)) ||
+            (!control_ && !presets_ && done && at_.holds(Stage::kBemf));
+  }
+
+  // After an update that found the rotor no longer above a target that was lower, the next one takes the back-EMF's duty, if it is
+  // more, beside the sequence's, which is none in these states.
+  void descend(const In& in, bool control) {
+    if (at_.holds(Stage::kBemf) && starts_) far_ = falls_ && !passes_;
+    if (at_.holds(Stage::kDuty)) descends_ = control && !resumes_ && (descends_ || far_);
+    if (at_.holds(Stage::kDuty) && !control) resumes_ = false;
+    if (at_.holds(Stage::kIdle)) presets_ = resumes_ && in.mode == SpeedMode::kControl;
   }
 
   // What the stage behind this one compares with.
   Limit bound(const In& in) const {
     const bool control = control_;
     if (at_.holds_one_of(Stage::kWhole, Stage::kProportional)) return in.words.minimum;
-    if (at_.holds_one_of(Stage::kWholeLow, Stage::kLow) || (at_.holds(Stage::kBemf) && !control)) {
+    if (at_.holds_one_of(Stage::kWholeLow, Stage::kLow) ||
+        (!control && (presets_ ? at_.holds(Stage::kHigh) : at_.holds(Stage::kBemf)))) {
       return in.words.maximum;
     }
     return at_.holds_one_of(Stage::kHigh, Stage::kUp) ? moved_ : Limit(duty_);
@@ -246,6 +260,10 @@ class SpeedControl {
   bool limited_ = false;    // the current limit cut a pulse since the last integral
   bool held_ = false;       // it had done so before that one
   bool asks_ = false;       // that, or the last duty wanted to be higher than it might
+  bool far_ = false;        // the reference goes down and has not reached the target
+  bool descends_ = false;   // it did, and the rotor has not been found at it
+  bool resumes_ = false;    // it has
+  bool presets_ = false;    // this update begins control once more
   bool yields_ = false;     // the duty falls for want of crossings: a flip-flop before the adder
   bool sums_ = false;       // this clock takes a sum
   bool low_ = false;        // it takes something where the work is below the bound

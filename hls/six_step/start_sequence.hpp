@@ -3,7 +3,7 @@
 //     kIdle        gates off, until `run` goes up with valid words and a set speed that is not 0; words that become
 //                  valid under a `run` that is up start nothing
 //     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
-//                  at the speed and angle found.  The other way: kBrake.  Not in time: kSettle
+//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Not in time: kSettle
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
 //     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22).
 //                  Both last twice as long after each failed try, three times: a heavy rotor swings
@@ -49,6 +49,7 @@ class StartSequence {
     Source source = Source::kBemf;
     StartWords words;
     bool fast = false;                // the VCO's frequency is hand_over or more
+    bool slow = false;                // it is below stall
     bool commutate = false;           // strobe: a new step began
     bool update = false;              // strobe: the phase detector has a new error
     bool good = false;                // with `update`: it is a small one
@@ -90,7 +91,7 @@ class StartSequence {
   };
 
   Out tick(const In& in) {
-    const Counts counts = counters_.tick({.tick = in.tick,
+    Counts counts = counters_.tick({.tick = in.tick,
                                           .state = at_,
                                           .entered = entered_,
                                           .failed = failed_,
@@ -100,6 +101,8 @@ class StartSequence {
                                           .turns_reverse = in.turns_reverse,
                                           .hopeful = in.sure || in.slows,
                                           .words = in.words});
+    // A rotor that turns the wanted way, but slower than it may run, is not caught: it is started.
+    if (at_.holds(State::kObserve) && in.slow && turns_on(in, counts)) counts.enough = false;
     const Duty duty = open_loop_.tick({.state = at_,
                                        .strong = counts.strong,
                                        .follows = follows(in),

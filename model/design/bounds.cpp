@@ -33,7 +33,8 @@ double highest_sinusoidal_speed(const Settings& file, const Settings& motor) {
   const double pairs = motor.motor.pole_pairs;
   const double per_ampere =
       pairs * pairs * std::sqrt(1.5) * motor.motor.flux_vs / (motor.motor.inertia_kgm2 + motor.load.inertia_kgm2);
-  return passes_by(std::min(p.slew, p.limit * per_ampere) / std::sqrt(p.ki * per_ampere), p.target);
+  const SpeedLoop loop{.gain = per_ampere, .pole = 0, .kp = p.kp, .ki = p.ki};
+  return passes_by(std::min(p.slew, p.limit * per_ampere) * ramp_overshoot(loop), p.target);
 }
 
 double highest_speed(const Settings& file, const Settings& motor) {

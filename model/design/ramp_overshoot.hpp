@@ -88,6 +88,14 @@ inline double ramp_overshoot(const SpeedLoop& loop) {
   return most;
 }
 
+// The steepest ramp up to `most` that passes its target, `rise` above its begin, by `passes` at most.
+inline double steepest_ramp(const SpeedLoop& loop, double rise, double passes, double most) {
+  constexpr double kFiner = 1.05;
+  double slew = passes / ramp_overshoot(loop);  // is right whatever the ramp's length
+  while (slew < most && kFiner * slew * ramp_overshoot(loop, rise / (kFiner * slew)) <= passes) slew *= kFiner;
+  return slew;
+}
+
 // s: times the deceleration by a load it is the speed by which the target is passed after the dip.
 inline double load_rebound(const SpeedLoop& loop) {
   const RampError error(loop);

@@ -261,7 +261,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("emf_bandwidth_rad_s", y.emf_bandwidth_rad_s, "rad/s", "current model: of e_c; default: 4 x speed", 1, 1e5);
   k("current_bandwidth_rad_s", y.current_bandwidth_rad_s, "rad/s", "default: 0.12 per sample", 1, 1e5);
   k("speed_bandwidth_rad_s", y.speed_bandwidth_rad_s, "rad/s", "default: a quarter of the current's, at most 150, less where inertia and inductance ask for it", 0.1, 1e4);
-  k("slew_rpm_s", y.slew_rpm_s, "rpm/s", "of the set speed; default: a quarter of the rated torque", 1, 1e8);
+  k("slew_rpm_s", y.slew_rpm_s, "rpm/s", "of the set speed; default: what takes no rotor past it, a quarter of the rated torque at most", 1, 1e8);
   k("current_limit_a", y.current_limit_a, "A", "phase peak that the speed regulator may ask for; default: 1.5 x rated", 1e-3, 1e4);
   k("i_gamma_a", y.i_gamma_a, "A", "set-point of the gamma current, phase peak", -1e4, 1e4);
   k("compensate", y.compensate, "", "the duty makes up for dead time");
@@ -270,10 +270,10 @@ void for_each_key(S& s, Visitor&& visit) {
   section = "sinusoidal_start";
   auto& z = s.sinusoidal_start;
   k("by", z.by, "", "where the rotor stands: turned by a held pattern, not known, or found by pilot pulses");
-  k("pattern_s", z.pattern_s, "s", "V+ U- W- for half of it, U+ V- W- after; default: from the inertia", 1e-3, 100);
+  k("pattern_s", z.pattern_s, "s", "V+ U- W-, U+ V+ W-, U+ V- W-, a third of it each; default: from the inertia", 1e-3, 100);
   k("pattern_current_a", z.pattern_current_a, "A", "phase peak; default: rated", 1e-3, 1e4);
   k("lock_rpm", z.lock_rpm, "rpm", "the estimate is trusted above; default: 2 % of no-load speed, or what a fifth of the resistance may look like", 0.1, 1e6);
-  k("lock_s", z.lock_s, "s", "for so long; default: half an electrical turn from that speed on at slew_rpm_s, 0.02 at least", 0, 10);
+  k("lock_s", z.lock_s, "s", "for so long; default: half an electrical turn from that speed on by a quarter of the rated torque, 0.02 at least", 0, 10);
   k("give_up_s", z.give_up_s, "s", "no lock in this time is a failed try", 1e-3, 100);
   k("stop_rpm", z.stop_rpm, "rpm", "the drive lets go below; default: lock_rpm", 0.1, 1e6);
   k("brake_s", z.brake_s, "s", "three low sides on, at the end of a stop", 0, 100);

@@ -16,7 +16,7 @@ double steps_per_radian(int pole_pairs) { return 6 * pole_pairs / (2 * kPi); }
 // of the tenth that a start may: the dip in which it meets its load, ticks and the duty's slew take the rest.  With the most bus and
 // the least flux, which damps least; a rotor that is too heavy for the ramp follows the limit's current.
 double settles(const Settings& s, const Design& d, double most) {
-  constexpr double kPasses = 0.06, kFiner = 1.05;
+  constexpr double kPasses = 0.06;
   constexpr int kInertias = 16;
   const auto& p = d.parameters.speed;
   const auto& e = s.envelope;
@@ -28,12 +28,7 @@ double settles(const Settings& s, const Design& d, double most) {
     m.inertia *= e.inertia[0] * std::pow(e.inertia[1] / e.inertia[0], double(k) / kInertias);
     const SpeedLoop loop = speed_loop(p, m, e.bus[1] * s.inverter.bus_v, s.motor.pole_pairs);
     const double limit = acceleration(m, s.sensors.limit_a, s.motor.pole_pairs);
-    // From a ramp that is right whatever its length.
-    double slew = kPasses * p.target / ramp_overshoot(loop);
-    while (slew < std::min(steepest, limit) &&
-           kFiner * slew * ramp_overshoot(loop, rise / (kFiner * slew)) <= kPasses * p.target) {
-      slew *= kFiner;
-    }
+    const double slew = steepest_ramp(loop, rise, kPasses * p.target, std::min(steepest, limit));
     if (slew < limit) steepest = std::min(steepest, slew);
   }
   return steepest;

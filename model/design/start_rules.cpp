@@ -136,7 +136,10 @@ void set_follower(const Settings& s, Design& d) {
   // their order tells no direction.
   const double told = kEdgesBetweenLooks / (kBrakedFrom * p.hand_over) - decay;
   p.probe = t.probe_s.value_or(std::max(std::min(0.35 * lightest, told), 1.5 * decay));
-  p.still = int(std::lround(t.still.value_or(std::clamp(1.5 * heaviest / (p.probe + p.look), 2.0, 250.0))));
+  // What cannot turn is to be told in 5 s: three steps an attempt, and a second for codes that only quiver.
+  const double attempt = 4.0 / (1 + p.retries) - p.observe - p.rest;
+  const double patience = std::min(1.5 * heaviest, std::max(1.2 * heaviest, attempt / 3));
+  p.still = int(std::lround(t.still.value_or(std::clamp(patience / (p.probe + p.look), 2.0, 250.0))));
   // So much that the current limit rules.
   d.start_current = t.start_current_a.value_or(1.5 * s.sensors.limit_a);
   p.start_duty = std::min(0.95, duty_for(s, d.start_current, m.r_loop));

@@ -2,6 +2,7 @@
 //
 //     duty = integral + kp (ref - f)        integral' = ki (ref - f), frozen against a limit
 //     ref moves towards the target by at most slew; not upwards while the current limit cuts
+//     duty = integral = max(duty, bemf f)    once, where a rotor has come down to a target that was lower
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_speed_control_test.cpp
 #pragma once
@@ -24,6 +25,7 @@ class SpeedControl {
     duty_ = duty;
     integral_ = integral;
     reference_ = f;
+    descends_ = resumes_ = false;
   }
   // In control for long: the reference got so far, and this duty at this frequency.
   void join(double duty, double reference, double f) {
@@ -32,12 +34,21 @@ class SpeedControl {
   // `limited`: the current limit cut, the duty stays; `freewheels`: the current is about to hide crossings, and the duty
   // falls if it would rise else; `hurries`: one of a rotor that leads is hidden, it falls as well.
   void tick(double target, double f, bool limited, bool hurries = false, bool freewheels = false) {
+    if (resumes_) {
+      resumes_ = false;
+      const double duty = std::min(std::max(bemf_duty(f), duty_), p_.maximum);
+      follow(duty, duty, f);
+      return;
+    }
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, held_ ? 0 : move);
     const double error = reference_ - f;
     const double low = std::max(p_.minimum, duty_ - slew),
                  high = std::min(p_.maximum, duty_ + (hurries || ((limited || asks_) && freewheels) ? -slew : limited ? 0 : slew));
     const double wanted = integral_ + p_.kp * error;
+    const bool far = reference_ > target;
+    resumes_ = descends_ && !far && error >= 0;
+    descends_ = !resumes_ && (descends_ || far);
     const bool winds_up =
         (error > 0 && (wanted >= high || limited)) || (error < 0 && wanted <= low);
     if (!winds_up)
@@ -55,6 +66,8 @@ class SpeedControl {
   double tick_, duty_ = 0, integral_ = 0, reference_ = 0;
   bool asks_ = false;  // for more than it got
   bool held_ = false;  // by the current limit
+  bool descends_ = false;  // the reference went down, and the rotor has not been found at the target
+  bool resumes_ = false;   // it has: control begins once more
 };
 
 }  // namespace steplock::reference

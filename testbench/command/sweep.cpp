@@ -10,7 +10,7 @@
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
 #include "testbench/run/check.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 #include "testbench/sweep/sweep.hpp"
 
 namespace steplock {

@@ -62,10 +62,10 @@ SweepSetup sweep_setup(const SweepKind& kind, std::uint64_t runs, const std::vec
                                  file.path, files.front().path));
     }
     // What the drive itself keeps the current to; a sinusoidal one's over-current level would end the run.
-    const double limit_a = setup.drive_kind == design::DriveKind::kSixStep
-                               ? file.settings.sensors.limit_a
-                               : design::sinusoidal::current_limit(file.settings);
-    setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight, limit_a});
+    const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
+    const double limit_a = sinusoidal ? design::sinusoidal::current_limit(file.settings) : file.settings.sensors.limit_a;
+    setup.drives.push_back({name, fingerprint(file), file.settings.envelope.weight, limit_a,
+                            sinusoidal && file.settings.sinusoidal_start.by == design::StartBy::kPilot});
   }
   return setup;
 }
@@ -104,6 +104,7 @@ std::string setup_text(const SweepSetup& s) {
   for (const SweepDrive& d : s.drives) {
     j["drives"].push_back({{"name", d.name}, {"fingerprint", d.fingerprint}, {"weight", d.weight}});
     if (d.limit_a > 0) j["drives"].back()["limit_a"] = d.limit_a;
+    if (d.pilot) j["drives"].back()["pilot"] = true;
   }
   return j.dump(2) + "\n";
 }
@@ -123,7 +124,7 @@ SweepSetup read_setup(const std::string& path) {
     s.judged = j.value("judged", "");
     s.runs = j.at("runs");
     for (const Json& d : j.at("drives")) {
-      s.drives.push_back({d.at("name"), d.at("fingerprint"), d.at("weight"), d.value("limit_a", 0.0)});
+      s.drives.push_back({d.at("name"), d.at("fingerprint"), d.at("weight"), d.value("limit_a", 0.0), d.value("pilot", false)});
     }
     return s;
   } catch (const Json::exception& e) {

@@ -29,6 +29,7 @@ struct SweepDrive {
   std::string fingerprint;
   double weight = 1;
   double limit_a = 0;       // its current limit, sinusoidal its over-current level, of which peaks are a part
+  bool pilot = false;       // sinusoidal: pilot pulses find the rotor, no pattern turns it
 };
 
 struct SweepSetup {

@@ -189,6 +189,28 @@ TEST(ClosedLoop, CatchesARotorThatAlreadyTurnsTheWantedWay) {
   }
 }
 
+// Both ways it coasts, and no duty is little enough to hold it back: what the integral loses meanwhile must not take it far below.
+TEST(ClosedLoop, ComesDownToASlowerSetSpeedWithoutFallingATenthBelowIt) {
+  for (const bool caught : {false, true}) {
+    Rig rig(100, caught ? 7000 : 0);
+    if (!caught) {
+      rig.in.words.speed.target = Frequency(2 * rig.in.words.speed.target.raw());
+      rig.run_for(1.5);
+      ASSERT_GT(rig.mean_rpm(0.05), 1.5 * set_rpm());
+      rig.in.words.speed.target = designed_words().speed.target;
+    }
+    double lowest = rig.rpm();
+    for (int i = 0; i < 150; ++i) {
+      rig.run_for(0.01);
+      if (caught && i < 5) continue;
+      lowest = std::min(lowest, rig.rpm());
+    }
+    EXPECT_EQ(rig.out.state, State::kRun);
+    EXPECT_GT(lowest, 0.9 * set_rpm()) << caught;
+    EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm()) << caught;
+  }
+}
+
 TEST(ClosedLoop, BrakesARotorThatTurnsTheOtherWayAndThenStarts) {
   Rig rig(100, -2000);
   rig.run_for(1.0);

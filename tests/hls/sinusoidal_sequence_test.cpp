@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace steplock {
@@ -46,13 +47,18 @@ class Started {
 TEST(SinusoidalSequence, AStartGoesThroughItsStatesInTheirTimes) {
   Started s;
   EXPECT_EQ(s.until(S::kPattern), 0);
-  EXPECT_TRUE(s.period().hold_v) << "first v";
-  int first = 1, second = 0;
+  std::vector<std::pair<bool, bool>> legs;  // u, v
+  std::vector<int> periods;
   auto out = s.period();
-  for (; out.hold && out.hold_v; out = s.period()) ++first;
-  for (; out.hold; out = s.period()) ++second;
-  EXPECT_NEAR(first, 10, 1);
-  EXPECT_NEAR(second, 10, 1);
+  for (; out.hold; out = s.period()) {
+    if (const std::pair now{out.hold_u, out.hold_v}; legs.empty() || legs.back() != now) {
+      legs.push_back(now);
+      periods.push_back(0);
+    }
+    ++periods.back();
+  }
+  EXPECT_EQ(legs, (std::vector<std::pair<bool, bool>>{{false, true}, {true, true}, {true, false}}));
+  for (const int third : periods) EXPECT_NEAR(third, 10, 1);
   EXPECT_EQ(out.state, S::kStarting);
   s.in.fast = s.in.plausible = true;
   EXPECT_NEAR(s.until(S::kRun), 5, 1);
@@ -83,7 +89,7 @@ TEST(SinusoidalSequence, PilotPulsesTakeThePatternsPlaceUntilTheyFound) {
   s.until(S::kPilot);
   for (int n = 0; n < 5; ++n) {
     const auto out = s.period();
-    ASSERT_TRUE(out.pilot && !out.hold && !out.modulate && !out.regulate);
+    ASSERT_TRUE(out.pilot && out.hold && out.hold_u && !out.hold_v && !out.modulate && !out.regulate);
   }
   s.in.found = true;
   EXPECT_TRUE(s.period().regulate);

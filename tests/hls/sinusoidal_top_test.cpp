@@ -53,12 +53,15 @@ class Bench {
   SinusoidalTop top_;
 };
 
-TEST(SinusoidalTop, ThePatternIsLegVAndThenLegUAgainstTheOthers) {
+TEST(SinusoidalTop, ThePatternIsLegVThenBothThenLegUAgainstTheOthers) {
   Bench b;
   b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
   for (int n = 0; n < 3 * 1200; ++n) b.tick();  // the on-times of before are used up
   EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.vh; }), 0);
   EXPECT_TRUE(b.out.gates.ul && b.out.gates.wl);
+  for (int n = 0; n < 21 * 1200; ++n) b.tick();
+  EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
+  EXPECT_TRUE(b.out.gates.vh && b.out.gates.wl);
   for (int n = 0; n < 21 * 1200; ++n) b.tick();
   EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
   EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);

@@ -98,16 +98,21 @@ TEST(SpaceVector, ItIsBackAfterTheDcVoltageWasLostAndReturned) {
   EXPECT_NEAR(int(dut.tick(at(0.25 * 4095 / 4096, 0, 4095)).on_u.raw()), 600 + 225, 1);
 }
 
-TEST(SpaceVector, APatternDrivesOneLegAlone) {
+TEST(SpaceVector, APatternDrivesItsLegsAlone) {
   SpaceVector dut = settled();
   auto in = at(0.3, 0.3);
-  in.hold = true;
+  in.hold = in.hold_u = true;
   in.hold_voltage = static_cast<int>(0.1 * 2700 / 4096 / kPlace);
   auto out = dut.tick(in);
   EXPECT_NEAR(int(out.on_u.raw()), 120, 1);
   EXPECT_EQ(out.on_v, 0);
   EXPECT_EQ(out.on_w, 0);
   in.hold_v = true;
+  out = dut.tick(in);
+  EXPECT_NEAR(int(out.on_u.raw()), 120, 1);
+  EXPECT_NEAR(int(out.on_v.raw()), 120, 1);
+  EXPECT_EQ(out.on_w, 0);
+  in.hold_u = false;
   out = dut.tick(in);
   EXPECT_NEAR(int(out.on_v.raw()), 120, 1);
   EXPECT_EQ(out.on_u, 0);

@@ -42,6 +42,8 @@ SpeedControl::Out update(SpeedControl& dut, SpeedControl::In in) {
   return dut.tick(in);
 }
 
+int duty_of(const SpeedControl::Out& out) { return static_cast<int>(out.duty.raw()); }
+
 TEST(SpeedControl, TakesTheStartDutyAndScalesItToThePeriod) {
   SpeedControl dut;
   auto in = typical();
@@ -182,6 +184,72 @@ TEST(SpeedControl, DoesNotWindUpWhereTheProportionalPartIsLimited) {
   }
 }
 
+// Caught far above its set speed a rotor coasts with the least duty, longer than the reference takes; when it has come down to
+// that, control begins as it does with a rotor that was caught there: with the back-EMF's duty, and not with an integral of none.
+TEST(SpeedControl, BeginsOnceMoreWhereARotorHasComeDownToALowerTarget) {
+  SpeedControl dut;
+  auto in = typical();
+  in.mode = SpeedMode::kAboveBemf;
+  in.words.slew = 1000 << 4;
+  in.frequency = 20000 << 4;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 8000 << 4;
+  for (int speed = 20000; speed >= 8000; speed -= 100) {
+    in.frequency = speed << 4;
+    update(dut, in);
+  }
+  EXPECT_LT(duty_of(update(dut, in)), 4000);
+  in.frequency = 7900 << 4;
+  update(dut, in);  // sees that it is below
+  EXPECT_NEAR(duty_of(update(dut, in)), 7900, 1);
+  // Once: from here on it is the law's.
+  in.words.ki = in.words.kp = 0;
+  EXPECT_NEAR(duty_of(update(dut, in)), 7900, 1);
+  in.frequency = 7000 << 4;
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(duty_of(update(dut, in)), 7900, 1);
+}
+
+// A loaded rotor has more than the back-EMF's, and keeps it; no back-EMF asks for more than there is.
+TEST(SpeedControl, BeginsOnceMoreWithTheDutyThatItHasIfThatIsMore) {
+  for (const bool loaded : {true, false}) {
+    SpeedControl dut;
+    auto in = typical();
+    in.words.ki = in.words.kp = 0;
+    in.words.maximum = 30000;
+    in.words.bemf = loaded ? 1 << 12 : 4 << 12;
+    in.fixed_duty = 15000;
+    in.frequency = 9000 << 4;
+    update(dut, in);
+    in.mode = SpeedMode::kControl;
+    in.fixed_duty = 0;
+    in.words.slew = 100 << 4;
+    in.target = 8500 << 4;
+    for (int i = 0; i < 10; ++i) update(dut, in);
+    in.frequency = 8000 << 4;
+    update(dut, in);
+    EXPECT_NEAR(duty_of(update(dut, in)), loaded ? 15000 : 30000, 1);
+  }
+}
+
+// A rotor that only swings past a set speed that it had reached has an integral, and keeps it.
+TEST(SpeedControl, KeepsItsIntegralWhereTheReferenceWasAtTheTarget) {
+  SpeedControl dut;
+  auto in = typical();
+  in.fixed_duty = 10000;
+  in.frequency = 4000 << 4;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 4000 << 4;
+  in.words.ki = 0;
+  in.frequency = 12000 << 4;
+  for (int i = 0; i < 5; ++i) update(dut, in);
+  EXPECT_EQ(update(dut, in).duty, Duty(0));
+  in.frequency = 3990 << 4;
+  for (int i = 0; i < 5; ++i) update(dut, in);
+  EXPECT_NEAR(duty_of(update(dut, in)), 10000 + 20, 2);
+}
+
 // From a start's duty of 10000 to a set speed far above.
 SpeedControl::In accelerating(SpeedControl& dut) {
   auto in = typical();
@@ -192,8 +260,6 @@ SpeedControl::In accelerating(SpeedControl& dut) {
   in.target = 5000 << 4;
   return in;
 }
-
-int duty_of(const SpeedControl::Out& out) { return static_cast<int>(out.duty.raw()); }
 
 // The duty after 100 ticks, each of which took the slew from it: one more, the one's complement.
 int falls(SpeedControl& dut, const SpeedControl::In& in, int duty) {

@@ -1,4 +1,6 @@
 // The way to a lock, and back; what goes wrong on it: start_sequence_failures_test.cpp.
+#include <algorithm>
+
 #include "tests/hls/start_bench.hpp"
 
 namespace steplock {
@@ -152,6 +154,21 @@ TEST(StartSequence, CatchesARotorThatTurnsTheWantedWay) {
     EXPECT_TRUE(out.load_step);
     // Forward the rotor has just entered sector 2: it is in the middle of step 1.  docs/theory.md
     EXPECT_EQ(out.step, UInt<3>(reverse ? 2 : 1));
+  }
+}
+
+// In speed control it would end as a stall, attempt by attempt.  One that turns the other way is braked as ever.
+TEST(StartSequence, StartsARotorThatTurnsTheWantedWaySlowerThanItMayRun) {
+  for (const bool backward : {false, true}) {
+    Bench bench;
+    bench.in.command.run = true;
+    bench.in.slow = true;
+    bench.in.words.observe = 100;
+    bench.until(State::kObserve);
+    for (int i = 0; i < 8; ++i) bench.move(backward, i % 6);
+    EXPECT_EQ(bench.clock().state, backward ? State::kBrake : State::kObserve);
+    if (!backward) bench.until(State::kSettle);
+    EXPECT_TRUE(std::ranges::find(bench.visited, State::kRun) == bench.visited.end());
   }
 }
 

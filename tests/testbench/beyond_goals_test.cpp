@@ -1,4 +1,4 @@
-#include "testbench/sweep/beyond_goals.hpp"
+#include "testbench/sweep_page/beyond_goals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include <set>
 
-#include "testbench/sweep/disturbance_statistics.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/disturbance_statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 #include "testbench/sweep/sweep.hpp"
 #include "tests/testbench/short_drive.hpp"

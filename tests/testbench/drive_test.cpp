@@ -23,9 +23,9 @@ template <>
 design::Settings scenario<SinusoidalDrive>() {
   design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
   s.scenario.stop_s.reset();
-  s.scenario.load_step_s = 0.4;
-  s.scenario.load_off_s = 0.55;
-  s.scenario.duration_s = 0.6;
+  s.scenario.load_step_s = 0.5;
+  s.scenario.load_off_s = 0.65;
+  s.scenario.duration_s = 0.7;
   return s;
 }
 
@@ -113,7 +113,7 @@ TEST(SinusoidalDrive, TheRotorsAxesAreTheDrivesWhereTheEstimateIsRight) {
   const auto record = SinusoidalDrive::run(s, {.engine = EngineKind::kFixed});
   double q = 0, d = 0, delta = 0, gamma = 0, n = 0;
   for (const auto& x : record.overview) {
-    if (x.time < 0.5 || x.time > 0.54) continue;
+    if (x.time < 0.6 || x.time > 0.64) continue;
     const auto i = sinusoidal::rotor_current(x.plant);
     q += i.q, d += i.d, delta += x.drive.i_delta, gamma += x.drive.i_gamma, ++n;
   }

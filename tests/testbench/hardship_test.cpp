@@ -8,7 +8,7 @@
 #include <set>
 
 #include "testbench/sweep/drawn_run.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 #include "testbench/sweep/sweep.hpp"
 #include "tests/testbench/short_drive.hpp"
 

@@ -81,10 +81,10 @@ TEST(SalientStart, AMotorThatShowsNoPositionIsAmbiguousNotGuessed) {
 TEST(SalientStart, TheFixedDriveRunsASalientMotorFromAnUnknownAngleWithLoadToAStop) {
   design::Settings s = salient();
   s.scenario.speed_rpm = 600;
-  s.scenario.duration_s = 1.7;
-  s.scenario.load_step_s = 0.8;
-  s.scenario.load_off_s = 1.2;
-  s.scenario.stop_s = 1.4;
+  s.scenario.duration_s = 2.8;
+  s.scenario.load_step_s = 1.3;
+  s.scenario.load_off_s = 1.7;
+  s.scenario.stop_s = 1.9;
   const RunOptions options{.engine = EngineKind::kFixed, .angle_deg = 200};
   const Result r = summarise(s, options, run(s, options));
   for (const std::string& line : r.failures()) ADD_FAILURE() << line;

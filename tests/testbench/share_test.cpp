@@ -1,5 +1,5 @@
 // Bounds of a share beside the formulas that they are known by.
-#include "testbench/sweep/share.hpp"
+#include "testbench/sweep_page/share.hpp"
 
 #include <gtest/gtest.h>
 

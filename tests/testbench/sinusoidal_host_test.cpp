@@ -150,7 +150,7 @@ TEST(SinusoidalHost, StartsChangesSpeedFaultsClearsAndStopsAMotorThroughTheRtl) 
   EXPECT_EQ(bits, STEPLOCK_INTERRUPT_STARTED_MASK | STEPLOCK_INTERRUPT_LOCK_MASK);
   const auto list = host.words();
   EXPECT_EQ(steplock_init(&host.drive, list.data(), list.size()), STEPLOCK_NOT_STOPPED);
-  host.beat(0.2);
+  host.beat(0.5);
   EXPECT_NEAR(host.rpm(), 3000, 15);  // 0.5 %, as in the runs' own verdict
   steplock_sinusoidal_telemetry telemetry;
   ASSERT_EQ(steplock_sinusoidal_get_telemetry(&host.drive, &telemetry), STEPLOCK_OK);
@@ -162,7 +162,7 @@ TEST(SinusoidalHost, StartsChangesSpeedFaultsClearsAndStopsAMotorThroughTheRtl) 
   EXPECT_EQ(telemetry.retries, 0);
 
   ASSERT_EQ(steplock_set_speed(&host.drive, host.speed(1500)), STEPLOCK_OK);
-  host.beat(0.2);
+  host.beat(0.4);
   EXPECT_NEAR(host.rpm(), 1500, 7.5);
   EXPECT_TRUE(host.status.locked);
 
@@ -184,7 +184,7 @@ TEST(SinusoidalHost, StartsChangesSpeedFaultsClearsAndStopsAMotorThroughTheRtl) 
 TEST(SinusoidalHost, StopsByBrakingAndLosesTheBridgeWhenItsHostFallsSilentOnTheWay) {
   Host host;
   host.start(1, 3000);
-  host.beat(0.1);
+  host.beat(0.2);
   EXPECT_LT(host.rpm(), -2000);
   EXPECT_TRUE(host.status.reverse);
   ASSERT_EQ(steplock_stop(&host.drive, 1), STEPLOCK_OK);

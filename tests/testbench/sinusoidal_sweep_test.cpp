@@ -11,7 +11,7 @@
 #include "testbench/run/check.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/sweep/drawn_run.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 #include "testbench/sweep/sweep.hpp"
 
 namespace steplock {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "testbench/sweep/drawn_run.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {

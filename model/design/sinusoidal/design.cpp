@@ -6,6 +6,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "model/design/ramp_overshoot.hpp"
+
 namespace steplock::design::sinusoidal {
 namespace {
 
@@ -56,6 +58,29 @@ void set_estimators(const Settings& s, Design& d, double period) {
       s, 0.5 * kRoot * d.current_step * p.motor.inductance_q / period / p.motor.k_e);
 }
 
+// rad/s^2 per A, the file's inertia.
+double accelerates(const Settings& s, const Motor& m) {
+  return m.pole_pairs * m.pole_pairs * m.k_e / (s.motor.inertia_kgm2 + s.load.inertia_kgm2);
+}
+
+// rad/s^2, of the set speed: the steepest up to `most` at whose end no rotor of the envelope passes the set speed by more than
+// 6 %, of the tenth that a start may.  The filter takes the rest; a rotor that cannot follow the ramp, at the limit's current,
+// ends with that acceleration.
+double settles(const Settings& s, const SpeedRegulator& speed, double per_ampere, double most) {
+  constexpr double kPasses = 0.06;
+  constexpr int kInertias = 16;
+  const auto& e = s.envelope;
+  double slew = most;
+  for (int k = 0; k <= kInertias; ++k) {
+    const double inertia = e.inertia[0] * std::pow(e.inertia[1] / e.inertia[0], double(k) / kInertias);
+    const SpeedLoop loop{.gain = e.flux[0] * per_ampere / inertia, .pole = 0, .kp = speed.kp, .ki = speed.ki};
+    const double limit = speed.limit * loop.gain;
+    const double steepest = steepest_ramp(loop, speed.target, kPasses * speed.target, std::min(slew, limit));
+    if (steepest < limit) slew = std::min(slew, steepest);
+  }
+  return slew;
+}
+
 void set_regulators(const Settings& s, Design& d) {
   auto& p = d.parameters;
   const auto& m = p.motor;
@@ -66,12 +91,8 @@ void set_regulators(const Settings& s, Design& d) {
   p.current = {.kp_gamma = b * m.inductance_d, .kp_delta = b * m.inductance_q,
                .ki_gamma = ki(m.inductance_d), .ki_delta = ki(m.inductance_q),
                .i_gamma = kRoot * s.sinusoidal.i_gamma_a};
-  const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
-  const double per_ampere = m.pole_pairs * m.pole_pairs * m.k_e / inertia;  // rad/s^2
-  const double rated = kRoot * s.motor.rated_current_a;
+  const double per_ampere = accelerates(s, m);
   p.speed.target = speed_of(s, s.scenario.speed_rpm);
-  p.speed.slew = s.sinusoidal.slew_rpm_s ? speed_of(s, *s.sinusoidal.slew_rpm_s)
-                                         : 0.25 * rated * per_ampere;
   p.speed.filter = 4 * d.speed_bandwidth;
   p.speed.kp = d.speed_bandwidth / per_ampere;
   p.speed.ki = p.speed.kp * d.speed_bandwidth / 5;
@@ -85,15 +106,15 @@ void set_start(const Settings& s, Design& d) {
   auto& t = p.start;
   t.by = z.by;
   t.pattern_current = z.pattern_current_a.value_or(rated);
-  // The held rotor swings with w^2 = pole_pairs torque / J: two dozen radians of it, in two halves.  Where
-  // friction is little, nothing but the back-EMF, through the winding, ends the swing: a tenth of the heaviest rotor's is left
-  // after each half.
+  // The held rotor swings with w^2 = pole_pairs torque / J: two dozen radians of it, in three thirds.  Where
+  // friction is little, nothing but the back-EMF, through the winding, ends the swing: a fifth of the heaviest rotor's is left
+  // after each third.
   const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2;
   const double stiffness = p.motor.pole_pairs * d.rated_torque * t.pattern_current / rated;
   const double link = p.motor.pole_pairs * s.motor.flux_vs;  // V s/rad
   const double fades = 2 * s.envelope.inertia[1] * inertia * (p.motor.resistance) / (1.5 * link * link);
   t.pattern_s = z.pattern_s.value_or(
-      std::clamp(std::max(24 * std::sqrt(inertia / stiffness), 2 * std::log(10.0) * fades), 0.05, 5.0) +
+      std::clamp(std::max(24 * std::sqrt(inertia / stiffness), 3 * std::log(5.0) * fades), 0.05, 5.0) +
       10 * p.motor.inductance_q / p.motor.resistance);
   const double mistaken =
       kMistaken * p.motor.resistance * p.speed.limit / p.motor.k_e;  // rad/s, at rest
@@ -101,11 +122,15 @@ void set_start(const Settings& s, Design& d) {
       std::max({0.02 * d.no_load_rpm, 4 * d.slowest_rpm, 1.1 * rpm_of(s, mistaken)}));
   t.lock_speed = speed_of(s, lock);
   t.stop_speed = speed_of(s, z.stop_rpm.value_or(lock));
-  // Half a turn by the slew's acceleration: a rotor on the wrong side, which the current's limit turns back
+  // Half a turn by a quarter of the rated torque: a rotor on the wrong side, which the current's limit turns back
   // faster than that, is through with what it makes the estimate do.
-  const double slew = p.speed.slew;
-  const double half_turn = (std::sqrt(t.lock_speed * t.lock_speed + 2 * kPi * slew) - t.lock_speed) / slew;
+  const double per_ampere = accelerates(s, p.motor), quarter = 0.25 * kRoot * rated * per_ampere;
+  const double half_turn = (std::sqrt(t.lock_speed * t.lock_speed + 2 * kPi * quarter) - t.lock_speed) / quarter;
   t.lock_s = z.lock_s.value_or(std::max(0.02, half_turn));
+  // The set speed passes the lock's, below which the estimate is not to be believed, in no more time than the lock itself takes.
+  const double soon = std::min(quarter, t.lock_speed / std::max(t.lock_s, 0.02));
+  p.speed.slew = s.sinusoidal.slew_rpm_s ? speed_of(s, *s.sinusoidal.slew_rpm_s)
+                                         : std::max(soon, settles(s, p.speed, per_ampere, quarter));
   t.give_up_s = z.give_up_s;
   t.brake_s = z.brake_s;
   t.rest_s = z.rest_s;

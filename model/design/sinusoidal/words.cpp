@@ -146,7 +146,7 @@ SequenceWords sequence_words(ScaledQuantiser& word, const Parameters& p, const S
   // Each pulse with its decay and the samples between; and one that does not decay.
   const double pulses = 6 * p.pilot.repeats * (2 * plan.short_periods + 6) +
                         2 * (2 * plan.long_periods + 6) + 20;
-  const double pattern = pilot ? pulses * p.pwm.period + p.pilot.decay_s : t.pattern_s / 2;
+  const double pattern = pilot ? pulses * p.pwm.period + p.pilot.decay_s : t.pattern_s / 3;
   return {.arbitrary = t.by == StartBy::kArbitrary,
           .pilot = pilot,
           .hold_voltage = word("sequence.hold_voltage", "V", hold, f.voltage, 15, 15),

@@ -135,11 +135,15 @@ void Drive::control(const Phases& current, double v_dc) {
 }
 
 void Drive::hold_pattern(double t) {
-  // Winding v first, so that a rotor exactly opposite to u moves; then u.
-  const std::size_t leg = t - entered_ < p_.start.pattern_s / 2 ? 1 : 0;
-  Phases duty = {}, current = {};
-  duty[leg] = v_dc_ > 0 ? 1.5 * p_.motor.resistance * p_.start.pattern_current / v_dc_ : 0;
-  current[leg] = p_.start.pattern_current;
+  // 120, 60 and 0 degrees: what a load leaves of one of them, the next one reaches.
+  const double third = p_.start.pattern_s / 3, since = t - entered_;
+  const bool v_alone = since < third, u_alone = since >= 2 * third;
+  const double share = v_dc_ > 0 ? 1.5 * p_.motor.resistance * p_.start.pattern_current / v_dc_ : 0;
+  const double whole = p_.start.pattern_current, half = whole / 2;
+  const Phases duty = {v_alone ? 0 : share, u_alone ? 0 : share, 0};
+  const Phases current = v_alone   ? Phases{-half, whole, -half}
+                         : u_alone ? Phases{whole, -half, -half}
+                                   : Phases{half, half, -whole};
   pwm_.set(applied_.compensated(duty, current, v_dc_));
 }
 

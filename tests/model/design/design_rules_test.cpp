@@ -200,5 +200,18 @@ TEST(DesignRules, HandOverShowsTheBackEmfAboveTheComparatorsDoubt) {
   EXPECT_TRUE(emf >= 9.9 * (0.02 + 0.005 + 0.15) || at_the_cap);
 }
 
+// Each attempt of a rotor that is held fast looks at three steps; the rest of the time is for codes that only quiver.
+TEST(DesignRules, WhatCannotTurnIsToldInFiveSeconds) {
+  for (const char* name : {"amano2003", "bly172s", "br2804_drone", "ceiling_fan", "hoverboard_hub", "m2310p_servo", "maxon_ec45_flat",
+                           "tekin_spindle"}) {
+    Settings s = settings_of(name);
+    const auto p = design_drive(s).parameters.start;
+    const double look = p.look + p.probe, attempts = 1 + p.retries;
+    EXPECT_LE(attempts * (p.observe + p.rest + 3 * p.still * look), 4.5) << name;
+    s.start.retries = 0;
+    EXPECT_GE(design_drive(s).parameters.start.still, p.still) << name << ": patience is what the attempts leave";
+  }
+}
+
 }  // namespace
 }  // namespace steplock::design

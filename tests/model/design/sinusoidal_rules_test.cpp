@@ -74,11 +74,49 @@ TEST(SinusoidalRules, ALockTakesHalfAnElectricalTurnUnlessTheFileSaysElse) {
   Settings s = matsui();
   const auto& p = design_drive(s).parameters;
   const double t = p.start.lock_s;
-  EXPECT_NEAR(p.start.lock_speed * t + p.speed.slew * t * t / 2, std::numbers::pi, 1e-9);
+  // rad/s^2, of a quarter of the rated torque
+  const double quarter = 0.25 * p.motor.pole_pairs * design_drive(s).rated_torque / (s.motor.inertia_kgm2 + s.load.inertia_kgm2);
+  EXPECT_NEAR(p.start.lock_speed * t + quarter * t * t / 2, std::numbers::pi, 1e-9);
   s.sinusoidal_start.lock_rpm = 1000;  // half a turn in 8 ms
   EXPECT_EQ(design_drive(s).parameters.start.lock_s, 0.02);
   s.sinusoidal_start.lock_s = 0.005;
   EXPECT_EQ(design_drive(s).parameters.start.lock_s, 0.005);
+}
+
+// A PI control of an inertia whose reference is a ramp to the set speed, from rest: the highest speed over that one.
+double passes(const Settings& s, double slew, double inertia) {
+  const Design d = design_drive(s);
+  const auto& p = d.parameters.speed;
+  const auto& m = d.parameters.motor;
+  const double gain = s.envelope.flux[0] * m.pole_pairs * m.pole_pairs * m.k_e / (inertia * (s.motor.inertia_kgm2 + s.load.inertia_kgm2));
+  double reference = 0, speed = 0, integral = 0, highest = 0;
+  for (double t = 0, dt = 2e-5; t < p.target / slew + 1; t += dt) {
+    reference = std::min(p.target, reference + slew * dt);
+    const double error = reference - speed;
+    integral += p.ki * error * dt;
+    speed += gain * (p.kp * error + integral) * dt;
+    highest = std::max(highest, speed);
+  }
+  return highest / p.target;
+}
+
+TEST(SinusoidalRules, NoRotorOfTheEnvelopePassesTheSetSpeedByMoreThanATenthAtTheEndOfTheRamp) {
+  for (const char* name : {"matsui1996", "ipm_2k2", "m2310p_sinusoidal", "br2804_sinusoidal"}) {
+    const Settings s = load_drive_file(std::string(DRIVES "/") + name + ".toml").settings;
+    const double slew = design_drive(s).parameters.speed.slew;
+    for (const double inertia : {0.5, 1.0, 2.0, s.envelope.inertia[1]}) EXPECT_LT(passes(s, slew, inertia), 1.07) << name;
+  }
+  const Settings s = load_drive_file(DRIVES "/m2310p_sinusoidal.toml").settings;
+  const Design d = design_drive(s);
+  const double quarter = 0.25 * d.parameters.motor.pole_pairs * d.rated_torque / s.motor.inertia_kgm2;
+  EXPECT_GT(passes(s, quarter, 3), 1.1) << "what would";
+}
+
+TEST(SinusoidalRules, ASetSpeedNearTheLocksIsReachedInNoMoreTimeThanALockTakes) {
+  Settings s = matsui();
+  s.scenario.speed_rpm = 68;
+  const auto& p = design_drive(s).parameters;
+  EXPECT_LE(p.start.lock_speed / p.speed.slew, p.start.lock_s * (1 + 1e-9));
 }
 
 // J w' = -k angle - b w, b the torque that the back-EMF's current makes through the resistance: the heaviest rotor of the
@@ -92,14 +130,14 @@ TEST(SinusoidalRules, APatternLastsUntilTheHeaviestRotorsSwingHasFaded) {
     const double stiffness = pairs * d.rated_torque * p.start.pattern_current / s.motor.rated_current_a;
     const double damping = 1.5 * std::pow(pairs * s.motor.flux_vs, 2) / p.motor.resistance;
     double angle = 1, speed = 0, swing = 0;  // electrical degrees, and per s
-    const double half = p.start.pattern_s / 2, period = 2 * std::numbers::pi * std::sqrt(inertia / stiffness), dt = period * 1e-4;
-    for (double t = 0; t < half; t += dt) {
+    const double third = p.start.pattern_s / 3, period = 2 * std::numbers::pi * std::sqrt(inertia / stiffness), dt = period * 1e-4;
+    for (double t = 0; t < third; t += dt) {
       speed -= (stiffness * angle + damping * speed) / inertia * dt;
       angle += speed * dt;
-      if (t > half - period) swing = std::max(swing, std::abs(angle));
+      if (t > third - period) swing = std::max(swing, std::abs(angle));
     }
     // What a swing is a period before the end, less what the current's rise takes of the time.
-    EXPECT_LT(swing, 0.1 * std::exp(damping / (2 * inertia) * period)) << name;
+    EXPECT_LT(swing, 0.2 * std::exp(damping / (2 * inertia) * period)) << name;
   }
 }
 

@@ -6,8 +6,8 @@
 #include "testbench/report/figure.hpp"
 #include "testbench/report/page.hpp"
 #include "testbench/report/report.hpp"
-#include "testbench/sweep/disturbance_statistics.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/disturbance_statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 
 namespace steplock {
 namespace {

@@ -1,7 +1,7 @@
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 
-#include "testbench/sweep/disturbance_statistics.hpp"
-#include "testbench/sweep/share.hpp"
+#include "testbench/sweep_page/disturbance_statistics.hpp"
+#include "testbench/sweep_page/share.hpp"
 
 #include <fmt/format.h>
 

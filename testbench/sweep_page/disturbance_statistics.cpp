@@ -1,4 +1,4 @@
-#include "testbench/sweep/disturbance_statistics.hpp"
+#include "testbench/sweep_page/disturbance_statistics.hpp"
 
 #include <fmt/format.h>
 

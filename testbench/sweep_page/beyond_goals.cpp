@@ -1,4 +1,4 @@
-#include "testbench/sweep/beyond_goals.hpp"
+#include "testbench/sweep_page/beyond_goals.hpp"
 
 #include <fmt/format.h>
 
@@ -60,35 +60,67 @@ std::string part(const std::vector<Row>& rows, const Goal& goal) {
   return t + "\n";
 }
 
-}  // namespace
+const SweepDrive* drive_of(const SweepSetup& setup, const Row& r) {
+  const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
+  return d == setup.drives.end() ? nullptr : &*d;
+}
 
-std::string beyond_goals(const SweepSetup& setup, const std::vector<Row>& rows) {
+std::optional<double> peak_of(const SweepSetup& setup, const Row& r) {
+  const SweepDrive* d = drive_of(setup, r);
+  return d == nullptr || d->limit_a == 0 ? std::nullopt : std::optional(r.findings.peak_current_a / d->limit_a);
+}
+std::optional<double> lock_of(const Row& r) {
+  return r.findings.outcome == Outcome::kStarted ? r.findings.lock_time_s : std::nullopt;
+}
+
+bool light(const Row& r) { return r.conditions.inertia < 1; }
+bool heavy(const Row& r) { return r.conditions.inertia > 1; }
+bool again(const Row& r) { return r.findings.retries > 0; }
+bool any(const Row&) { return true; }
+
+std::vector<Goal> six_step_goals(const SweepSetup& setup) {
   const auto backwards = [](const Row& r) { return r.conditions.speed < 0; };
-  const auto light = [](const Row& r) { return r.conditions.inertia < 1; };
-  const auto heavy = [](const Row& r) { return r.conditions.inertia > 1; };
-  const auto every = [](const Row&) { return true; };
-  const Goal goals[] = {
-      {"Peak current, over the limit,", kPeakGoal,
-       [&](const Row& r) {
-         const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
-         return d == setup.drives.end() || d->limit_a == 0 ? std::nullopt : std::optional(r.findings.peak_current_a / d->limit_a);
-       },
+  return {
+      {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_of(setup, r); },
        {{backwards, "turned backwards, and such a rotor is braked by shorted windings: that current flows through no shunt, and speed, "
                     "flux and inductance set it"}}},
-      {"Time to lock, s,", kLockGoal,
-       [](const Row& r) { return r.findings.outcome == Outcome::kStarted ? r.findings.lock_time_s : std::nullopt; },
+      {"Time to lock, s,", kLockGoal, lock_of,
        {{backwards, "turned backwards first"},
-        {[](const Row& r) { return r.findings.retries > 0; }, "needed more than one attempt"},
+        {again, "needed more than one attempt"},
         {heavy, "had more inertia than the file's, and a limit to its torque"}}},
       {"Kick backwards, electrical degrees,", kKickGoal, [](const Row& r) { return r.findings.kick_deg; },
-       {{every, "passed more than the one edge that tells the direction: a code and its opposite, turned the other way, look alike, and "
-                "the back-EMF of a first edge may be less than the comparators' offset and noise"}}},
+       {{any, "passed more than the one edge that tells the direction: a code and its opposite, turned the other way, look alike, and "
+              "the back-EMF of a first edge may be less than the comparators' offset and noise"}}},
       {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
        {{light, "had less inertia than the file's, and got there under the limit's current while its direction was being told"},
         {heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
   };
+}
+
+std::vector<Goal> sinusoidal_goals(const SweepSetup& setup) {
+  const auto pilot = [&](const Row& r) {
+    const SweepDrive* d = drive_of(setup, r);
+    return d != nullptr && d->pilot;
+  };
+  return {
+      {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_of(setup, r); },
+       {{pilot, "were found by pilot pulses, whose lengths are the file's: bus and inductance set their current"}}},
+      {"Time to lock, s,", kLockGoal, lock_of, {{again, "needed more than one attempt"}}},
+      {"Kick backwards, electrical degrees,", kKickGoal, [](const Row& r) { return r.findings.kick_deg; },
+       {{again, "turned backwards in an attempt that was given up"},
+        {any, "were turned backwards before the estimate had found them: a pattern turns a rotor by half a turn at most and its swing, "
+              "the rest is an angle that was mistaken until the lock"}}},
+      {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
+       {{heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
+  };
+}
+
+}  // namespace
+
+std::string beyond_goals(const SweepSetup& setup, const std::vector<Row>& rows) {
+  const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
   std::string t;
-  for (const Goal& goal : goals) t += part(rows, goal);
+  for (const Goal& goal : sinusoidal ? sinusoidal_goals(setup) : six_step_goals(setup)) t += part(rows, goal);
   if (t.empty()) return t;
   return fmt::format("## Beyond the goals\n\nThe {} worst of each. One that is beyond what its own motor's physics explains "
                      "([bounds](drive_file.md#bounds)) is rough.\n\n", kShown) + t;

@@ -1,8 +1,8 @@
 // docs/starts.md and docs/sinusoidal_starts.md: the statistics of drawn starts.
 #include <fmt/format.h>
 
-#include "testbench/sweep/beyond_goals.hpp"
-#include "testbench/sweep/statistics.hpp"
+#include "testbench/sweep_page/beyond_goals.hpp"
+#include "testbench/sweep_page/statistics.hpp"
 
 namespace steplock {
 namespace {
@@ -204,7 +204,7 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   t += spreads_line("all, inside the envelope", j) + "\n";
   if (hard) t += hardships_table(j);
   t += goals(j, hard ? kHardGoals : of_drawn_motors(setup) ? kMotorGoals : kGoals);
-  if (!sinusoidal) t += beyond_goals(setup, rows);
+  t += beyond_goals(setup, rows);
   t += causes_table(j);
   t += fmt::format("![Time to lock](figures/{0}_lock_time.svg)\n\n![Peak current](figures/{0}_peak_current.svg)\n",
                    page_stem(setup));
