@@ -108,8 +108,8 @@ std::vector<Goal> sinusoidal_goals(const SweepSetup& setup) {
       {"Time to lock, s,", kLockGoal, lock_of, {{again, "needed more than one attempt"}}},
       {"Kick backwards, electrical degrees,", kKickGoal, [](const Row& r) { return r.findings.kick_deg; },
        {{again, "turned backwards in an attempt that was given up"},
-        {any, "were turned backwards before the estimate had found them: a pattern turns a rotor by half a turn at most and its swing, "
-              "the rest is an angle that was mistaken until the lock"}}},
+        {any, "were turned backwards before the lock: a pattern, whose places follow each other backwards, turns a rotor by 300 degrees at most "
+              "and its swing, the rest is an angle that was mistaken"}}},
       {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
        {{heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
   };
