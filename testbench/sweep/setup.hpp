@@ -28,7 +28,7 @@ struct SweepDrive {
   std::string name;         // the file's, without folder and ending
   std::string fingerprint;
   double weight = 1;
-  double limit_a = 0;       // its current limit, sinusoidal its over-current level, of which peaks are a part
+  double limit_a = 0;       // what the drive itself keeps the current to, of which peaks are a part
   bool pilot = false;       // sinusoidal: pilot pulses find the rotor, no pattern turns it
 };
 

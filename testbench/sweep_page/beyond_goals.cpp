@@ -1,5 +1,7 @@
 #include "testbench/sweep_page/beyond_goals.hpp"
 
+#include "testbench/sweep_page/statistics.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,15 +62,6 @@ std::string part(const std::vector<Row>& rows, const Goal& goal) {
   return t + "\n";
 }
 
-const SweepDrive* drive_of(const SweepSetup& setup, const Row& r) {
-  const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
-  return d == setup.drives.end() ? nullptr : &*d;
-}
-
-std::optional<double> peak_of(const SweepSetup& setup, const Row& r) {
-  const SweepDrive* d = drive_of(setup, r);
-  return d == nullptr || d->limit_a == 0 ? std::nullopt : std::optional(r.findings.peak_current_a / d->limit_a);
-}
 std::optional<double> lock_of(const Row& r) {
   return r.findings.outcome == Outcome::kStarted ? r.findings.lock_time_s : std::nullopt;
 }
@@ -81,7 +74,7 @@ bool any(const Row&) { return true; }
 std::vector<Goal> six_step_goals(const SweepSetup& setup) {
   const auto backwards = [](const Row& r) { return r.conditions.speed < 0; };
   return {
-      {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_of(setup, r); },
+      {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_over_limit(setup, r); },
        {{backwards, "turned backwards, and such a rotor is braked by shorted windings: that current flows through no shunt, and speed, "
                     "flux and inductance set it"}}},
       {"Time to lock, s,", kLockGoal, lock_of,
@@ -103,13 +96,13 @@ std::vector<Goal> sinusoidal_goals(const SweepSetup& setup) {
     return d != nullptr && d->pilot;
   };
   return {
-      {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_of(setup, r); },
+      {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_over_limit(setup, r); },
        {{pilot, "were found by pilot pulses, whose lengths are the file's: bus and inductance set their current"}}},
       {"Time to lock, s,", kLockGoal, lock_of, {{again, "needed more than one attempt"}}},
       {"Kick backwards, electrical degrees,", kKickGoal, [](const Row& r) { return r.findings.kick_deg; },
        {{again, "turned backwards in an attempt that was given up"},
-        {any, "were turned backwards before the lock: a pattern, whose places follow each other backwards, turns a rotor by 300 degrees at most "
-              "and its swing, the rest is an angle that was mistaken"}}},
+        {any, "were turned backwards before the lock: by the pattern, whose places follow each other backwards (180 degrees to the first, 120 to "
+              "the last, and swings), or by an angle that was mistaken"}}},
       {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
        {{heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
   };

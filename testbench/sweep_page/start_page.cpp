@@ -172,7 +172,7 @@ std::string sinusoidal_head(const SweepSetup& setup) {
        "speed or time than the drive's "
        "[bounds](drive_file.md#bounds); *silent* is an angle lost for half a second while the drive claims a lock "
        "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first, by three places: a kick of "
-       "300 degrees and its swing at most. More than that is an angle that was mistaken.\n\n";
+       "up to 300 degrees, and swings.\n\n";
   return t;
 }
 

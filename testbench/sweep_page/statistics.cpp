@@ -51,11 +51,6 @@ std::optional<double> if_started(const Row& r, const std::optional<double>& x) {
   return has_started(r.findings.outcome) ? x : std::nullopt;
 }
 
-double limit_of(const SweepSetup& setup, const Row& r) {
-  const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
-  return d == setup.drives.end() ? 0 : d->limit_a;
-}
-
 std::size_t first_try(const Rows& rows) {
   return static_cast<std::size_t>(std::ranges::count_if(
       rows, [](const Row* r) { return r->findings.outcome == Outcome::kStarted && r->findings.retries == 0; }));
@@ -95,10 +90,7 @@ void add_spreads(Json& j, const SweepSetup& setup, const Rows& rows) {
       spread_of(rows, [](const Row& r) { return std::optional(r.findings.peak_current_a); });
   j["kick_deg"] = spread_of(rows, [](const Row& r) { return r.findings.kick_deg; });
   j["peak_speed"] = spread_of(rows, [](const Row& r) { return r.findings.peak_speed; });
-  j["peak_over_limit"] = spread_of(rows, [&](const Row& r) {
-    const double limit = limit_of(setup, r);
-    return limit > 0 ? std::optional(r.findings.peak_current_a / limit) : std::nullopt;
-  });
+  j["peak_over_limit"] = spread_of(rows, [&](const Row& r) { return peak_over_limit(setup, r); });
 }
 
 Rows select(const std::vector<Row>& rows, const std::function<bool(const Row&)>& wanted) {
@@ -132,6 +124,16 @@ std::string prefix_digest(const std::vector<Row>& rows, std::uint64_t count) {
     if (r.index < count) text += csv_line(r) + "\n";
   }
   return digest(text);
+}
+
+const SweepDrive* drive_of(const SweepSetup& setup, const Row& r) {
+  const auto d = std::ranges::find(setup.drives, r.drive, &SweepDrive::name);
+  return d == setup.drives.end() ? nullptr : &*d;
+}
+
+std::optional<double> peak_over_limit(const SweepSetup& setup, const Row& r) {
+  const SweepDrive* d = drive_of(setup, r);
+  return d == nullptr || d->limit_a == 0 ? std::nullopt : std::optional(r.findings.peak_current_a / d->limit_a);
 }
 
 bool of_many(const SweepSetup& setup) {

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ bool passed(const SweepSetup&, const std::vector<Row>&);
 // sweep.json, sweep.html and its figures; returns warnings.
 std::vector<std::string> write_sweep_report(const SweepSetup&, const std::vector<Row>&,
                                             const std::filesystem::path& folder);
+// The drive of a run; null if the setup does not name it.
+const SweepDrive* drive_of(const SweepSetup&, const Row&);
+// The highest current of a run over what its drive keeps it to, where that is known.
+std::optional<double> peak_over_limit(const SweepSetup&, const Row&);
 // So many drives that a page names only those of which something is to be told.
 bool of_many(const SweepSetup&);
 // That many, and all of them from `steplock motors`.

@@ -60,6 +60,22 @@ TEST(BeyondGoals, APeakIsOverTheDrivesLimitAndARunThatWasNotAskedIsNotCounted) {
   EXPECT_EQ(text.find("Time to lock"), text.npos);
 }
 
+// Of sinusoidal drives the causes are others: a rotor that pulses find is not turned by a pattern.
+TEST(BeyondGoals, ASinusoidalPeakIsThePilotPulsesWhereThereAreAny) {
+  Page page;
+  page.setup.drive_kind = design::DriveKind::kSinusoidal;
+  page.add(7).findings.peak_current_a = 12;
+  page.rows.back().findings.kick_deg = 400;
+  page.add(8).findings.kick_deg = 500;
+  page.rows.back().findings.retries = 1;
+  const std::string pattern = beyond_goals(page.setup, page.rows);
+  EXPECT_NE(pattern.find("beyond 1.15: 1 of 2 runs. 1: not explained here."), pattern.npos) << pattern;
+  EXPECT_NE(pattern.find("beyond 360: 2 of 2 runs. 1 turned backwards in an attempt that was given up. 1 were turned"), pattern.npos) << pattern;
+  page.setup.drives[0].pilot = true;
+  const std::string pilot = beyond_goals(page.setup, page.rows);
+  EXPECT_NE(pilot.find("beyond 1.15: 1 of 2 runs. 1 were found by pilot pulses"), pilot.npos) << pilot;
+}
+
 TEST(BeyondGoals, WhatNoCauseExplainsIsSaidSo) {
   Page page;
   page.add(7).findings.peak_current_a = 11.6;
