@@ -16,7 +16,7 @@ module sinusoidal_bare (
     input  logic [2:0]  converter_v_i,  // channel of the current of phase v
     input  logic [2:0]  converter_dc_i,  // channel of the dc voltage
     input  logic        converter_twice_i,  // the range is twice the reference, not once
-    input  logic [13:0] words_bridge_period_i,  // clocks; 478 at least, a sample's
+    input  logic [13:0] words_bridge_period_i,  // clocks; 480 at least, a sample's
     input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
     input  logic [11:0] words_bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -52,7 +52,7 @@ module sinusoidal_bare (
     input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
     input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
     input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_sequence_pattern_i,  // each of its three thirds; all pilot pulses at most
+    input  logic [19:0] words_sequence_pattern_i,  // each third of it; all pilot pulses at most
     input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_sequence_brake_i,

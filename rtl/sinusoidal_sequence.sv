@@ -23,7 +23,7 @@ module sinusoidal_sequence (
     input  logic        words_arbitrary_i,  // no pattern before the loop is closed
     input  logic        words_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
     input  logic [14:0] words_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_pattern_i,  // each of its three thirds; all pilot pulses at most
+    input  logic [19:0] words_pattern_i,  // each third of it; all pilot pulses at most
     input  logic [19:0] words_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_brake_i,
@@ -38,6 +38,7 @@ module sinusoidal_sequence (
     output logic        hold_o,  // legs of the pattern, or of a pilot pulse
     output logic        hold_u_o,  // u is one of them
     output logic        hold_v_o,  // v is
+    output logic        hold_w_o,  // w is
     output logic        regulate_o,  // the loop is closed
     output logic        estimate_o,  // the estimator has seen a whole period of it
     output logic        modulate_o,  // gates follow the PWM
@@ -73,37 +74,38 @@ module sinusoidal_sequence (
   logic refused;  // `run` was up before the words were valid: that is no wish to start
   logic entered;
 
+  wire both_76 = state == SinusoidalState_kPattern && third != 2'd2;  // line 76
   wire regulating =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire run_both = command_run_i && command_configured_i;  // line 137
+  wire run_both = command_run_i && command_configured_i;  // line 139
   wire refused_next = command_run_i && (refused || !command_configured_i);
   wire run = run_both && !(refused_next || still_i);
-  wire walk_both = timer == 20'd0 && third != 2'd2;  // line 174
-  wire leave_differ = command_reverse_i ^ reverse;  // line 138
+  wire walk_both = timer == 20'd0 && third != 2'd2;  // line 176
+  wire leave_differ = command_reverse_i ^ reverse;  // line 140
   wire leave = !run || leave_differ;
-  wire either_98 = state == SinusoidalState_kFault || command_configured_i;  // line 98
-  wire either_98_2 = either_98 || state == SinusoidalState_kIdle;  // line 98
-  wire both_96 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 96
-  wire both_94 = state != SinusoidalState_kFault && fault_pin_i;  // line 94
+  wire either_100 = state == SinusoidalState_kFault || command_configured_i;  // line 100
+  wire either_100_2 = either_100 || state == SinusoidalState_kIdle;  // line 100
+  wire both_98 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 98
+  wire both_96 = state != SinusoidalState_kFault && fault_pin_i;  // line 96
   wire [19:0] timer_next_choice = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
   wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire [19:0] trust_next_choice_2 =  // line 90
+  wire [19:0] trust_next_choice_2 =  // line 92
       period_i ? ((trust_next_choice == 20'd0) ? 20'd0 : trust_next_choice - 20'd1) :
       trust_next_choice;
   wire [1:0] modulated_next_sum = modulated + {1'b0, period_i && regulated && modulated != 2'd3};
-  wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 88
+  wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 90
   wire both_3 = command_configured_i && failed_i != SinusoidalReason_kNone;
-  wire either_138 = !(command_run_i && !((command_run_i && refused) || still_i)) || leave_differ;
+  wire either_140 = !(command_run_i && !((command_run_i && refused) || still_i)) || leave_differ;
 
   always_ff @(posedge clk) begin
-    if (both_94 || both_96) begin
+    if (both_96 || both_98) begin
       state <= SinusoidalState_kFault;
       timer <= timer_next_choice;
       trust <= trust_next_choice_2;
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
-    end else if (either_98_2) begin
+    end else if (either_100_2) begin
       logic last;
       logic state_next_both;
       logic both_2;
@@ -114,7 +116,7 @@ module sinusoidal_sequence (
         if (run) begin
           state <= SinusoidalState_kCalibrate;
         end
-      end else if (either_98) begin
+      end else if (either_100) begin
         if (state == SinusoidalState_kCalibrate) begin
           if (run) begin
             if (measured_i) begin
@@ -129,7 +131,7 @@ module sinusoidal_sequence (
         end else begin
           logic [3:0] state_next_choice;
           logic [3:0] state_next_choice_2;
-          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 169
+          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 171
           state_next_choice_2 = (timer == 20'd0) ? state_next_choice : state;
           if (state == SinusoidalState_kPilot) begin
             if (run) begin
@@ -246,15 +248,15 @@ module sinusoidal_sequence (
         SinusoidalState_kSlowDown: begin
           logic [3:0] tries_next_sum;
           logic [3:0] tries_next_choice;
-          logic either_88;
-          logic either_137;
-          tries_next_sum = tries + {3'd0, last};  // line 124
+          logic either_90;
+          logic either_139;
+          tries_next_sum = tries + {3'd0, last};  // line 126
           tries_next_choice = (timer == 20'd0) ? tries_next_sum : tries;
-          either_88 = sampled_i || regulated;  // line 88
-          either_137 = refused || still_i;  // line 137
+          either_90 = sampled_i || regulated;  // line 90
+          either_139 = refused || still_i;  // line 139
           case (state)
             SinusoidalState_kIdle: begin
-              if (run_both && !either_137) begin
+              if (run_both && !either_139) begin
                 tries <= 4'd0;
                 reverse <= command_reverse_i;
               end
@@ -263,12 +265,12 @@ module sinusoidal_sequence (
             SinusoidalState_kCalibrate: begin
               if (measured_i) begin
                 if (run_both) begin
-                  if (!either_137 && words_arbitrary_i) begin
+                  if (!either_139 && words_arbitrary_i) begin
                     modulated <= 2'd0;
                     regulated <= 1'b0;
                   end else begin
                     modulated <= modulated_next_sum;
-                    if (!either_137) begin
+                    if (!either_139) begin
                       regulated <= !words_arbitrary_i && regulated;
                       third <= words_arbitrary_i ? third : 2'd0;
                     end
@@ -282,11 +284,11 @@ module sinusoidal_sequence (
             end
             SinusoidalState_kPilot: begin
               if (run_both) begin
-                if (!either_137 && both_2) begin
+                if (!either_139 && both_2) begin
                   modulated <= 2'd0;
                   regulated <= 1'b0;
                 end else begin
-                  if (!either_137) begin
+                  if (!either_139) begin
                     if (failed_i == SinusoidalReason_kNone) begin
                       tries <= found_i ? tries : tries_next_choice;
                       regulated <= !found_i && regulated;
@@ -302,7 +304,7 @@ module sinusoidal_sequence (
             end
             SinusoidalState_kPattern: begin
               if (run_both) begin
-                if (either_137) begin
+                if (either_139) begin
                   modulated <= modulated_next_sum;
                 end else begin
                   if (state_next_both) begin
@@ -322,7 +324,7 @@ module sinusoidal_sequence (
               end
             end
             SinusoidalState_kStarting: begin
-              if (command_configured_i && !either_138) begin
+              if (command_configured_i && !either_140) begin
                 if (failed_i == SinusoidalReason_kNone) begin
                   if (trust != 20'd0) begin
                     tries <= tries_next_choice;
@@ -332,18 +334,18 @@ module sinusoidal_sequence (
                 end
               end
               modulated <= modulated_next_sum;
-              regulated <= either_88;
+              regulated <= either_90;
             end
             SinusoidalState_kRun: begin
               if (both_3) begin
                 tries <= tries_next_sum;
               end
               modulated <= modulated_next_sum;
-              regulated <= either_88;
+              regulated <= either_90;
             end
             default: begin  // SinusoidalState_kSlowDown
               modulated <= modulated_next_sum;
-              regulated <= either_88;
+              regulated <= either_90;
             end
           endcase
         end
@@ -356,10 +358,10 @@ module sinusoidal_sequence (
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
     end
-    if (both_94) begin
+    if (both_96) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (both_96) begin
+    end else if (both_98) begin
       reason <= fatal_i;
       entered <= 1'b1;
     end else begin
@@ -398,7 +400,7 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kStarting: begin
-            if (command_configured_i && !either_138) begin
+            if (command_configured_i && !either_140) begin
               if (failed_i == SinusoidalReason_kNone) begin
                 reason <=
                     (trust == 20'd0) ? reason :
@@ -417,7 +419,7 @@ module sinusoidal_sequence (
           default: ;
         endcase
       end
-      entered <= !either_98_2 || entered_next_choice;
+      entered <= !either_100_2 || entered_next_choice;
     end
     refused <= refused_next;
     if (rst) begin
@@ -444,7 +446,8 @@ module sinusoidal_sequence (
   assign hold_o = state[3:1] == 3'd1;
   assign hold_u_o =
       state == SinusoidalState_kPilot || (state == SinusoidalState_kPattern && third != 2'd0);
-  assign hold_v_o = state == SinusoidalState_kPattern && third != 2'd2;
+  assign hold_v_o = both_76 && reverse;
+  assign hold_w_o = both_76 && !reverse;
   assign regulate_o = regulating;
   assign estimate_o = regulating && modulated[1];
   assign modulate_o = state == SinusoidalState_kPattern || (regulating && modulated != 2'd0);

@@ -14,7 +14,7 @@ module sinusoidal_top (
     input  logic        command_reverse_i,
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
-    input  logic [13:0] words_bridge_period_i,  // clocks; 478 at least, a sample's
+    input  logic [13:0] words_bridge_period_i,  // clocks; 480 at least, a sample's
     input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
     input  logic [11:0] words_bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -50,7 +50,7 @@ module sinusoidal_top (
     input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
     input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
     input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_sequence_pattern_i,  // each of its three thirds; all pilot pulses at most
+    input  logic [19:0] words_sequence_pattern_i,  // each third of it; all pilot pulses at most
     input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
     input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
     input  logic [19:0] words_sequence_brake_i,
@@ -100,6 +100,7 @@ module sinusoidal_top (
   logic orders_hold;  // legs of the pattern, or of a pilot pulse
   logic orders_hold_u;  // u is one of them
   logic orders_hold_v;  // v is
+  logic orders_hold_w;  // w is
   logic orders_regulate;  // the loop is closed
   logic orders_estimate;  // the estimator has seen a whole period of it
   logic orders_slow_down;
@@ -216,6 +217,7 @@ module sinusoidal_top (
       .hold_i(orders_hold),
       .hold_u_i(orders_hold_u),
       .hold_v_i(orders_hold_v),
+      .hold_w_i(orders_hold_w),
       .pilot_i(orders_pilot),
       .search_i(pilot_search),
       .a_i(pilot_a),
@@ -360,6 +362,7 @@ module sinusoidal_top (
   wire sequence__hold;
   wire sequence__hold_u;
   wire sequence__hold_v;
+  wire sequence__hold_w;
   wire sequence__regulate;
   wire sequence__estimate;
   wire sequence__modulate;
@@ -404,6 +407,7 @@ module sinusoidal_top (
       .hold_o(sequence__hold),
       .hold_u_o(sequence__hold_u),
       .hold_v_o(sequence__hold_v),
+      .hold_w_o(sequence__hold_w),
       .regulate_o(sequence__regulate),
       .estimate_o(sequence__estimate),
       .modulate_o(sequence__modulate),
@@ -413,7 +417,7 @@ module sinusoidal_top (
       .tries_o(sequence__tries)
   );
 
-  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 146
+  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 147
   wire on_u = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;
 
   wire pwm_v_on;
@@ -479,7 +483,7 @@ module sinusoidal_top (
       .wl_o(guard_wl)
   );
 
-  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 170
+  wire busy_next = (busy || codes_valid_i) && !control_done;  // line 171
 
   always_ff @(posedge clk) begin
     if (codes_valid) begin
@@ -489,6 +493,7 @@ module sinusoidal_top (
       orders_hold <= sequence__hold;
       orders_hold_u <= sequence__hold_u;
       orders_hold_v <= sequence__hold_v;
+      orders_hold_w <= sequence__hold_w;
       orders_regulate <= sequence__regulate;
       orders_estimate <= sequence__estimate;
       orders_slow_down <= sequence__slow_down;
@@ -507,10 +512,10 @@ module sinusoidal_top (
     seen_sampled <= control_done;
     seen_over <= sense_over;
     seen_i_gamma <= control_i_gamma;
-    seen_backward <= control_i_delta[15];  // line 168
-    busy <= busy_next;  // line 170
+    seen_backward <= control_i_delta[15];  // line 169
+    busy <= busy_next;  // line 171
     restart <= sequence__entered;
-    still <= words_speed_target_i == 25'd0;  // line 160
+    still <= words_speed_target_i == 25'd0;  // line 161
     waiting <= pilot_waiting;
     if (rst) begin
       orders_reverse <= 1'b0;
@@ -519,6 +524,7 @@ module sinusoidal_top (
       orders_hold <= 1'b0;
       orders_hold_u <= 1'b0;
       orders_hold_v <= 1'b0;
+      orders_hold_w <= 1'b0;
       orders_regulate <= 1'b0;
       orders_estimate <= 1'b0;
       orders_slow_down <= 1'b0;

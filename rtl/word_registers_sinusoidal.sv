@@ -11,7 +11,7 @@ module word_registers_sinusoidal (
     input  logic [3:0]  request_strobes_i,  // bytes of `data` that count
     input  logic        stopped_i,  // stopped and keyed words may change
     input  logic        boundary_i,  // strobe: shadowed words are taken over
-    output logic [13:0] words_bridge_period_o,  // clocks; 478 at least, a sample's
+    output logic [13:0] words_bridge_period_o,  // clocks; 480 at least, a sample's
     output logic [13:0] words_bridge_minimum_o,  // clocks; shorter on or off times become 0 % or 100 %
     output logic [7:0]  words_bridge_dead_time_o,  // clocks; the guard's floor wins
     output logic [11:0] words_bridge_lost_o,  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -47,7 +47,7 @@ module word_registers_sinusoidal (
     output logic        words_sequence_arbitrary_o,  // no pattern before the loop is closed
     output logic        words_sequence_pilot_o,  // pilot pulses instead of the pattern: a salient rotor
     output logic [14:0] words_sequence_hold_voltage_o,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    output logic [19:0] words_sequence_pattern_o,  // each of its three thirds; all pilot pulses at most
+    output logic [19:0] words_sequence_pattern_o,  // each third of it; all pilot pulses at most
     output logic [19:0] words_sequence_lock_o,  // the estimate has to be trusted for so long
     output logic [19:0] words_sequence_give_up_o,  // no lock in this time is a failed try
     output logic [19:0] words_sequence_brake_o,
@@ -70,7 +70,7 @@ module word_registers_sinusoidal (
     output logic        unlocked_o,  // the lock is open
     output logic        no_period_o  // with this PWM period the bridge has to stay off
 );
-  logic [13:0] words_bridge_period;  // clocks; 478 at least, a sample's
+  logic [13:0] words_bridge_period;  // clocks; 480 at least, a sample's
   logic [13:0] words_bridge_minimum;  // clocks; shorter on or off times become 0 % or 100 %
   logic [7:0] words_bridge_dead_time;  // clocks; the guard's floor wins
   logic [11:0] words_bridge_lost;  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -106,7 +106,7 @@ module word_registers_sinusoidal (
   logic words_sequence_arbitrary;  // no pattern before the loop is closed
   logic words_sequence_pilot;  // pilot pulses instead of the pattern: a salient rotor
   logic [14:0] words_sequence_hold_voltage;  // u0.15, of the pattern's leg, or of a pilot pulse's
-  logic [19:0] words_sequence_pattern;  // each of its three thirds; all pilot pulses at most
+  logic [19:0] words_sequence_pattern;  // each third of it; all pilot pulses at most
   logic [19:0] words_sequence_lock;  // the estimate has to be trusted for so long
   logic [19:0] words_sequence_give_up;  // no lock in this time is a failed try
   logic [19:0] words_sequence_brake;
@@ -563,7 +563,7 @@ module word_registers_sinusoidal (
   assign hole_o = request_index_i[9:6] != 4'd0 || rule_at_entry == 3'd0;
   assign refused_o = !allowed;
   assign unlocked_o = unlocked;
-  assign no_period_o = words_bridge_period[13:1] < 13'd239;
+  assign no_period_o = words_bridge_period[13:5] < 9'd15;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, request_data_i[31]};

@@ -99,7 +99,7 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "Of the pattern's leg, or of a pilot pulse's."),
     word<&SinusoidalWords::sequence, &SequenceWords::pattern>(
         "START_PATTERN", "pattern", 0xb0, 0, Access::kStopped, "periods",
-        "Each of the pattern's three thirds; all pilot pulses at most."),
+        "Each third of the pattern; all pilot pulses at most."),
     word<&SinusoidalWords::sequence, &SequenceWords::lock>(
         "START_LOCK", "lock", 0xb4, 0, Access::kStopped, "periods",
         "The estimate has to be trusted for so long."),

@@ -36,6 +36,7 @@ class SinusoidalControl {
     bool hold = false;       // legs of a pattern, or of a pilot pulse, not a vector
     bool hold_u = false;     // u is one of them
     bool hold_v = false;     // v is
+    bool hold_w = false;     // w is
     bool pilot = false;      // pulses: a leg's on-time without regard to what its current may be
     bool search = false;     // `a` and `b` are the currents that are turned
     Int<16> a = 0;           // s0.15
@@ -109,6 +110,7 @@ class SinusoidalControl {
                                        .hold = in.hold,
                                        .hold_u = in.hold_u,
                                        .hold_v = in.hold_v,
+                                       .hold_w = in.hold_w,
                                        .hold_voltage = in.hold_voltage});
     const auto speed = regulator_.tick({.enable = in.regulate,
                                         .reverse = in.reverse,
@@ -138,7 +140,7 @@ class SinusoidalControl {
 // Whoever gives the inputs holds them.
 using SinusoidalLoop = Scheduled<
     SinusoidalControl,
-    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 476,
-           .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 231}>;
+    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 478,
+           .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 233}>;
 
 }  // namespace steplock

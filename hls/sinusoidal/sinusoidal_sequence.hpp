@@ -4,12 +4,12 @@
 //                                        |         |
 //                    pilot ----------^   (failed: rest -> calibrate, so many times, then fault)
 //
-// Pattern: leg v, then v and u, then u, 120, 60 and 0 degrees.  A load holds a rotor near each of these
-// places, and near its opposite; from what it leaves of one, the next is near enough to be reached.  The
-// rotor's N pole then stands at winding u, which is angle 0.  Pilot: PilotPulses looks for the angle; not
-// found in `pattern` periods is a try that failed for want of decay.  Starting: the loop is closed; the gates
-// follow from the first period on that has on-times of the regulators, and the estimator from the
-// period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
+// Pattern: three places, the last of which is winding u, angle 0; forwards 240, 300 and 0 degrees (legs w, w and u, u), in
+// reverse 120, 60 and 0 (v, v and u, u), so that the rotor turns the wanted way from place to place.  A load holds a rotor
+// near each of them, and near its opposite; from what it leaves of one, the next is near enough to be reached.
+// Pilot: PilotPulses looks for the angle; not found in `pattern` periods is a try that failed for want of decay.
+// Starting: the loop is closed; the gates follow from the first period on that has on-times of the regulators, and the
+// estimator from the period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
 // without a gap.
 //
 //     latency      1 clock; all outputs follow from registers
@@ -52,6 +52,7 @@ class SinusoidalSequence {
     bool hold = false;        // legs of the pattern, or of a pilot pulse
     bool hold_u = false;      // u is one of them
     bool hold_v = false;      // v is
+    bool hold_w = false;      // w is
     bool regulate = false;    // the loop is closed
     bool estimate = false;    // the estimator has seen a whole period of it
     bool modulate = false;    // gates follow the PWM
@@ -72,7 +73,8 @@ class SinusoidalSequence {
                   .pilot = state_ == SinusoidalState::kPilot,
                   .hold = holding || state_ == SinusoidalState::kPilot,
                   .hold_u = state_ == SinusoidalState::kPilot || (holding && third_ != 0),
-                  .hold_v = holding && third_ != 2,
+                  .hold_v = holding && third_ != 2 && reverse_,
+                  .hold_w = holding && third_ != 2 && !reverse_,
                   .regulate = regulating,
                   .estimate = regulating && modulated_ >= 2,
                   .modulate = holding || (regulating && modulated_ != 0),

@@ -14,8 +14,8 @@
 // and give their codes with `valid` so early that the sample is done before the next period.  Codes
 // that come while one is under way are not taken, and DriveProtection counts the lost sample.
 //
-//     `sample` to new on-clocks          233 clocks, if the codes come at once
-//     `sample` to `done`                 478 clocks: less than a period
+//     `sample` to new on-clocks          235 clocks, if the codes come at once
+//     `sample` to `done`                 480 clocks: less than a period
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -94,6 +94,7 @@ class SinusoidalTop {
                                          .hold = orders_.hold,
                                          .hold_u = orders_.hold_u,
                                          .hold_v = orders_.hold_v,
+                                         .hold_w = orders_.hold_w,
                                          .pilot = orders_.pilot,
                                          .search = pilot.search,
                                          .a = pilot.a,

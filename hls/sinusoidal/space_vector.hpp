@@ -8,7 +8,7 @@
 // pulse makes up for its dead time.  On or off times below `minimum` become 0 % or 100 %, here and
 // not only in the PWM generator, because the applied voltage is reconstructed from what comes out.
 //
-// With `hold` the legs of `hold_u` and `hold_v` get `hold_voltage`, the others stay low: a pattern that
+// With `hold` the legs of `hold_u`, `hold_v` and `hold_w` get `hold_voltage`, the others stay low: a pattern that
 // turns the rotor to a known place.  One leg or two, the current's vector is of the same length.
 //
 // 1 / v_dc follows by one step of Newton a sample, r <- r (2 - v_dc r), which doubles its digits:
@@ -43,6 +43,7 @@ class SpaceVector {
     bool hold = false;          // legs of a pattern, not a vector
     bool hold_u = false;        // u is one of them
     bool hold_v = false;        // v is
+    bool hold_w = false;        // w is
     UInt<15> hold_voltage = 0;  // u0.15
   };
 
@@ -70,7 +71,7 @@ class SpaceVector {
     };
     return {.on_u = leg(in, pick(u, in.hold_u), in.i_u),
             .on_v = leg(in, pick(v, in.hold_v), in.i_v),
-            .on_w = leg(in, pick(w, false), i_w)};
+            .on_w = leg(in, pick(w, in.hold_w), i_w)};
   }
 
  private:

@@ -28,7 +28,7 @@ enum class SinusoidalReason : std::uint8_t {
 };
 
 struct BridgeWords {
-  LegClocks period = 0;    // clocks; 478 at least, a sample's
+  LegClocks period = 0;    // clocks; 480 at least, a sample's
   LegClocks minimum = 0;   // clocks; shorter on or off times become 0 % or 100 %
   UInt<8> dead_time = 0;   // clocks; the guard's floor wins
   DeadClocks lost = 0;     // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -50,7 +50,7 @@ struct SequenceWords {
   bool arbitrary = false;     // no pattern before the loop is closed
   bool pilot = false;         // pilot pulses instead of the pattern: a salient rotor
   UInt<15> hold_voltage = 0;  // u0.15, of the pattern's leg, or of a pilot pulse's
-  Periods pattern = 0;        // each of its three thirds; all pilot pulses at most
+  Periods pattern = 0;        // each third of it; all pilot pulses at most
   Periods lock = 0;           // the estimate has to be trusted for so long
   Periods give_up = 0;        // no lock in this time is a failed try
   Periods brake = 0;

@@ -14,8 +14,9 @@
 // lost in vain meanwhile would take it far below.
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
-// 3/8 of a step or more and the duty would rise (or the limit cuts), or it hid the crossing of a rotor that hurries on, the
-// duty falls by its slew until a crossing shows: more current would hide them all and lose the loop.
+// 3/8 of a step or more and the duty is to rise (faster than its slew, or by 2^-13 a tick for the integral alone, or the limit
+// cuts), or it hid the crossing of a rotor that hurries on, the duty falls by its slew until a crossing shows: more current
+// would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
 //
@@ -73,8 +74,9 @@ class SpeedControl {
     limited_ = in.limited || (limited_ && !integrated && control);
     if (integrated) {
       held_ = limited;
-      asks_ = limited || at_high_;
-      resumes_ = control && descends_ && !far_ && !wrap<Int<32>>(product.product).negative();
+      const auto change = wrap<Int<32>>(product.product);
+      asks_ = limited || at_high_ || change >= kAsks;
+      resumes_ = control && descends_ && !far_ && !change.negative();
     }
 
     descend(in, control);  // before slew() takes `passes_`
@@ -113,6 +115,7 @@ class SpeedControl {
   using Stages = OneHot<Stage, 17>;
   using Limit = UInt<17>;
   using Work = Int<21>;  // s5.15: kp e alone may be 16 times the full duty
+  static constexpr int kAsks = 1 << 18;  // s.31, of one tick: more than the swing of a steady speed
 
   // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
   Int<27> multiplicand(Frequency frequency) const {
@@ -259,7 +262,7 @@ class SpeedControl {
   bool slips_ = false;
   bool limited_ = false;    // the current limit cut a pulse since the last integral
   bool held_ = false;       // it had done so before that one
-  bool asks_ = false;       // that, or the last duty wanted to be higher than it might
+  bool asks_ = false;       // that, or the last duty wanted to be higher than it might, or this one is to rise
   bool far_ = false;        // the reference goes down and has not reached the target
   bool descends_ = false;   // it did, and the rotor has not been found at it
   bool resumes_ = false;    // it has

@@ -1,7 +1,8 @@
 // Start counters: what the start sequence counts, and what follows from it.
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
-//               kAccelerate last twice as long after each failed try, three times
+//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, and as many
+//               more where it has one by then, or brakes one
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
 //     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
 //               So is one that follows, has no ticks left, and neither has a rotor nor brakes one: the next would be the same
@@ -85,14 +86,16 @@ class StartCounters {
            when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
            when(State::kRest, in.words.rest) |
            when(State::kRun, 1024) |  // after that long earlier failures are forgotten
-           when(State::kAccelerate, doubled(Ticks::max(), follows(in) ? UInt<2>(0) : failed));  // a ramp of 0 must end, too
+           when(State::kAccelerate, doubled(Ticks::max(), follows(in) ? UInt<2>(1) : failed));  // a ramp of 0 must end, too
   }
+
+  static bool following(const In& in) { return follows(in) && in.state.holds(State::kAccelerate); }
 
   void count_ticks(const In& in) {
     // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
     const bool ticks = (in.tick || late_) && !in.entered;
     late_ = in.tick && in.entered;
-    last_ = !in.entered && ticks_ == 0;
+    last_ = !in.entered && (ticks_ == 0 || (ticks_ == Ticks::max() && following(in) && !in.hopeful));
     if (in.entered) {
       ticks_ = length(in, gentle());
     } else if (ticks && ticks_ != 0) {
@@ -101,7 +104,7 @@ class StartCounters {
   }
 
   void count_tries(const In& in, bool over) {
-    const bool in_vain = follows(in) && in.state.holds(State::kAccelerate) && last_ && !in.hopeful;
+    const bool in_vain = following(in) && last_ && !in.hopeful;
     tried_ = retries_ >= in.words.retries || in_vain;
     if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
       retries_ = 0;
@@ -136,7 +139,7 @@ class StartCounters {
 
   Length ticks_ = 0;            // left in this state
   bool late_ = false;           // there was a tick in the state's first clock
-  bool last_ = false;           // no ticks are left
+  bool last_ = false;           // no ticks are left, or none without a rotor
   UInt<4> retries_ = 0;         // failed tries
   bool tried_ = false;          // no more are left
   UInt<8> brakes_ = 0;          // braking intervals of this stop

@@ -80,6 +80,11 @@ double limited_current(const Settings& s) {
   return s.sensors.limit_a + s.sensors.limit_hysteresis_a / 2 + 2 * s.inverter.bus_v / line * unbelieved(s);
 }
 
+double changing_over(const Settings& s, double rpm) {
+  const double v = s.inverter.bus_v, u = motor_constants(s).k_e * std::abs(rpm) * kPi / 30;
+  return 1 + std::max(0.0, (v - 2 * u) / (2 * v - u));
+}
+
 namespace {
 
 // Pulled in by the ramp the rotor leads the field, and the idle winding carries, past the shunt, what its back-EMF drives.
@@ -95,7 +100,8 @@ StartBounds start_bounds(const Settings& file, const Settings& motor) {
   StartBounds bounds;
   bounds.current_a = b.current_a ? *b.current_a
                      : six_step
-                         ? std::max(limited_current(motor) + past_the_shunt(file, motor),
+                         ? std::max(limited_current(motor) * changing_over(motor, design_drive(file).hand_over_rpm) +
+                                        past_the_shunt(file, motor),
                                     shorted_current(motor, backwards(motor.scenario)))
                          : sinusoidal::design_drive(file).parameters.protection.over_current;
   bounds.kick_deg = b.kick_deg ? *b.kick_deg : std::max(kLeastKick, 360.0 * motor.motor.pole_pairs);

@@ -2,6 +2,9 @@
 // declares them ([bounds]); what it does not name follows from the motor:
 //
 //     current_a  I = I_limit + hysteresis / 2 + 2 V / (2 (L - M)) t      t: the comparator's blanking and delay
+//                times 1 + (V - 2 U) / (2 V - U), where that is more than 1: in the winding that goes on while the current
+//                changes over between the others, the outgoing and the incoming one add up, and the shunt sees one of them.
+//                U: back-EMF of two windings at hand-over; slower, the current ends before each step
 //                or, of a rotor that turns backwards, through three shorted windings
 //                I = K E / sqrt(R^2 + (w (L - M))^2)                      K = 1.02 + 0.98 exp(-3 R / (w (L - M))), IEC 60909
 //                start by ramp: the first, and the second at the set speed, which an idle winding carries past the shunt
@@ -42,5 +45,7 @@ double current_bound(const Settings&);
 double shorted_current(const Settings& motor, double rpm);
 // A: what the current limit lets through.
 double limited_current(const Settings& motor);
+// What a winding carries while the current changes over between the two others, over the limit; at least 1.
+double changing_over(const Settings& motor, double rpm);
 
 }  // namespace steplock::design

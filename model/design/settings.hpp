@@ -136,7 +136,7 @@ struct SpeedSection {
 struct ProtectionSection {
   int misses = 18;
   std::optional<double> stall_rpm, slip_duty;
-  double freewheel_deg = 28;
+  double freewheel_deg = 29;
   double wrong_lock_s = 0.1;
   int over_current = 8;
 };

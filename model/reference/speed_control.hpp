@@ -32,7 +32,7 @@ class SpeedControl {
     follow(duty, std::clamp(duty - p_.kp * (reference - f), p_.minimum, p_.maximum), reference);
   }
   // `limited`: the current limit cut, the duty stays; `freewheels`: the current is about to hide crossings, and the duty
-  // falls if it would rise else; `hurries`: one of a rotor that leads is hidden, it falls as well.
+  // falls if it is to rise; `hurries`: one of a rotor that leads is hidden, it falls as well.
   void tick(double target, double f, bool limited, bool hurries = false, bool freewheels = false) {
     if (resumes_) {
       resumes_ = false;
@@ -44,7 +44,7 @@ class SpeedControl {
     reference_ += std::clamp(target - reference_, -move, held_ ? 0 : move);
     const double error = reference_ - f;
     const double low = std::max(p_.minimum, duty_ - slew),
-                 high = std::min(p_.maximum, duty_ + (hurries || ((limited || asks_) && freewheels) ? -slew : limited ? 0 : slew));
+                 high = std::min(p_.maximum, duty_ + (hurries || ((limited || asks_ || p_.ki * tick_ * error >= kAsks) && freewheels) ? -slew : limited ? 0 : slew));
     const double wanted = integral_ + p_.kp * error;
     const bool far = reference_ > target;
     resumes_ = descends_ && !far && error >= 0;
@@ -62,6 +62,7 @@ class SpeedControl {
   double reference() const { return reference_; }
 
  private:
+  static constexpr double kAsks = 1.0 / 8192;  // of the duty, a tick
   design::SpeedParameters p_;
   double tick_, duty_ = 0, integral_ = 0, reference_ = 0;
   bool asks_ = false;  // for more than it got

@@ -7,7 +7,7 @@
 namespace steplock::reference {
 namespace {
 
-constexpr long kMostTicks = 4095;  // to follow a rotor that never comes to speed
+constexpr long kMostTicks = 4095;  // to find a rotor, and as many to bring it to speed
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void StartSequence::update(const In& in) {
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
-      if (p_.method == design::Method::kFollow && ticks_ >= kMostTicks) {
+      if (p_.method == design::Method::kFollow && (ticks_ >= 2 * kMostTicks || (ticks_ == kMostTicks && !in.hopeful))) {
         if (!in.hopeful) retries_ = p_.retries;  // the next one would be the same
         fail(Reason::kNoLock);
       }

@@ -29,7 +29,7 @@ bool turns_by_itself(const DrawnRun& run) {
 }
 
 // Twice the longest way to a latched fault or to set speed that the words allow, with brakes on a
-// heavy rotor; then a bounded drive has decided itself.
+// heavy rotor; then a bounded drive has decided itself.  Once would not do: a rotor that is followed has its ticks twice.
 double longest(const design::Settings& s, const design::Parameters& p) {
   const auto& t = p.start;
   double tries = 0;

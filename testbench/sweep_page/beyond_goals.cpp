@@ -101,8 +101,8 @@ std::vector<Goal> sinusoidal_goals(const SweepSetup& setup) {
       {"Time to lock, s,", kLockGoal, lock_of, {{again, "needed more than one attempt"}}},
       {"Kick backwards, electrical degrees,", kKickGoal, [](const Row& r) { return r.findings.kick_deg; },
        {{again, "turned backwards in an attempt that was given up"},
-        {any, "were turned backwards before the lock: by the pattern, whose places follow each other backwards (180 degrees to the first, 120 to "
-              "the last, and swings), or by an angle that was mistaken"}}},
+        {any, "were turned backwards before the lock: by the pattern (half a turn at most to its first place, and "
+              "swings), or by an angle that was mistaken"}}},
       {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
        {{heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
   };

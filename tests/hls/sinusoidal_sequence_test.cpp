@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace steplock {
@@ -44,22 +44,32 @@ class Started {
   SinusoidalSequence dut_;
 };
 
+// Places that follow each other in the wanted direction: 240, 300 and 0 degrees, or 120, 60 and 0.
+TEST(SinusoidalSequence, ThePatternTurnsTheWantedWay) {
+  for (const bool reverse : {false, true}) {
+    Started s;
+    s.in.command.reverse = reverse;
+    EXPECT_EQ(s.until(S::kPattern), 0);
+    std::vector<std::string> legs;
+    std::vector<int> periods;
+    auto out = s.period();
+    for (; out.hold; out = s.period()) {
+      const std::string now = std::string(out.hold_u ? "u" : "") + (out.hold_v ? "v" : "") + (out.hold_w ? "w" : "");
+      if (legs.empty() || legs.back() != now) {
+        legs.push_back(now);
+        periods.push_back(0);
+      }
+      ++periods.back();
+    }
+    EXPECT_EQ(legs, reverse ? (std::vector<std::string>{"v", "uv", "u"}) : (std::vector<std::string>{"w", "uw", "u"}));
+    for (const int third : periods) EXPECT_NEAR(third, 10, 1);
+    EXPECT_EQ(out.state, S::kStarting);
+  }
+}
+
 TEST(SinusoidalSequence, AStartGoesThroughItsStatesInTheirTimes) {
   Started s;
-  EXPECT_EQ(s.until(S::kPattern), 0);
-  std::vector<std::pair<bool, bool>> legs;  // u, v
-  std::vector<int> periods;
-  auto out = s.period();
-  for (; out.hold; out = s.period()) {
-    if (const std::pair now{out.hold_u, out.hold_v}; legs.empty() || legs.back() != now) {
-      legs.push_back(now);
-      periods.push_back(0);
-    }
-    ++periods.back();
-  }
-  EXPECT_EQ(legs, (std::vector<std::pair<bool, bool>>{{false, true}, {true, true}, {true, false}}));
-  for (const int third : periods) EXPECT_NEAR(third, 10, 1);
-  EXPECT_EQ(out.state, S::kStarting);
+  s.until(S::kStarting);
   s.in.fast = s.in.plausible = true;
   EXPECT_NEAR(s.until(S::kRun), 5, 1);
   EXPECT_TRUE(s.period().locked);
@@ -89,7 +99,7 @@ TEST(SinusoidalSequence, PilotPulsesTakeThePatternsPlaceUntilTheyFound) {
   s.until(S::kPilot);
   for (int n = 0; n < 5; ++n) {
     const auto out = s.period();
-    ASSERT_TRUE(out.pilot && out.hold && out.hold_u && !out.hold_v && !out.modulate && !out.regulate);
+    ASSERT_TRUE(out.pilot && out.hold && out.hold_u && !out.hold_v && !out.hold_w && !out.modulate && !out.regulate);
   }
   s.in.found = true;
   EXPECT_TRUE(s.period().regulate);

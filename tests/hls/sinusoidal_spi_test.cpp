@@ -32,7 +32,7 @@ TEST(SinusoidalSpi, TheCDriverReadsTheTelemetryOfOneInstantOverIt) {
   steplock_sinusoidal_telemetry telemetry;
   ASSERT_EQ(steplock_sinusoidal_get_telemetry(&bus, &telemetry), STEPLOCK_OK);
   EXPECT_EQ(telemetry.v_dc, 2700) << "as the converter says";
-  EXPECT_TRUE(telemetry.on_u == 0 && telemetry.on_v > 0 && telemetry.on_w == 0) << "the pattern begins with leg v";
+  EXPECT_TRUE(telemetry.on_u == 0 && telemetry.on_v == 0 && telemetry.on_w > 0) << "the pattern begins with leg w";
 }
 
 }  // namespace

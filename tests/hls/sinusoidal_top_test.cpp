@@ -53,15 +53,15 @@ class Bench {
   SinusoidalTop top_;
 };
 
-TEST(SinusoidalTop, ThePatternIsLegVThenBothThenLegUAgainstTheOthers) {
+TEST(SinusoidalTop, ThePatternIsLegWThenBothThenLegUAgainstTheOthers) {
   Bench b;
   b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
   for (int n = 0; n < 3 * 1200; ++n) b.tick();  // the on-times of before are used up
-  EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.vh; }), 0);
-  EXPECT_TRUE(b.out.gates.ul && b.out.gates.wl);
+  EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.wh; }), 0);
+  EXPECT_TRUE(b.out.gates.ul && b.out.gates.vl);
   for (int n = 0; n < 21 * 1200; ++n) b.tick();
   EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
-  EXPECT_TRUE(b.out.gates.vh && b.out.gates.wl);
+  EXPECT_TRUE(b.out.gates.wh && b.out.gates.vl);
   for (int n = 0; n < 21 * 1200; ++n) b.tick();
   EXPECT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
   EXPECT_TRUE(b.out.gates.vl && b.out.gates.wl);
@@ -124,9 +124,9 @@ TEST(SinusoidalTop, OverCurrentEndsAPilotPulseToo) {
 
 // The pattern's on-time follows 1 / v_dc, which needs a few samples from reset: until then it is another
 // in every period.
-TEST(SinusoidalTop, OnTimesAreNew233ClocksAfterTheSampleAndAllIsDoneAfter478) {
-  EXPECT_EQ(233, 2 + SinusoidalLoop::kEarly);
-  EXPECT_LT(233 / 24e6, 10e-6) << "at 24 MHz";
+TEST(SinusoidalTop, OnTimesAreNew235ClocksAfterTheSampleAndAllIsDoneAfter480) {
+  EXPECT_EQ(235, 2 + SinusoidalLoop::kEarly);
+  EXPECT_LT(235 / 24e6, 10e-6) << "at 24 MHz";
   Bench b;
   b.u = 100;
   b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kPattern; });
@@ -135,13 +135,13 @@ TEST(SinusoidalTop, OnTimesAreNew233ClocksAfterTheSampleAndAllIsDoneAfter478) {
     b.clocks_until([](const auto& o) { return o.sample; });
     const auto before = b.out;
     const int clocks = b.clocks_until(
-        [&](const auto& o) { return o.done || o.on_u != before.on_u || o.on_v != before.on_v; });
+        [&](const auto& o) { return o.done || o.on_u != before.on_u || o.on_w != before.on_w; });
     if (!b.out.done) {
-      EXPECT_EQ(clocks, 233);
+      EXPECT_EQ(clocks, 235);
       ++changed;
-      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 478 - 233);
+      EXPECT_EQ(b.clocks_until([](const auto& o) { return o.done; }), 480 - 235);
     }
-    EXPECT_EQ(478, 2 + SinusoidalLoop::kClocks);
+    EXPECT_EQ(480, 2 + SinusoidalLoop::kClocks);
   }
   EXPECT_GT(changed, 0);
 }
@@ -173,7 +173,7 @@ TEST(SinusoidalTop, CodesThatComeWhileASampleIsUnderWayAreNotTaken) {
   asked.out.sample = true;
   asked.tick();
   EXPECT_TRUE(asked.out.busy);
-  EXPECT_EQ(asked.clocks_until([](const auto& o) { return o.done; }), 478 - 1);
+  EXPECT_EQ(asked.clocks_until([](const auto& o) { return o.done; }), 480 - 1);
 }
 
 TEST(SinusoidalTop, SamplesAreTakenOncePerPeriodWithAllLowSidesOn) {

@@ -116,6 +116,12 @@ TEST(SpaceVector, APatternDrivesItsLegsAlone) {
   out = dut.tick(in);
   EXPECT_NEAR(int(out.on_v.raw()), 120, 1);
   EXPECT_EQ(out.on_u, 0);
+  in.hold_v = false;
+  in.hold_w = true;
+  out = dut.tick(in);
+  EXPECT_NEAR(int(out.on_w.raw()), 120, 1);
+  EXPECT_EQ(out.on_u, 0);
+  EXPECT_EQ(out.on_v, 0);
 }
 
 TEST(SpaceVector, NoPulseAndNoGapIsShorterThanTheMinimum) {

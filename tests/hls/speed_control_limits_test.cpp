@@ -198,6 +198,32 @@ TEST(SpeedControl, LowersTheDutyWhereFreewheelingIsLongAndMoreIsAskedFor) {
   falls(dut, in, duty);
 }
 
+// Well within its slew: what the integral alone asks for in a tick, 2^-13 or a tenth less.
+TEST(SpeedControl, LowersTheDutyWhereFreewheelingIsLongAndItIsToRiseSlowly) {
+  for (const int error : {36, 41}) {
+    SpeedControl with, without;
+    auto in = typical();
+    in.words.kp = 0;
+    in.words.duty_slew = 50;
+    in.fixed_duty = 10000;
+    in.frequency = in.target = 5000 << 4;
+    update(with, in), update(without, in);
+    in.mode = SpeedMode::kControl;
+    in.target = (5000 + error) << 4;
+    update(with, in);
+    const int duty = duty_of(update(without, in));
+    EXPECT_NEAR(duty, 10000 + error / 10, 1);
+    in.freewheels = true;
+    if (error == 41) {
+      falls(with, in, duty);
+    } else {
+      const int risen = duty_of(update(with, in));
+      in.freewheels = false;
+      EXPECT_EQ(risen, duty_of(update(without, in)));
+    }
+  }
+}
+
 // A steady rotor's long freewheeling is a matter of its speed, and no reason to lower the duty.
 TEST(SpeedControl, KeepsItsLawWhereFreewheelingIsLongAndNoMoreIsAskedFor) {
   SpeedControl with, without;

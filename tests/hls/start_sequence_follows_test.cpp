@@ -102,7 +102,7 @@ TEST(StartSequenceFollows, ARotorThatIsFollowedToTheEndFailsEveryTryAfterTheSame
     bench.until(State::kAccelerate);
     int ticks = 0;
     while (bench.clock().state == State::kAccelerate && ticks < 20000) ++ticks;
-    EXPECT_NEAR(ticks, 4095, 3);
+    EXPECT_NEAR(ticks, 2 * 4095, 3);
     EXPECT_NEAR(ticks, last == 0 ? ticks : last, 1);
     last = ticks;
   }

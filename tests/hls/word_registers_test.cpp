@@ -103,13 +103,13 @@ TEST(WordRegisters, BytesThatWereNeverWrittenReadTheirReset) {
   }
 }
 
-// 478 clocks is what a sample takes; docs/sinusoidal_registers.md.
+// 480 clocks is what a sample takes; docs/sinusoidal_registers.md.
 TEST(WordRegisters, TellsAPeriodThatIsTooShortForASample) {
   Bench<Sinusoidal> bench;
   EXPECT_TRUE(bench.tick({}).no_period);
-  bench.write(kPwm, 477);
+  bench.write(kPwm, 479);
   EXPECT_TRUE(bench.tick({}).no_period);
-  bench.write(kPwm, 478);
+  bench.write(kPwm, 480);
   EXPECT_FALSE(bench.tick({}).no_period);
 }
 

@@ -213,7 +213,7 @@ TEST(SinusoidalHost, WordsWithTooShortAPeriodAreRefusedAndMoveNoGate) {
   const steplock_bus bus = bench.bus();
   auto words = bench.words();
   for (auto& word : words) {
-    if (word.offset == STEPLOCK_SINUSOIDAL_PWM) word.value = (word.value & ~STEPLOCK_SINUSOIDAL_PWM_PERIOD_MASK) | 477;
+    if (word.offset == STEPLOCK_SINUSOIDAL_PWM) word.value = (word.value & ~STEPLOCK_SINUSOIDAL_PWM_PERIOD_MASK) | 479;
   }
   EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NO_PERIOD);
   EXPECT_EQ(bus.write(bus.context, STEPLOCK_CONTROL, 3), 0) << "a host that does it all the same";

@@ -1,6 +1,8 @@
 // See drive.hpp for the chain; here it is walked once per event.
 #include "model/reference/sinusoidal/drive.hpp"
 
+#include <utility>
+
 namespace steplock::reference::sinusoidal {
 
 Drive::Drive(const design::sinusoidal::Parameters& p)
@@ -135,15 +137,16 @@ void Drive::control(const Phases& current, double v_dc) {
 }
 
 void Drive::hold_pattern(double t) {
-  // 120, 60 and 0 degrees: what a load leaves of one of them, the next one reaches.
+  // 240, 300 and 0 degrees, in reverse 120, 60 and 0: what a load leaves of one of them, the next one reaches.
   const double third = p_.start.pattern_s / 3, since = t - entered_;
-  const bool v_alone = since < third, u_alone = since >= 2 * third;
+  const bool other_alone = since < third, u_alone = since >= 2 * third;
   const double share = v_dc_ > 0 ? 1.5 * p_.motor.resistance * p_.start.pattern_current / v_dc_ : 0;
   const double whole = p_.start.pattern_current, half = whole / 2;
-  const Phases duty = {v_alone ? 0 : share, u_alone ? 0 : share, 0};
-  const Phases current = v_alone   ? Phases{-half, whole, -half}
-                         : u_alone ? Phases{whole, -half, -half}
-                                   : Phases{half, half, -whole};
+  Phases duty = {other_alone ? 0 : share, 0, u_alone ? 0 : share};
+  Phases current = other_alone ? Phases{-half, -half, whole}
+                   : u_alone   ? Phases{whole, -half, -half}
+                               : Phases{half, -whole, half};
+  if (way_ < 0) std::swap(duty[1], duty[2]), std::swap(current[1], current[2]);
   pwm_.set(applied_.compensated(duty, current, v_dc_));
 }
 

@@ -68,8 +68,26 @@ TEST(StartBounds, FromRestTheCurrentIsTheLimitAndWhatRisesUntilItIsSeen) {
   s.control.limit_blanking_s = 0;
   const double without = start_bounds(s).current_a;
   s.control.limit_blanking_s = 5e-6;
-  EXPECT_NEAR(start_bounds(s).current_a - without, rise * 5e-6, 1e-9);
+  EXPECT_NEAR(start_bounds(s).current_a - without, rise * 5e-6 * changing_over(s, design_drive(s).hand_over_rpm), 1e-9);
   EXPECT_GT(without, s.sensors.limit_a);
+}
+
+// Three windings without resistance, each with its back-EMF at its top: the outgoing one freewheels on the rail of the winding
+// that goes on, the incoming one rises to the limit.
+TEST(StartBounds, CurrentsThatChangeOverAddUpInTheThirdWinding) {
+  const Settings s = settings_of("m2310p_servo");
+  const double v = s.inverter.bus_v, no_load = v / motor_constants(s).k_e * 30 / kPi;
+  for (const double share : {0.0, 0.1, 0.3, 0.49, 0.6, 1.0}) {
+    const double e = share * v / 2, dt = 1e-5;  // L / V and the limit: 1
+    double in = 0, out = 1, most = 1;
+    while (in < 1 && out > 0) {
+      const double neutral = (v - e) / 3;
+      in += (v - e - neutral) / v * dt;
+      out += (-e - neutral) / v * dt;
+      most = std::max(most, in + out);
+    }
+    EXPECT_NEAR(most, changing_over(s, share * no_load), 1e-4) << share;
+  }
 }
 
 TEST(StartBounds, ByRampARotorThatLeadsDrivesCurrentPastTheShunt) {

@@ -93,6 +93,19 @@ TEST(ReferenceSpeedControl, HoldsTheDutyAtTheCurrentLimitAndLowersItWhereThatCur
   EXPECT_DOUBLE_EQ(control.duty(), 0.3);
 }
 
+TEST(ReferenceSpeedControl, LowersTheDutyWhereFreewheelingIsLongAndTheIntegralIsToRise) {
+  for (const double rise : {0.9, 1.1}) {  // of 2^-13 a tick
+    auto slow = gains(20);
+    slow.kp = 0;
+    slow.slew = 1e9;
+    SpeedControl control(slow, kTick);
+    control.follow(0.3, 0.3, 300);
+    const double error = rise / 8192 / (slow.ki * kTick);
+    control.tick(300 + error, 300, false, false, true);
+    EXPECT_NEAR(control.duty(), 0.3 + (rise < 1 ? 0 : -slow.duty_slew * kTick), 1e-12);
+  }
+}
+
 TEST(ReferenceSpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
   SpeedControl control(gains(20), kTick);
   control.follow(0.3, 0.3, 300);
