@@ -115,7 +115,7 @@ class SpeedControl {
   using Stages = OneHot<Stage, 17>;
   using Limit = UInt<17>;
   using Work = Int<21>;  // s5.15: kp e alone may be 16 times the full duty
-  static constexpr int kAsks = 1 << 18;  // s.31, of one tick: more than the swing of a steady speed
+  static constexpr int kAsks = 1 << 18;  // s.31, of one tick: 2^-13 of the duty
 
   // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
   Int<27> multiplicand(Frequency frequency) const {

@@ -171,8 +171,8 @@ std::string sinusoidal_head(const SweepSetup& setup) {
        "turns, a fifth of the runs for 200 and a second at least, at the set speed; *rough* is that, but with more current, kick, "
        "speed or time than the drive's "
        "[bounds](drive_file.md#bounds); *silent* is an angle lost for half a second while the drive claims a lock "
-       "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first, by three places: a kick of "
-       "up to 300 degrees, and swings.\n\n";
+       "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first, by three places in the wanted direction: a kick of "
+       "half a turn at most to the first, and swings.\n\n";
   return t;
 }
 

@@ -18,7 +18,8 @@ constexpr design::StartParameters kTimes{.settle = 0.02,
                                          .retries = 2};
 
 struct Case {
-  explicit Case(design::Source source = design::Source::kBemf) : sequence(kTimes, source, 1e-3) {}
+  explicit Case(design::Source source = design::Source::kBemf, const design::StartParameters& times = kTimes)
+      : sequence(times, source, 1e-3) {}
 
   State tick(int times = 1, StartSequence::In in = {}) {
     in.command = command;
@@ -58,6 +59,21 @@ TEST(ReferenceStartSequence, GoesThroughThePapersModesInTime) {
   EXPECT_EQ(c.tick(), State::kAccelerate);
   EXPECT_EQ(c.tick(500), State::kAccelerate);  // until the ramp says so
   EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
+}
+
+// What has no rotor by then fails for good; what has one gets as many ticks again, and is tried again after those.
+TEST(ReferenceStartSequence, ARotorThatIsFollowedHasTwiceTheTicks) {
+  auto times = kTimes;
+  times.method = design::Method::kFollow;
+  for (const bool hopeful : {false, true}) {
+    Case c(design::Source::kBemf, times);
+    c.command.run = true;
+    ASSERT_EQ(c.tick(1 + 10), State::kAccelerate);
+    const int ticks = hopeful ? 2 * 4095 : 4095;
+    EXPECT_EQ(c.tick(ticks - 1, {.hopeful = hopeful}), State::kAccelerate);
+    EXPECT_EQ(c.tick(1, {.hopeful = hopeful}), State::kRest);
+    EXPECT_EQ(c.tick(50), hopeful ? State::kObserve : State::kFault);
+  }
 }
 
 TEST(ReferenceStartSequence, LocksOnlyAfterGoodCrossingsInARow) {
