@@ -20,7 +20,7 @@
 //                  while busy is passed over
 //     registers    about 310 bits     multipliers  none (one serial)
 //
-// Doc: docs/blocks/loop_filter.md   Test: tests/hls/loop_filter_test.cpp
+// Law: hls/six_step/loop_filter_law.hpp   Doc: docs/blocks/loop_filter.md   Test: tests/hls/loop_filter_test.cpp
 
 #pragma once
 

@@ -24,7 +24,7 @@
 //     latency      none: the verdict stands in the clock of its cause; on strobes in clocks in a row up to two later
 //     registers    35 bits     multipliers  none
 //
-// Doc: docs/blocks/protection.md   Test: tests/hls/protection_test.cpp
+// Law: hls/six_step/protection_law.hpp   Doc: docs/blocks/protection.md   Test: tests/hls/protection_test.cpp
 
 #pragma once
 

@@ -24,7 +24,7 @@
 //                  passed over
 //     registers    about 320 bits     multipliers  none (one serial)
 //
-// Doc: docs/blocks/speed_control.md   Test: tests/hls/speed_control_test.cpp
+// Law: hls/six_step/speed_control_law.hpp   Doc: docs/blocks/speed_control.md   Test: tests/hls/speed_control_test.cpp
 
 #pragma once
 

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# law_flaws.sh ROOT OUT: tools/laws --check must find a law that was changed in the header alone, or on the page alone.
+set -euo pipefail
+root=$1 out=$2
+for flaw in 's/x += ki p/x += kp p/ hls/six_step/loop_filter_law.hpp' 's/lags ? 4 : 1/lags ? 3 : 1/ docs/blocks/protection.md' \
+            '/^<!-- end of law -->$/d docs/blocks/speed_control.md'; do
+  rm -rf "$out"
+  mkdir -p "$out/hls" "$out/docs" "$out/tools"
+  cp -r "$root/hls/six_step" "$out/hls/"
+  cp -r "$root/docs/blocks" "$out/docs/"
+  cp "$root/tools/laws" "$out/tools/"
+  "$out/tools/laws" --check || { echo "law_flaws: refused without a flaw"; exit 1; }
+  file=${flaw##* }
+  cp "$out/$file" "$out/before"
+  sed -i "${flaw% *}" "$out/$file"
+  ! cmp -s "$out/$file" "$out/before" || { echo "law_flaws: '$flaw' changes nothing"; exit 1; }
+  ! "$out/tools/laws" --check 2>"$out/said" || { echo "law_flaws: '$flaw' was not found"; exit 1; }
+  block=$(basename "$file" .md)
+  grep -q "docs/blocks/${block%_law.hpp}.md" "$out/said" || { cat "$out/said"; echo "law_flaws: the page is not named"; exit 1; }
+done

@@ -1,0 +1,146 @@
+// The loop filter's machine against its law, bit for bit: every loop, random words and corners, state kept.
+#include "hls/six_step/loop_filter_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace steplock {
+namespace {
+
+using In = LoopFilter::In;
+
+constexpr Loop kLoops[] = {Loop::kRamp, Loop::kTrack, Loop::kCatch, Loop::kHall, Loop::kFollow};
+
+class Words {
+ public:
+  explicit Words(std::uint32_t seed) : random_(seed) {}
+
+  // A corner, or a number of random length: small ones are as likely as large ones.
+  template <int W>
+  UInt<W> word() {
+    const std::uint64_t most = (std::uint64_t{1} << W) - 1;
+    switch (random_() % 16) {
+      case 0: return UInt<W>::of(0);
+      case 1: return UInt<W>::of(1);
+      case 2: return UInt<W>::of(most);
+      case 3: return UInt<W>::of(most / 2 + 1);
+      case 4: return UInt<W>::of(most / 2);
+      default: return UInt<W>::of(((std::uint64_t{random_()} << 32 | random_()) & most) >> random_() % W);
+    }
+  }
+  PhaseError error() {
+    constexpr int kCorners[] = {0, 1, -1, 0x3fff, 0x4000, 0x4001, -0x3fff, -0x4000, -0x4001, 0xffff, -0x10000};
+    if (random_() % 4 == 0) return PhaseError(kCorners[random_() % std::size(kCorners)]);
+    return wrap<PhaseError>(Int<18>(static_cast<int>(random_() % 0x20000) - 0x10000) >> static_cast<int>(random_() % 16));
+  }
+  In in(Loop loop) {
+    In in{.loop = loop, .error = error()};
+    in.ramp = word<20>();
+    in.gentle = word<2>();
+    in.bandwidth = random_() % 2 == 0 ? Bandwidth::kPerStep : Bandwidth::kPerSecond;
+    in.delay = word<10>();
+    in.ki = word<16>(), in.kp = word<16>();
+    in.pole = wrap<UInt<16>>(UInt<17>(random_() % 0x8001));
+    in.scale = word<26>();
+    in.minimum = word<26>(), in.maximum = word<26>();
+    in.hand_over = word<26>(), in.stall = word<26>();
+    return in;
+  }
+  bool one_in(unsigned n) { return random_() % n == 0; }
+  Loop loop() { return kLoops[random_() % std::size(kLoops)]; }
+
+ private:
+  std::mt19937 random_;
+};
+
+struct Seen {
+  Frequency frequency;
+  bool fast, slow;
+  bool operator==(const Seen&) const = default;
+};
+
+// One update of the machine, worked on to its end.
+Seen update(LoopFilter& dut, In in) {
+  dut.tick(in);  // a new `loop` counts from the next clock on
+  in.update = in.tick = true;
+  dut.tick(in);
+  in.update = in.tick = false;
+  LoopFilter::Out out;
+  for (int clocks = 0; (out = dut.tick(in)).busy; ++clocks) EXPECT_LT(clocks, 200);
+  const LoopFilter::Out later = dut.tick(in);
+  EXPECT_EQ(out.fast, later.fast) << "in the result's first clock";
+  return {later.frequency, later.fast, later.slow};
+}
+
+Seen seen(const LoopFilterLaw& law) { return {law.frequency(), law.fast, law.slow}; }
+
+// Updates in which machine and law differ, of so many; now and then the loop changes, and the words, and it stops.
+int differences(Words words, int updates, const std::function<void(In&)>& spoil = [](In&) {}) {
+  LoopFilter dut;
+  LoopFilterLaw law;
+  Loop loop = Loop::kRamp;
+  In in = words.in(loop);
+  int differ = 0;
+  for (int k = 0; k < updates; ++k) {
+    if (words.one_in(40)) {
+      dut.tick({.loop = Loop::kStop});
+      dut.tick({.loop = Loop::kStop});
+      law.stop();
+    }
+    if (words.one_in(8)) in = words.in(loop = words.loop());
+    in.error = words.error();
+    In other = in;
+    spoil(other);
+    law.update(other);
+    differ += update(dut, in) != seen(law);
+  }
+  return differ;
+}
+
+TEST(LoopFilterLaw, IsWhatTheMachineDoes) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) ASSERT_EQ(differences(Words(seed), 3000), 0) << seed;
+}
+
+// The comparison sees a last bit of each word, and Hall sensors' smoothing at its very edge.
+TEST(LoopFilterLaw, ADifferenceOfOneBitIsFound) {
+  const auto found = [](const std::function<void(In&)>& spoil) { return differences(Words(7), 20000, spoil) > 0; };
+  EXPECT_TRUE(found([](In& in) { in.error = wrap<PhaseError>(in.error ^ PhaseError(1)); }));
+  EXPECT_TRUE(found([](In& in) { in.ki = in.ki ^ UInt<16>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.kp = in.kp ^ UInt<16>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.pole = in.pole ^ UInt<16>(2); }));
+  EXPECT_TRUE(found([](In& in) { in.delay = in.delay ^ UInt<10>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.stall = in.stall ^ Frequency(1); }));
+  EXPECT_TRUE(found([](In& in) { in.hand_over = in.hand_over ^ Frequency(1); }));
+  EXPECT_TRUE(found([](In& in) { in.minimum = in.minimum ^ Frequency(1); }));
+  EXPECT_TRUE(found([](In& in) { in.maximum = in.maximum ^ Frequency(1); }));
+  EXPECT_TRUE(found([](In& in) { if (in.error == -0x4000) in.error = -0x4001; }));
+  EXPECT_TRUE(found([](In& in) { if (in.error == 0x4000) in.error = 0x3fff; }));
+}
+
+// Law by law, what a reader computes by hand: with f = 2^-8 turns per clock and e = 1/16 turn, e f is 2^-12.
+TEST(LoopFilterLaw, IsItsEquations) {
+  constexpr int kF = 1 << 24;  // u0.32
+  LoopFilterLaw at;
+  at.x = Int<34>(kF) << 4;
+  at.y = UInt<30>(kF) << 4;
+  at.fresh = false;
+  const auto moved = [&](In in) {
+    LoopFilterLaw law = at;
+    in.error = 0x1000;
+    in.maximum = Frequency::max();
+    law.update(in);
+    return static_cast<int>(law.frequency().raw()) - kF;
+  };
+  EXPECT_EQ(moved({.loop = Loop::kCatch}), 1 << 20) << "Newton";
+  EXPECT_EQ(moved({.loop = Loop::kHall}), 1 << 18) << "a quarter of it";
+  EXPECT_EQ(moved({.loop = Loop::kTrack, .ki = 0x2000, .pole = 0x8000}), 1 << 19) << "ki = 1/2";
+  EXPECT_EQ(moved({.loop = Loop::kTrack, .kp = 0x4000, .pole = 0x4000}), 1 << 19) << "kp = 1, half of it by the pole";
+  EXPECT_EQ(moved({.loop = Loop::kTrack, .delay = 16, .ki = 0x4000, .pole = 0x8000}), 1 << 21) << "16 f are 1/16 turn more";
+  EXPECT_EQ(moved({.loop = Loop::kTrack, .bandwidth = Bandwidth::kPerSecond, .ki = 0x4000, .pole = 0x8000, .scale = kF / 4}), 1 << 18);
+  EXPECT_EQ(moved({.loop = Loop::kRamp, .ramp = 1000}), 1000) << "1/16 of a turn stands for the ramp";
+}
+
+}  // namespace
+}  // namespace steplock

@@ -1,0 +1,160 @@
+// The speed control's machine against its law, bit for bit: every mode, random words and corners, state kept.
+#include "hls/six_step/speed_control_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace steplock {
+namespace {
+
+using In = SpeedControl::In;
+
+class Words {
+ public:
+  explicit Words(std::uint32_t seed) : random_(seed) {}
+
+  // A corner, or a number of random length: small ones are as likely as large ones.
+  template <int W>
+  UInt<W> word() {
+    const std::uint64_t most = (std::uint64_t{1} << W) - 1;
+    switch (random_() % 16) {
+      case 0: return UInt<W>::of(0);
+      case 1: return UInt<W>::of(1);
+      case 2: return UInt<W>::of(most);
+      case 3: return UInt<W>::of(most / 2 + 1);
+      default: return UInt<W>::of(random_() & most) >> static_cast<int>(random_() % W);
+    }
+  }
+  Duty duty() { return one_in(4) ? Duty(one_in(2) ? 0x8000 : 0) : Duty::of(random_() % 0x8001); }
+  bool one_in(unsigned n) { return random_() % n == 0; }
+
+  // Words that a motor may have, so that the duty is not at a bound all the time; or any.
+  SpeedWords words() {
+    SpeedWords w;
+    const bool any = one_in(4);
+    w.target = any ? word<26>() : Frequency::of(random_() % (1 << 20));
+    w.slew = any ? word<20>() : UInt<20>::of(random_() % (1 << 16));
+    w.shift = any ? word<4>() : UInt<4>(5);
+    w.kp = any ? word<16>() : UInt<16>::of(random_() % (1 << 14));
+    w.ki = any ? word<16>() : UInt<16>::of(random_() % (1 << 12));
+    w.bemf = any ? word<16>() : UInt<16>::of(random_() % (1 << 12));
+    w.loaded = any ? word<16>() : UInt<16>::of(w.bemf.raw() + random_() % (1 << 10));
+    w.minimum = any ? duty() : Duty(600);
+    w.maximum = any ? duty() : Duty(0x8000);
+    w.duty_slew = word<12>();
+    return w;
+  }
+  void change(In& in) {
+    if (one_in(30)) in.words = words(), in.target = in.words.target;
+    if (one_in(20)) in.mode = one_in(2) ? SpeedMode::kControl : one_in(2) ? SpeedMode::kFixed : SpeedMode::kAboveBemf;
+    if (one_in(20)) in.fixed_duty = duty(), in.period = word<14>(), in.slip = duty();
+    // Lower targets, and a rotor that comes near to them.
+    if (one_in(15)) in.target = one_in(3) ? in.words.target : Frequency::of(random_() % (in.target.raw() + 1));
+    const std::int64_t near = in.target.raw() + static_cast<int>(random_() % 2001) - 1000;
+    in.frequency = one_in(3) ? in.frequency : one_in(2) ? word<26>() : Frequency::of(std::uint64_t(near < 0 ? 0 : near & 0x3ffffff));
+    in.hurries = one_in(6);
+    in.freewheels = one_in(3);
+    in.limited = one_in(3);
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+struct Seen {
+  Duty duty;
+  Clocks on_clocks;
+  bool slips;
+  bool operator==(const Seen&) const = default;
+};
+
+// One tick of the machine, worked on to its end; a cut of the current limit comes before it.
+Seen update(SpeedControl& dut, In in) {
+  const bool limited = in.limited;
+  in.limited = false;
+  for (int i = 0; i < 3; ++i) dut.tick(in);  // what the last one left
+  in.limited = limited;
+  dut.tick(in);
+  in.limited = false;
+  dut.tick(in);
+  in.tick = true;
+  dut.tick(in);
+  in.tick = false;
+  SpeedControl::Out out = dut.tick(in);
+  int changes = 0;
+  for (int i = 0; i < 150; ++i) {
+    const Clocks before = out.on_clocks;
+    out = dut.tick(in);
+    changes += out.on_clocks != before;
+  }
+  EXPECT_LE(changes, 1) << "nothing on its way shows";
+  return {out.duty, out.on_clocks, out.slips};
+}
+
+Seen seen(const SpeedControlLaw& law) { return {law.duty, law.on_clocks, law.slips}; }
+
+// Ticks in which machine and law differ, and how often each state was reached.
+struct Found {
+  int differ = 0, controlled = 0, resumed = 0, asked = 0, slipped = 0, at_high = 0, at_low = 0;
+};
+Found compare(Words words, int ticks, const std::function<void(In&)>& spoil = [](In&) {}) {
+  SpeedControl dut;
+  SpeedControlLaw law;
+  In in;
+  in.words = words.words();
+  Found found;
+  for (int k = 0; k < ticks; ++k) {
+    words.change(in);
+    In other = in;
+    spoil(other);
+    found.resumed += law.resumes && in.mode == SpeedMode::kControl;
+    law.tick(other);
+    found.differ += update(dut, in) != seen(law);
+    found.controlled += in.mode == SpeedMode::kControl;
+    found.asked += law.asks && in.freewheels;
+    found.slipped += law.slips, found.at_high += law.at_high, found.at_low += law.at_low;
+  }
+  return found;
+}
+
+TEST(SpeedControlLaw, IsWhatTheMachineDoes) {
+  Found all;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const Found f = compare(Words(seed), 3000);
+    ASSERT_EQ(f.differ, 0) << seed;
+    all.controlled += f.controlled, all.resumed += f.resumed, all.asked += f.asked, all.slipped += f.slipped;
+    all.at_high += f.at_high, all.at_low += f.at_low;
+  }
+  // Nothing of it was left out.
+  EXPECT_GT(all.controlled, 10000);
+  EXPECT_GT(all.resumed, 100);
+  EXPECT_GT(all.asked, 1000);
+  EXPECT_GT(all.slipped, 1000);
+  EXPECT_GT(all.at_high, 1000);
+  EXPECT_GT(all.at_low, 1000);
+}
+
+// The comparison sees a last bit of each word.
+TEST(SpeedControlLaw, ADifferenceOfOneBitIsFound) {
+  const auto found = [](const std::function<void(In&)>& spoil) { return compare(Words(7), 40000, spoil).differ > 0; };
+  EXPECT_TRUE(found([](In& in) { in.target = in.target ^ Frequency(1); }));
+  EXPECT_TRUE(found([](In& in) { in.frequency = in.frequency ^ Frequency(1); }));
+  EXPECT_TRUE(found([](In& in) { in.fixed_duty = in.fixed_duty ^ Duty(1); }));
+  EXPECT_TRUE(found([](In& in) { in.slip = in.slip ^ Duty(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.slew = in.words.slew ^ UInt<20>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.kp = in.words.kp ^ UInt<16>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.ki = in.words.ki ^ UInt<16>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.bemf = in.words.bemf ^ UInt<16>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.loaded = in.words.loaded ^ UInt<16>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.minimum = in.words.minimum ^ Duty(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.maximum = in.words.maximum ^ Duty(1); }));
+  EXPECT_TRUE(found([](In& in) { in.words.duty_slew = in.words.duty_slew ^ UInt<12>(1); }));
+  EXPECT_TRUE(found([](In& in) { in.hurries = false; }));
+  EXPECT_TRUE(found([](In& in) { in.freewheels = false; }));
+  EXPECT_TRUE(found([](In& in) { in.limited = false; }));
+}
+
+}  // namespace
+}  // namespace steplock
