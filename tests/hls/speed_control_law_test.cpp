@@ -136,6 +136,24 @@ TEST(SpeedControlLaw, IsWhatTheMachineDoes) {
   EXPECT_GT(all.at_low, 1000);
 }
 
+// 2^-13 of the duty in a tick, and a last bit less.
+TEST(SpeedControlLaw, AsksFromItsBoundOn) {
+  for (const int less : {0, 1}) {
+    SpeedControl dut;
+    SpeedControlLaw law;
+    In in{.fixed_duty = 10000, .frequency = 1 << 18};
+    in.words = {.slew = UInt<20>::max(), .shift = 5, .ki = 1 << 8, .maximum = 0x8000, .duty_slew = 50};
+    law.tick(in);
+    ASSERT_EQ(update(dut, in), seen(law));
+    in.mode = SpeedMode::kControl;
+    in.target = (1 << 18) + (1 << 15) + 1 - less;  // ki e is 2^18 of 2^31
+    in.freewheels = true;
+    law.tick(in);
+    EXPECT_EQ(law.asks, less == 0);
+    EXPECT_EQ(update(dut, in), seen(law));
+  }
+}
+
 // The comparison sees a last bit of each word.
 TEST(SpeedControlLaw, ADifferenceOfOneBitIsFound) {
   const auto found = [](const std::function<void(In&)>& spoil) { return compare(Words(7), 40000, spoil).differ > 0; };
