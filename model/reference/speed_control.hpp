@@ -43,8 +43,9 @@ class SpeedControl {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, held_ ? 0 : move);
     const double error = reference_ - f;
-    const double low = std::max(p_.minimum, duty_ - slew),
-                 high = std::min(p_.maximum, duty_ + (hurries || ((limited || asks_ || p_.ki * tick_ * error >= kAsks) && freewheels) ? -slew : limited ? 0 : slew));
+    const bool yields = hurries || ((limited || asks_ || p_.ki * tick_ * error >= kAsks) && freewheels);
+    const double rise = yields ? -slew : limited ? 0 : slew;
+    const double low = std::max(p_.minimum, duty_ - slew), high = std::max(low, std::min(p_.maximum, duty_ + rise));
     const double wanted = integral_ + p_.kp * error;
     const bool far = reference_ > target;
     resumes_ = descends_ && !far && error >= 0;

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <random>
+
+#include "tests/hls/random_words.hpp"
 
 namespace steplock {
 namespace {
@@ -13,46 +14,30 @@ using In = LoopFilter::In;
 
 constexpr Loop kLoops[] = {Loop::kRamp, Loop::kTrack, Loop::kCatch, Loop::kHall, Loop::kFollow};
 
-class Words {
+class Words : public RandomWords {
  public:
-  explicit Words(std::uint32_t seed) : random_(seed) {}
+  using RandomWords::RandomWords;
 
-  // A corner, or a number of random length: small ones are as likely as large ones.
-  template <int W>
-  UInt<W> word() {
-    const std::uint64_t most = (std::uint64_t{1} << W) - 1;
-    switch (random_() % 16) {
-      case 0: return UInt<W>::of(0);
-      case 1: return UInt<W>::of(1);
-      case 2: return UInt<W>::of(most);
-      case 3: return UInt<W>::of(most / 2 + 1);
-      case 4: return UInt<W>::of(most / 2);
-      default: return UInt<W>::of(((std::uint64_t{random_()} << 32 | random_()) & most) >> random_() % W);
-    }
-  }
   PhaseError error() {
     constexpr int kCorners[] = {0, 1, -1, 0x3fff, 0x4000, 0x4001, -0x3fff, -0x4000, -0x4001, 0xffff, -0x10000};
-    if (random_() % 4 == 0) return PhaseError(kCorners[random_() % std::size(kCorners)]);
-    return wrap<PhaseError>(Int<18>(static_cast<int>(random_() % 0x20000) - 0x10000) >> static_cast<int>(random_() % 16));
+    if (one_in(4)) return PhaseError(kCorners[below(std::size(kCorners))]);
+    return wrap<PhaseError>(Int<18>(static_cast<int>(below(0x20000)) - 0x10000) >> static_cast<int>(below(16)));
   }
   In in(Loop loop) {
     In in{.loop = loop, .error = error()};
     in.ramp = word<20>();
     in.gentle = word<2>();
-    in.bandwidth = random_() % 2 == 0 ? Bandwidth::kPerStep : Bandwidth::kPerSecond;
+    in.bandwidth = one_in(2) ? Bandwidth::kPerStep : Bandwidth::kPerSecond;
     in.delay = word<10>();
     in.ki = word<16>(), in.kp = word<16>();
-    in.pole = wrap<UInt<16>>(UInt<17>(random_() % 0x8001));
+    in.pole = wrap<UInt<16>>(UInt<17>(below(0x8001)));
     in.scale = word<26>();
     in.minimum = word<26>(), in.maximum = word<26>();
     in.hand_over = word<26>(), in.stall = word<26>();
     return in;
   }
-  bool one_in(unsigned n) { return random_() % n == 0; }
-  Loop loop() { return kLoops[random_() % std::size(kLoops)]; }
+  Loop loop() { return kLoops[below(std::size(kLoops))]; }
 
- private:
-  std::mt19937 random_;
 };
 
 struct Seen {

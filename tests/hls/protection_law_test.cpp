@@ -5,7 +5,8 @@
 
 #include <functional>
 #include <map>
-#include <random>
+
+#include "tests/hls/random_words.hpp"
 
 namespace steplock {
 namespace {
@@ -18,9 +19,9 @@ bool equal(const Out& a, const Out& b) {
          (a.reason == b.reason || !(a.lost || a.fatal));
 }
 
-class Story {
+class Story : public RandomWords {
  public:
-  explicit Story(std::uint32_t seed) : random_(seed) { words(); }
+  explicit Story(std::uint32_t seed) : RandomWords(seed) { words(); }
 
   // Levels hold for three clocks before a clock with strobes, and stay in it.
   void levels() {
@@ -29,13 +30,13 @@ class Story {
     running_ = in.running;
     if (one_in(400) || (!running_ && one_in(20))) words();
     if (one_in(30)) in.hall = one_in(4);
-    if (one_in(40)) kind_ = random_() % 5;
+    if (one_in(40)) kind_ = below(5);
     in.slow = kind_ == 1 && !one_in(20);
     in.slips = kind_ == 2 && !one_in(4);
-    in.freewheel = one_in(3) ? in.words.freewheel : wrap<Phase>(in.words.freewheel + UInt<16>::of(random_() % 3));
+    in.freewheel = one_in(3) ? in.words.freewheel : wrap<Phase>(in.words.freewheel + UInt<16>::of(below(3)));
     if (kind_ != 3) in.freewheel = 0;
     in.hall_illegal = one_in(3);
-    in.stuck = one_in(50) ? UInt<4>::of(random_() % 16) : UInt<4>(0);
+    in.stuck = one_in(50) ? UInt<4>::of(below(16)) : UInt<4>(0);
     in.fault_pin = one_in(300);
     quiet();
   }
@@ -48,18 +49,16 @@ class Story {
     in.commutate = one_in(2);
     in.tick = one_in(3);
   }
-  bool one_in(unsigned n) { return random_() % n == 0; }
   In in;
 
  private:
   void words() {
     auto& w = in.words;
-    w.misses = one_in(8) ? UInt<6>(0) : UInt<6>::of(1 + random_() % 20);
-    w.wrong_lock = one_in(8) ? Ticks(0) : Ticks::of(1 + random_() % 40);
-    w.over_current = one_in(4) ? decltype(w.over_current)(0) : decltype(w.over_current)::of(8 + random_() % 8);
-    w.freewheel = Phase::of(random_() % 0xfff0);
+    w.misses = one_in(8) ? UInt<6>(0) : UInt<6>::of(1 + below(20));
+    w.wrong_lock = one_in(8) ? Ticks(0) : Ticks::of(1 + below(40));
+    w.over_current = one_in(4) ? decltype(w.over_current)(0) : decltype(w.over_current)::of(8 + below(8));
+    w.freewheel = Phase::of(below(0xfff0));
   }
-  std::mt19937 random_;
   unsigned kind_ = 0;
   bool running_ = false;  // before this change of levels
 };

@@ -4,43 +4,31 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <random>
+
+#include "tests/hls/random_words.hpp"
 
 namespace steplock {
 namespace {
 
 using In = SpeedControl::In;
 
-class Words {
+class Words : public RandomWords {
  public:
-  explicit Words(std::uint32_t seed) : random_(seed) {}
+  using RandomWords::RandomWords;
 
-  // A corner, or a number of random length: small ones are as likely as large ones.
-  template <int W>
-  UInt<W> word() {
-    const std::uint64_t most = (std::uint64_t{1} << W) - 1;
-    switch (random_() % 16) {
-      case 0: return UInt<W>::of(0);
-      case 1: return UInt<W>::of(1);
-      case 2: return UInt<W>::of(most);
-      case 3: return UInt<W>::of(most / 2 + 1);
-      default: return UInt<W>::of(random_() & most) >> static_cast<int>(random_() % W);
-    }
-  }
-  Duty duty() { return one_in(4) ? Duty(one_in(2) ? 0x8000 : 0) : Duty::of(random_() % 0x8001); }
-  bool one_in(unsigned n) { return random_() % n == 0; }
+  Duty duty() { return one_in(4) ? Duty(one_in(2) ? 0x8000 : 0) : Duty::of(below(0x8001)); }
 
   // Words that a motor may have, so that the duty is not at a bound all the time; or any.
   SpeedWords words() {
     SpeedWords w;
     const bool any = one_in(4);
-    w.target = any ? word<26>() : Frequency::of(random_() % (1 << 20));
-    w.slew = any ? word<20>() : UInt<20>::of(random_() % (1 << 16));
+    w.target = any ? word<26>() : Frequency::of(below(1 << 20));
+    w.slew = any ? word<20>() : UInt<20>::of(below(1 << 16));
     w.shift = any ? word<4>() : UInt<4>(5);
-    w.kp = any ? word<16>() : UInt<16>::of(random_() % (1 << 14));
-    w.ki = any ? word<16>() : UInt<16>::of(random_() % (1 << 12));
-    w.bemf = any ? word<16>() : UInt<16>::of(random_() % (1 << 12));
-    w.loaded = any ? word<16>() : UInt<16>::of(w.bemf.raw() + random_() % (1 << 10));
+    w.kp = any ? word<16>() : UInt<16>::of(below(1 << 14));
+    w.ki = any ? word<16>() : UInt<16>::of(below(1 << 12));
+    w.bemf = any ? word<16>() : UInt<16>::of(below(1 << 12));
+    w.loaded = any ? word<16>() : UInt<16>::of(w.bemf.raw() + below(1 << 10));
     w.minimum = any ? duty() : Duty(600);
     w.maximum = any ? duty() : Duty(0x8000);
     w.duty_slew = word<12>();
@@ -51,16 +39,14 @@ class Words {
     if (one_in(20)) in.mode = one_in(2) ? SpeedMode::kControl : one_in(2) ? SpeedMode::kFixed : SpeedMode::kAboveBemf;
     if (one_in(20)) in.fixed_duty = duty(), in.period = word<14>(), in.slip = duty();
     // Lower targets, and a rotor that comes near to them.
-    if (one_in(15)) in.target = one_in(3) ? in.words.target : Frequency::of(random_() % (in.target.raw() + 1));
-    const std::int64_t near = in.target.raw() + static_cast<int>(random_() % 2001) - 1000;
+    if (one_in(15)) in.target = one_in(3) ? in.words.target : Frequency::of(below(in.target.raw() + 1));
+    const std::int64_t near = in.target.raw() + static_cast<int>(below(2001)) - 1000;
     in.frequency = one_in(3) ? in.frequency : one_in(2) ? word<26>() : Frequency::of(std::uint64_t(near < 0 ? 0 : near & 0x3ffffff));
     in.hurries = one_in(6);
     in.freewheels = one_in(3);
     in.limited = one_in(3);
   }
 
- private:
-  std::mt19937 random_;
 };
 
 struct Seen {

@@ -108,7 +108,7 @@ TEST(ReferenceSpeedControl, LowersTheDutyWhereFreewheelingIsLongAndTheIntegralIs
 
 TEST(ReferenceSpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
   SpeedControl control(gains(20), kTick);
-  control.follow(0.3, 0.3, 300);
+  control.follow(0.8, 0.8, 300);
   double duty = control.duty();
   for (int k = 0; k < 10; ++k) {
     control.tick(800, 300, false, true);
@@ -121,6 +121,9 @@ TEST(ReferenceSpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossing
 
 TEST(ReferenceSpeedControl, StaysWithinItsDuties) {
   SpeedControl control(gains(20), kTick);
+  control.follow(0.1, 0.1, 100);
+  for (int k = 0; k < 500; ++k) control.tick(800, 100, false, true);
+  EXPECT_DOUBLE_EQ(control.duty(), 0.02) << "nor does it yield beyond";
   control.follow(0.1, 0.1, 100);
   for (int k = 0; k < 500; ++k) control.tick(0, 100, false);
   EXPECT_DOUBLE_EQ(control.duty(), 0.02);
