@@ -164,7 +164,7 @@ class PilotPulses {
     phase_ = Phase::kLong;
     a_ = 0;
     round_ = 0;
-    // theta / 7.5 degrees; at 33.75, 90 and 146.25 the next direction takes over.
+    // theta / 11.25 degrees; at 33.75, 90 and 146.25 the next direction takes over.
     const auto place = angle_.template slice<kSteps - 1, kSteps - 4>();
     winding_ = place < 3 || place >= 13 ? 0 : place < 8 ? 2 : 1;
     reversed_ = (place >= 3 && place < 8) || place >= 13;

@@ -24,11 +24,16 @@ class Bemf {
   void update(double t, const Pins& pins, Bridge bridge, double phase, bool reverse, bool active) {
     crossing_ = false;
     const bool commutated = bridge.step != bridge_.step;
+    if (commutated) {
+      ended_seen_ = before_seen_;
+      if (on_ && !before_seen_) freewheel_ = 1;
+    }
     if (commutated || !active) {
       counter_ = p_.samples;
       before_seen_ = done_ = false;
-      freewheel_ = 0;
     }
+    if (!active) freewheel_ = 0;
+    on_ = active;
     if (commutated || bridge.chop != bridge_.chop || !active) valid_from_ = t + p_.blanking;
     bridge_ = bridge;
     active_ = active && !done_ &&
@@ -42,8 +47,10 @@ class Bemf {
 
   bool crossing() const { return crossing_; }       // found in this update
   double crossing_phase() const { return place_; }  // turns of the step
-  bool before_seen() const { return before_seen_; }
-  double freewheel() const { return freewheel_; }  // turns of the step, once before_seen
+  // The level from before the crossing showed in the bridge's present step, or, if `step` is another one, in the one before.
+  // (Beside a drive whose bridge this is, its commutations and the reference's are not at one instant.)
+  bool before_seen(int step) const { return bridge_.step == step ? before_seen_ : ended_seen_; }
+  double freewheel() const { return freewheel_; }  // turns of a step, where it last ended; 1: in the step that ended it did not
 
  private:
   void take(double t, const Pins& pins, double phase, bool reverse) {
@@ -72,7 +79,8 @@ class Bemf {
   double last_before_ = 0, first_after_ = 0, place_ = 0, freewheel_ = 0;
   int counter_ = 0;
   Bridge bridge_ = {.step = -1};  // so that the first step begins like any other
-  bool active_ = false, before_seen_ = false, done_ = false, crossing_ = false;
+  bool on_ = false;  // the drive is being commutated
+  bool active_ = false, before_seen_ = false, ended_seen_ = false, done_ = false, crossing_ = false;
 };
 
 }  // namespace steplock::reference

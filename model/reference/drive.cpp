@@ -52,8 +52,6 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   pwm_.update(t);
   limit_.update(t, pwm_.on(), pins.limit);
   limited_ |= limit_.hit();
-  const bool before_seen = bemf_.before_seen();
-  const double freewheel = bemf_.freewheel();
   vco_.update(t, sequence_.reverse());
   bemf_.update(t, pins, bridge.value_or(Bridge{vco_.step(), limit_.on()}), vco_.phase(t),
                sequence_.reverse(), mode() == Mode::kDrive && p_.source == design::Source::kBemf);
@@ -64,7 +62,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   const bool u_rises = kFloating[looked_at] == 0 && crossing_rises(looked_at, sequence_.reverse());
   detector_.update({.crossing = bemf_.crossing(),
                     .crossing_phase = bemf_.crossing_phase(),
-                    .before_seen = before_seen,
+                    .before_seen = bemf_.before_seen(looked_at),
                     .step_ended = vco_.commutated() && commutating() && !following(),
                     .counts = u_rises || p_.loop.detector == design::Detector::kEveryStep,
                     .window = p_.start.window});
@@ -96,7 +94,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                       .fault_pin = pins.fault,
                       .frequency = filter_.frequency(),
                       .slip = speed_.duty() - speed_.loaded_duty(filter_.frequency()),
-                      .freewheel = vco_.commutated() ? freewheel : bemf_.freewheel(),
+                      .freewheel = bemf_.freewheel(),
                       .stuck = limit_.stuck()});
   sequence_.update({.tick = pwm_.tick(),
                     .command = command,
@@ -120,8 +118,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
     if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
   // Freewheeling of 3/8 of a step, and more current would hide the crossing, if it is not hidden yet.
-  const double freewheels = !vco_.commutated() ? bemf_.freewheel() : before_seen ? freewheel : 1;
-  if (freewheels > 0 || vco_.commutated()) long_freewheel_ = !hall && freewheels >= 3.0 / 8;
+  long_freewheel_ = !hall && bemf_.freewheel() >= 3.0 / 8;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 

@@ -56,7 +56,7 @@ Found detect(const design::BemfParameters& p, const Scene& scene) {
     if (bemf.crossing()) ++found.crossings, found.place = bemf.crossing_phase();
     t = std::max(std::min({bemf.next(), edge, vco.next()}), t + 1e-10);
   }
-  found.before_seen = bemf.before_seen();
+  found.before_seen = bemf.before_seen(scene.step);
   found.freewheel = bemf.freewheel();
   return found;
 }
@@ -120,12 +120,40 @@ TEST(ReferenceBemf, FollowsTheBridgeThatAnotherDriveHolds) {
     pins.comparator[1] = bridge_there && (phase < 0.2 || phase > 0.5);  // freewheels up to 0.2
     pins.comparator[2] = true;  // w floats in step 0: "after" all the time
     bemf.update(t, pins, {bridge_there ? 1 : 0, true}, phase, false, true);
-    seen_too_early |= phase < 0.2 && bemf.before_seen() && bridge_there;
+    seen_too_early |= phase < 0.2 && bemf.before_seen(1) && bridge_there;
     crossing |= bemf.crossing();
   }
   EXPECT_FALSE(seen_too_early);
   EXPECT_TRUE(crossing);
   EXPECT_NEAR(bemf.crossing_phase(), 0.5, 1e-3);
+}
+
+// A step's freewheeling and level stand until the next one shows its own, and what never ended counts as a whole step.
+TEST(ReferenceBemf, TellsOfTheStepThatEndedUntilTheNextOneShows) {
+  Bemf bemf({.blanking = 2e-6, .sample_every = 1e-6, .samples = 4});
+  double t = 0;
+  // To the end of the step; the floating phase is at `after` up to the turn `freewheel` of it.
+  const auto step = [&](int step, int phase, double freewheel, double from, double to) {
+    for (double turn = from; turn < to; turn += 1e-6 / kStep, t += 1e-6) {
+      Pins pins;
+      pins.comparator[phase] = (turn < freewheel) == crossing_rises(step, false);
+      bemf.update(t, pins, {step, true}, turn, false, true);
+    }
+  };
+  step(1, 1, 0.2, 0, 1);
+  EXPECT_NEAR(bemf.freewheel(), 0.2, 5e-6 / kStep);
+  EXPECT_TRUE(bemf.before_seen(1));
+  step(2, 0, 1, 0, 0.4);  // the own oscillator has not commutated yet: it ends step 1
+  EXPECT_NEAR(bemf.freewheel(), 0.2, 5e-6 / kStep);
+  EXPECT_TRUE(bemf.before_seen(1));
+  EXPECT_FALSE(bemf.before_seen(2));
+  step(2, 0, 1, 0.4, 1);
+  step(3, 2, 0.3, 0, 0.2);
+  EXPECT_FALSE(bemf.before_seen(2));
+  EXPECT_EQ(bemf.freewheel(), 1);
+  step(3, 2, 0.3, 0.2, 0.5);
+  EXPECT_NEAR(bemf.freewheel(), 0.3, 5e-6 / kStep);
+  EXPECT_TRUE(bemf.before_seen(3));
 }
 
 // A crossing inside a blind gap is put into the gap's middle: wrong by half the gap at most, and
