@@ -31,7 +31,7 @@ module rotor_follower #(
     output logic        restart_o,  // strobe: a drive begins
     output logic        caught_o,  // strobe: hand over, the crossing is now
     output logic        sure_o,  // the rotor is followed
-    output logic        slows_o,  // it turns the other way, as far as is known, and is being braked
+    output logic        moves_o,  // it passed an edge, the way that is believed
     output logic        blocked_o  // strobe: three steps in a row moved nothing
 );
   logic [8:0] at_bits;
@@ -75,7 +75,7 @@ module rotor_follower #(
   logic out_restart;  // strobe: a drive begins
   logic out_caught;  // strobe: hand over, the crossing is now
   logic out_sure;  // the rotor is followed
-  logic out_slows;  // it turns the other way, as far as is known, and is being braked
+  logic out_moves;  // it passed an edge, the way that is believed
   logic out_blocked;  // strobe: three steps in a row moved nothing
 
   wire both_123 = on_i && FOLLOWS;  // line 123
@@ -110,11 +110,7 @@ module rotor_follower #(
       logic now_back;
       logic judge_both;
       logic judge_either;
-      logic judge_choice_2;
-      logic judge_both_2;
-      logic choice;
       logic judge_both_3;
-      logic choice_2;
       logic judge_both_4;
       logic [1:0] now_edges;
       logic [1:0] now_edges_2;
@@ -156,13 +152,7 @@ module rotor_follower #(
       now_back = (sight_contrary || sight_across || (sight_far && belief_far)) && !belief_back;
       judge_both = sight_contrary && belief_moved;  // follow_law.hpp:146
       judge_either = on || judge_both;  // line 92
-      judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
-      judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 92
-      choice = at_bits[4] ? judge_both_2 : belief_back;
       judge_both_3 = sight_legal && !sight_here;  // line 92
-      choice_2 =
-          at_bits[4] ? !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
-          belief_moved;
       judge_both_4 = belief_real && judge_both_3;  // line 92
       now_edges = (!belief_back && belief_edges != 2'd3) ? belief_edges + 2'd1 : belief_edges;
       now_edges_2 =
@@ -233,6 +223,7 @@ module rotor_follower #(
           belief_far <= 1'b0;
           belief_stood <= belief_stood + 2'd1;
           goes <= 1'b1;
+          out_moves <= 1'b0;
         end else begin
           logic now_real;
           now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:136
@@ -241,6 +232,7 @@ module rotor_follower #(
             if (sight_legal) begin
               if (sight_here) begin
                 goes <= 1'b0;
+                out_moves <= belief_moved;
               end else begin
                 if (on) begin
                   goes <= 1'b1;
@@ -250,14 +242,17 @@ module rotor_follower #(
                 end
                 belief_moved <= judge_either;
                 belief_far <= sight_far;
+                out_moves <= judge_either;
               end
             end else begin
               goes <= 1'b0;
+              out_moves <= belief_moved;
             end
           end else begin
             belief_back <= 1'b0;
             belief_moved <= 1'b0;
             goes <= goes_2;
+            out_moves <= 1'b0;
           end
           if (judge_choice) begin
             belief_stood <= 2'd0;
@@ -268,12 +263,16 @@ module rotor_follower #(
         changes <= sight_on && sight_legal && belief_real && !belief_back && belief_edges != 2'd0;
         out_blocked <= stands_2 && belief_stood == 2'd2;
       end else begin
+        out_moves <= belief_moved;
         out_blocked <= 1'b0;
       end
       belief_edges <= choice_4;
       belief_rest <= choice_5;
       belief_idle <= choice_6;
       if (at_bits[3]) begin
+        logic judge_choice_2;
+        logic judge_both_2;
+        logic choice;
         logic clear;
         logic three_or_four;
         logic [2:0] next_step_either;
@@ -292,6 +291,9 @@ module rotor_follower #(
         logic [2:0] behind_3;
         logic [2:0] ahead;
         logic see_equal;
+        judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
+        judge_both_2 = !stands_2 && belief_real && judge_choice_2;  // line 92
+        choice = at_bits[4] ? judge_both_2 : belief_back;
         clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 99
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
@@ -337,6 +339,11 @@ module rotor_follower #(
           choice_3 = at_bits[4] ? !stands_2 && (judge_both_4 ? sight_far : belief_far) : belief_far;
           sight_skipped <= see_equal && choice_3;
         end else begin
+          logic choice_2;
+          choice_2 =
+              at_bits[4] ?
+              !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
+              belief_moved;
           sight_skipped <= other == ~behind_3 && choice_2;
         end
         sight_far <= see_equal;
@@ -400,7 +407,6 @@ module rotor_follower #(
           endcase
         end
       end
-      out_slows <= choice && choice_2;
     end else begin
       at_bits <= 9'd1;
       prescale <= 8'd0;
@@ -438,7 +444,7 @@ module rotor_follower #(
       out_drive <= 1'b0;
       out_step <= 3'd0;
       out_caught <= 1'b0;
-      out_slows <= 1'b0;
+      out_moves <= 1'b0;
       out_blocked <= 1'b0;
     end
     timed <= both_123 && belief_edges[1] && (update_i || timed);
@@ -488,7 +494,7 @@ module rotor_follower #(
       out_restart <= 1'b0;
       out_caught <= 1'b0;
       out_sure <= 1'b0;
-      out_slows <= 1'b0;
+      out_moves <= 1'b0;
       out_blocked <= 1'b0;
     end
   end
@@ -500,6 +506,6 @@ module rotor_follower #(
   assign restart_o = out_restart;
   assign caught_o = out_caught;
   assign sure_o = out_sure;
-  assign slows_o = out_slows;
+  assign moves_o = out_moves;
   assign blocked_o = out_blocked;
 endmodule

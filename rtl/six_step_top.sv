@@ -207,7 +207,7 @@ module six_step_top #(
   wire rotor_restart;
   wire rotor_caught;
   wire rotor_sure;
-  wire rotor_slows;
+  wire rotor_moves;
   wire rotor_blocked;
   rotor_follower #(.FOLLOWS(WITH_FOLLOWER)) rotor (
       .clk(clk),
@@ -237,7 +237,7 @@ module six_step_top #(
       .restart_o(rotor_restart),
       .caught_o(rotor_caught),
       .sure_o(rotor_sure),
-      .slows_o(rotor_slows),
+      .moves_o(rotor_moves),
       .blocked_o(rotor_blocked)
   );
 
@@ -302,7 +302,7 @@ module six_step_top #(
       .follower_drives_i(rotor_drive && (rotor_sure || chop)),
       .caught_i(rotor_caught),
       .sure_i(rotor_sure),
-      .slows_i(rotor_slows),
+      .moves_i(rotor_moves),
       .blocked_i(rotor_blocked),
       .still_i(still),
       .at_i(divided_step),
@@ -657,7 +657,7 @@ module six_step_top #(
     reverse <= start_reverse;
     crossing <= bemf_crossing;
     hurries <= detector_hurries;
-    freewheels <= !hall_2 && bemf_freewheel[15:13] > 3'd2;
+    freewheels <= !(hall_2 || !start_running) && bemf_freewheel[15:11] > 5'd14;
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;

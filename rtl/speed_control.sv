@@ -11,7 +11,7 @@ module speed_control (
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
     input  logic        hurries_i,  // freewheeling just hid the crossing of a rotor that leads
-    input  logic        freewheels_i,  // freewheeling took 3/8 of the last step, or more
+    input  logic        freewheels_i,  // freewheeling took 15/32 of the last step, or more
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
     input  logic [25:0] words_target_i,  // u0.32
@@ -60,6 +60,7 @@ module speed_control (
   logic resumes;  // it has
   logic presets;  // this update begins control once more
   logic yields;  // the duty falls for want of crossings: a flip-flop before the adder
+  logic fast;  // before they are hidden, and faster than its slew
   logic sums;  // this clock takes a sum
   logic low;  // it takes something where the work is below the bound
   logic high;  // it does where it is not
@@ -69,9 +70,9 @@ module speed_control (
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
-  wire [26:0] multiplicand_choice =  // line 124
+  wire [26:0] multiplicand_choice =  // line 123
       of_error ? reference[26:0] : {11'd0, at_bits[16] ? duty : 16'd0};
-  wire [26:0] multiplicand_choice_2 =  // line 127
+  wire [26:0] multiplicand_choice_2 =  // line 126
       of_error ? ~{1'b0, frequency_i} : {1'b0, at_bits[16] ? 26'd0 : frequency_i};
   wire [16:0] at_bits_next_joined = {at_bits[15:0], at_bits[16]};  // line 95
 
@@ -97,25 +98,28 @@ module speed_control (
 
   wire both_71 = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 71
   wire integrated = both_71 && multiplier_done;
-  wire choice = integrated ? control && descends && !far && !multiplier_product[31] : resumes;
-  wire resumes_next = (control || !at_bits[15]) && choice;  // line 216
-  wire presets_next_both = resumes_next && mode_i == SpeedMode_kControl;  // line 216
-  wire presets_next = at_bits[0] ? presets_next_both : presets;  // line 216
+  wire choice = integrated ? !(!(control && descends) || far) && !multiplier_product[31] : resumes;
+  wire resumes_next = (control || !at_bits[15]) && choice;  // line 215
+  wire presets_next_both = resumes_next && mode_i == SpeedMode_kControl;  // line 215
+  wire presets_next = at_bits[0] ? presets_next_both : presets;  // line 215
   wire [16:0] at_bits_next_choice =
       control ? at_bits_next_joined :
       at_bits[3] ? 17'd4096 :
       (presets_next || !at_bits[12]) ? at_bits_next_joined :
       17'd32768;
-  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 169
+  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 168
   wire at_high_2 = at_high || (high_was && !below);
-  wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 187
+  wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 186
   wire falls_2 = !at_bits[11] || yields;
+  wire [13:0] slew = {2'd0, words_duty_slew_i} << fast;
   wire held_next = integrated ? limited : held;
-  wire [12:0] moved_choice =  // line 236
-      falls_2 ? ~{1'b0, words_duty_slew_i} : {1'b0, held_next ? 12'd0 : words_duty_slew_i};
-  wire [17:0] moved_2 = {2'd0, duty_next} + {{5{moved_choice[12]}}, moved_choice};
+  wire [13:0] moved_choice =  // line 236
+      falls_2 ? ~slew :
+      held_next ? 14'd0 :
+      slew;
+  wire [17:0] moved_2 = {2'd0, duty_next} + {{4{moved_choice[13]}}, moved_choice};
   wire [16:0] bound_choice = (!at_bits[12] && !at_bits[13]) ? {1'b0, duty_next} : moved;
-  wire [16:0] bound_choice_2 =  // line 195
+  wire [16:0] bound_choice_2 =  // line 194
       control ? bound_choice :
       presets_next ?
       (at_bits[12] ? {1'b0, words_maximum_i} :
@@ -123,25 +127,14 @@ module speed_control (
       {1'b0, duty_next}) :
       at_bits[3] ? {1'b0, words_maximum_i} :
       bound_choice;
-  wire [3:0] bound_both = at_bits[11:8] & 4'h9;  // line 223
+  wire [3:0] bound_both = at_bits[11:8] & 4'h9;  // line 222
   wire [16:0] bound_choice_3 = (bound_both == 4'd0) ? bound_choice_2 : {1'b0, words_maximum_i};
   wire [16:0] bound = ((at_bits[10:7] & 4'h9) == 4'd0) ? bound_choice_3 : {1'b0, words_minimum_i};
-  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 141
-  wire asks_next_either =
-      limited || at_high || (!multiplier_product[31] && multiplier_product[30:18] != 13'd0);
-  wire far_next_both = at_bits[3] && starts;  // line 213
-  wire far_next_both_2 = falls && !passes;  // line 213
-  wire choose_either = at_bits[6] || !multiplier_ends;  // line 203
-  wire choose_choice = choose_either ? at_bits[6] : at_bits[10];  // line 203
-  wire inverse = !(choose_either || !at_bits[3]);
-  wire sums_next = inverse || choose_choice;
-  wire low_next_either =
-      at_bits[13] || (multiplier_done && at_bits[10]) ||
-      (presets_next && multiplier_done && at_bits[3]);
-  wire high_next_choice =
-      (at_bits[12] || control) ? at_bits[12] : !(presets_next || !multiplier_done) && at_bits[3];
-  wire high_next_choice_2 =
-      (control || presets_next) ? high_next_choice : multiplier_done && at_bits[3];
+  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 140
+  wire asks_next_either = held_next || at_high || (!addend[33] && addend[32:18] != 15'd0);
+  wire far_next_both = at_bits[3] && starts;  // line 212
+  wire far_next_both_2 = falls && !passes;  // line 212
+  wire fast_next = (at_bits[6] ? asks_next_either : asks) && freewheels_i;  // line 238
 
   always_ff @(posedge clk) begin
     if (at_bits[0]) begin
@@ -170,7 +163,7 @@ module speed_control (
         logic [19:0] total_choice;
         base = whole ? integral[33:16] : {2'd0, control ? slip_i : fixed_duty_i};
         base_2 = {{3{base[17]}}, base};
-        total_choice = alone ? 20'd0 : multiplier_product[31:12];  // line 162
+        total_choice = alone ? 20'd0 : multiplier_product[31:12];  // line 161
         work <= base_2 + {total_choice[19], total_choice};
       end else begin
         work <= {4'd0, ~not_limit};
@@ -199,7 +192,7 @@ module speed_control (
     end else begin
       moved <= moved_2[16:0];
     end
-    not_limit <= ~bound;  // line 195
+    not_limit <= ~bound;  // line 194
     if (at_bits[1]) begin
       logic [20:0] moved_3;
       moved_3 = {1'b0, rises ? words_slew_i : 20'd0} | (falls ? ~{1'b0, words_slew_i} : 21'd0);
@@ -211,11 +204,16 @@ module speed_control (
     end else begin
       reference <= {2'd0, frequency_i};
     end
-    not_target <= ~{1'b0, target_i};  // line 157
-    passes <= at_bits[2] && control && (slew_sum[28] ? rises : falls);  // line 152
-    duty <= duty_next;  // line 187
-    if (multiplier_done && at_bits[16]) begin
-      on_clocks <= multiplier_product[28:15];
+    not_target <= ~{1'b0, target_i};  // line 156
+    passes <= at_bits[2] && control && (slew_sum[28] ? rises : falls);  // line 151
+    duty <= duty_next;  // line 186
+    if (multiplier_done) begin
+      if (at_bits[16]) begin
+        on_clocks <= multiplier_product[28:15];
+      end
+      if (both_71) begin
+        held <= limited;
+      end
     end
     if (at_bits[15]) begin
       slips <= control && (at_bits[4] ? !work_sum[21] : slips);
@@ -228,22 +226,43 @@ module speed_control (
     end else begin
       limited <= !integrated && control;
     end
-    if (at_bits[5] && multiplier_done) begin
-      held <= limited;
+    if (at_bits[6]) begin
       asks <= asks_next_either;
+      sums <= 1'b1;
+      low <= 1'b1;
+      high <= 1'b1;
+    end else begin
+      logic low_next_either;
+      logic high_next_choice;
+      logic high_next_choice_2;
+      logic inverse;
+      logic both_202;
+      logic either;
+      low_next_either =
+          at_bits[13] || (multiplier_done && at_bits[10]) ||
+          (presets_next && multiplier_done && at_bits[3]);
+      high_next_choice =
+          (at_bits[12] || control) ? at_bits[12] :
+          !(presets_next || !multiplier_done) && at_bits[3];
+      high_next_choice_2 =
+          (control || presets_next) ? high_next_choice : multiplier_done && at_bits[3];
+      inverse = !(!multiplier_ends || !at_bits[3]);
+      both_202 = multiplier_ends && at_bits[10];  // line 202
+      either = inverse || both_202;
+      sums <= either;
+      low <= inverse || both_202 || at_bits[7] || low_next_either;
+      high <= either || bound_both != 4'd0 || high_next_choice_2;
     end
     if (far_next_both) begin
       far <= far_next_both_2;
     end
-    resumes <= resumes_next;  // line 216
-    yields <= hurries_i || ((integrated ? asks_next_either : asks) && freewheels_i);  // line 238
-    sums <= sums_next;
-    low <= inverse || choose_choice || at_bits[7] || low_next_either;
-    high <= sums_next || bound_both != 4'd0 || high_next_choice_2;
-    low_was <= low && !sums;  // line 201
-    high_was <= high && !sums;  // line 202
-    below <= !work_sum[21];  // line 169
-    at_high <= !at_bits[7] && at_high_2;  // line 193
+    resumes <= resumes_next;  // line 215
+    yields <= hurries_i || fast_next;  // line 239
+    fast <= fast_next;  // line 238
+    low_was <= low && !sums;  // line 200
+    high_was <= high && !sums;  // line 201
+    below <= !work_sum[21];  // line 168
+    at_high <= !at_bits[7] && at_high_2;  // line 192
     at_low <= !at_bits[7] && (at_low || (low_was && below));  // line 84
     if (rst) begin
       at_bits <= 17'd1;
@@ -275,6 +294,7 @@ module speed_control (
       resumes <= 1'b0;
       presets <= 1'b0;
       yields <= 1'b0;
+      fast <= 1'b0;
       sums <= 1'b0;
       low <= 1'b0;
       high <= 1'b0;

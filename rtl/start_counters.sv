@@ -12,7 +12,7 @@ module start_counters (
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
     input  logic        turns_reverse_i,  // while observing: the code last moved downwards
-    input  logic        hopeful_i,  // a follower has the rotor, or brakes one that turns the other way
+    input  logic        hopeful_i,  // a follower has seen the rotor move
     input  logic        words_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
     input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
@@ -43,7 +43,7 @@ module start_counters (
 );
   logic [14:0] ticks;  // left in this state
   logic late;  // there was a tick in the state's first clock
-  logic last;  // no ticks are left, or none without a rotor
+  logic last;  // no ticks are left, or none without a rotor that moves
   logic [3:0] retries;  // failed tries
   logic tried;  // no more are left
   logic [7:0] brakes;  // braking intervals of this stop
@@ -55,8 +55,9 @@ module start_counters (
 
   wire out_over = tick_i && last && !entered_i;
   wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 136
-  wire last_next_either =  // line 61
-      ticks == 15'd0 || (ticks == 15'd4095 && words_method_i && state_bits_i[5] && !hopeful_i);
+  wire last_next_both =  // line 61
+      retries == 4'd0 && ticks == 15'd4095 && words_method_i && state_bits_i[5] && !hopeful_i;
+  wire last_next_either = ticks == 15'd0 || last_next_both;  // line 61
   wire in_vain = words_method_i && state_bits_i[5] && !entered_i && last_next_either && !hopeful_i;
   wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 127
 
@@ -89,7 +90,7 @@ module start_counters (
       ticks_next_either_4 =  // line 87
           ticks_next_either_3 | {3'd0, state_bits_i[9] ? words_rest_i : 12'd0} |
           {4'd0, state_bits_i[7], 10'd0};
-      times = words_method_i ? 2'd1 : gentle;
+      times = words_method_i ? {1'b0, retries[3:2] == 2'd0 && retries[1:0] == 2'd0} : gentle;
       once_3 = times[0] ? 13'd8190 : 13'd4095;
       ticks_next_choice_3 = state_bits_i[5] ? (times[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
       ticks <= ticks_next_either_4 | ticks_next_choice_3;

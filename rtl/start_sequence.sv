@@ -43,7 +43,7 @@ module start_sequence #(
     input  logic        follower_drives_i,  // the rotor follower: gates may be on
     input  logic        caught_i,  // strobe: and the rotor can be handed over, in the middle of the present step
     input  logic        sure_i,  // it has the rotor
-    input  logic        slows_i,  // or brakes one that turns the other way
+    input  logic        moves_i,  // or saw one pass an edge at least, either way
     input  logic        blocked_i,  // strobe: it cannot move it
     input  logic        still_i,  // the set speed is 0: as if `run` were down, by braking
     input  logic [2:0]  at_i,  // the present step
@@ -124,7 +124,7 @@ module start_sequence #(
       .update_i(update_i),
       .good_i(good_i),
       .turns_reverse_i(turns_reverse_i),
-      .hopeful_i(sure_i || slows_i),
+      .hopeful_i(moves_i),
       .words_method_i(words_method_i),
       .words_settle_i(words_settle_i),
       .words_reset_i(words_reset_i),

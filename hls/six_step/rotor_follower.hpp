@@ -64,7 +64,7 @@ class RotorFollower {
     bool restart = false;  // strobe: a drive begins
     bool caught = false;   // strobe: hand over, the crossing is now
     bool sure = false;     // the rotor is followed
-    bool slows = false;    // it turns the other way, as far as is known, and is being braked
+    bool moves = false;    // it passed an edge, the way that is believed
     bool blocked = false;  // strobe: three steps in a row moved nothing
     bool operator==(const Out&) const = default;
   };
@@ -119,7 +119,7 @@ class RotorFollower {
           to(Stage::kDrive, (at_.holds(Stage::kHold) && over && !ends) || (at_.holds(Stage::kDrive) && !ends));
     out_.drive = drives() && drove;  // a clock late, when the new step has come to the gates
     out_.sure = sure;
-    out_.slows = belief_.back && belief_.moved;
+    out_.moves = belief_.moved;
     if (!in.on || !in.follows) *this = RotorFollower{};
     return out;
   }

@@ -126,7 +126,7 @@ class SixStepTop {
                                     .follower_drives = rotor.drive && (rotor.sure || chop_),
                                     .caught = rotor.caught,
                                     .sure = rotor.sure,
-                                    .slows = rotor.slows,
+                                    .moves = rotor.moves,
                                     .blocked = rotor.blocked,
                                     .still = still_,
                                     .at = divided_.step,
@@ -265,7 +265,8 @@ class SixStepTop {
     reverse_ = start.reverse;
     crossing_ = bemf.crossing;
     hurries_ = detector.hurries;
-    freewheels_ = !hall && bemf.freewheel.slice<15, 13>() >= 3;  // 3/8 of a step: more current would hide the crossing, or did
+    // 15/32 of a step: more current would hide the crossing, or did.  Not while pulling in, which has its own way out.
+    freewheels_ = !hall && start.running && bemf.freewheel.slice<15, 11>() >= 15;
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;

@@ -14,9 +14,9 @@
 // lost in vain meanwhile would take it far below.
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
-// 3/8 of a step or more and the duty is to rise (faster than its slew, or by 2^-13 a tick for the integral alone, or the limit
-// cuts), or it hid the crossing of a rotor that hurries on, the duty falls by its slew until a crossing shows: more current
-// would hide them all and lose the loop.
+// 15/32 of a step or more and the duty is to rise (faster than its slew, or by 2^-13 a tick for the integral alone, or the limit
+// cuts), it falls by twice its slew; where it hid the crossing of a rotor that hurries on, by its slew until one shows: more
+// current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
 //
@@ -47,7 +47,7 @@ class SpeedControl {
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
     bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads
-    bool freewheels = false;             // freewheeling took 3/8 of the last step, or more
+    bool freewheels = false;             // freewheeling took 15/32 of the last step, or more
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
     SpeedWords words;
@@ -74,10 +74,10 @@ class SpeedControl {
     limited_ = in.limited || (limited_ && !integrated && control);
     if (integrated) {
       held_ = limited;
-      const auto change = wrap<Int<32>>(product.product);
-      asks_ = limited || at_high_ || change >= kAsks;
-      resumes_ = control && descends_ && !far_ && !change.negative();
+      resumes_ = control && descends_ && !far_ && !wrap<Int<32>>(product.product).negative();
     }
+    // A clock after the product, from its flip-flops.
+    if (at_.holds(Stage::kAdd)) asks_ = held_ || at_high_ || (!addend_.negative() && addend_.slice<32, 18>() != 0);
 
     descend(in, control);  // before slew() takes `passes_`
     slew(in, control);
@@ -115,7 +115,6 @@ class SpeedControl {
   using Stages = OneHot<Stage, 17>;
   using Limit = UInt<17>;
   using Work = Int<21>;  // s5.15: kp e alone may be 16 times the full duty
-  static constexpr int kAsks = 1 << 18;  // s.31, of one tick: 2^-13 of the duty
 
   // Reference - frequency, but for its last bit: the one's complement saves the duty another adder.
   Int<27> multiplicand(Frequency frequency) const {
@@ -227,15 +226,17 @@ class SpeedControl {
     return at_.holds_one_of(Stage::kHigh, Stage::kUp) ? moved_ : Limit(duty_);
   }
 
-  // The duty's slew, ready one stage before bound() wants it.  Downwards one last bit more: the one's complement.
+  // The duty's slew, ready one stage before bound() wants it; or two of them.  Downwards one last bit more: the
+  // one's complement.
   void move(const In& in) {
     const bool rises = at_.holds(Stage::kLow);
     const bool falls = !rises || yields_;
-    const Int<13> slew = in.words.duty_slew;
-    const Int<13> none = 0;
+    const Int<14> slew = fast_ ? Int<14>(in.words.duty_slew) << 1 : Int<14>(in.words.duty_slew);
+    const Int<14> none = 0;
     const auto moved = duty_ + (falls ? ~slew : held_ ? none : slew);
     moved_ = moved.negative() ? Limit(0) : wrap<Limit>(moved);
-    yields_ = in.hurries || (asks_ && in.freewheels);
+    fast_ = asks_ && in.freewheels;
+    yields_ = in.hurries || fast_;
   }
 
   SerialMultiplier<27, 16> multiplier_;
@@ -268,6 +269,7 @@ class SpeedControl {
   bool resumes_ = false;    // it has
   bool presets_ = false;    // this update begins control once more
   bool yields_ = false;     // the duty falls for want of crossings: a flip-flop before the adder
+  bool fast_ = false;       // before they are hidden, and faster than its slew
   bool sums_ = false;       // this clock takes a sum
   bool low_ = false;        // it takes something where the work is below the bound
   bool high_ = false;       // it does where it is not

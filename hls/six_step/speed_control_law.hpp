@@ -64,7 +64,7 @@ struct SpeedControlLaw {
     upper(sum, in.words.maximum);
 
     const Int<15> rise = held ? 0 : in.words.duty_slew;
-    upper(sum, moved(yields(in) ? fall(in) : rise));
+    upper(sum, moved(yields(in) || in.hurries ? fall(in) : rise));
     lower(sum, moved(fall(in)));
     duty = wrap<Duty>(sum);
   }
@@ -82,9 +82,12 @@ struct SpeedControlLaw {
     slips = descends = resumes = false;
   }
 
-  // Freewheeling hides crossings of a rotor that leads, or is about to hide some: the duty falls.
-  bool yields(const In& in) const { return in.hurries || (asks && in.freewheels); }
-  static Int<15> fall(const In& in) { return ~Int<15>(in.words.duty_slew); }
+  // Freewheeling is about to hide crossings: the duty falls, twice as fast as else.
+  bool yields(const In& in) const { return asks && in.freewheels; }
+  Int<15> fall(const In& in) const {
+    const Int<15> slew = in.words.duty_slew;
+    return ~(yields(in) ? wrap<Int<15>>(slew << 1) : slew);
+  }
 
   // Towards the target by at most the slew, upwards not while the current limit cuts.  True: on the
   // way down.

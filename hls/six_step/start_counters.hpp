@@ -1,11 +1,11 @@
 // Start counters: what the start sequence counts, and what follows from it.
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
-//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, and as many
-//               more where it has one by then, or brakes one
+//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, at the
+//               first try as many more where it has seen one move by then
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
 //     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left, and neither has a rotor nor brakes one: the next would be the same
+//               So is one that follows, has no ticks left, and has seen no rotor move: the next would be the same
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
@@ -34,7 +34,7 @@ class StartCounters {
     bool update = false;         // strobe: the phase detector has a new error
     bool good = false;           // with `update`: it is a small one
     bool turns_reverse = false;  // while observing: the code last moved downwards
-    bool hopeful = false;        // a follower has the rotor, or brakes one that turns the other way
+    bool hopeful = false;        // a follower has seen the rotor move
     StartWords words;
   };
 
@@ -86,7 +86,7 @@ class StartCounters {
            when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
            when(State::kRest, in.words.rest) |
            when(State::kRun, 1024) |  // after that long earlier failures are forgotten
-           when(State::kAccelerate, doubled(Ticks::max(), follows(in) ? UInt<2>(1) : failed));  // a ramp of 0 must end, too
+           when(State::kAccelerate, doubled(Ticks::max(), follows(in) ? UInt<2>(failed == 0) : failed));  // a ramp of 0 must end, too
   }
 
   static bool following(const In& in) { return follows(in) && in.state.holds(State::kAccelerate); }
@@ -95,7 +95,7 @@ class StartCounters {
     // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
     const bool ticks = (in.tick || late_) && !in.entered;
     late_ = in.tick && in.entered;
-    last_ = !in.entered && (ticks_ == 0 || (ticks_ == Ticks::max() && following(in) && !in.hopeful));
+    last_ = !in.entered && (ticks_ == 0 || (retries_ == 0 && ticks_ == Ticks::max() && following(in) && !in.hopeful));
     if (in.entered) {
       ticks_ = length(in, gentle());
     } else if (ticks && ticks_ != 0) {
@@ -139,7 +139,7 @@ class StartCounters {
 
   Length ticks_ = 0;            // left in this state
   bool late_ = false;           // there was a tick in the state's first clock
-  bool last_ = false;           // no ticks are left, or none without a rotor
+  bool last_ = false;           // no ticks are left, or none without a rotor that moves
   UInt<4> retries_ = 0;         // failed tries
   bool tried_ = false;          // no more are left
   UInt<8> brakes_ = 0;          // braking intervals of this stop

@@ -59,7 +59,7 @@ class StartSequence {
     bool follower_drives = false;     // the rotor follower: gates may be on
     bool caught = false;              // strobe: and the rotor can be handed over, in the middle of the present step
     bool sure = false;                // it has the rotor
-    bool slows = false;               // or brakes one that turns the other way
+    bool moves = false;               // or saw one pass an edge at least, either way
     bool blocked = false;             // strobe: it cannot move it
     bool still = false;               // the set speed is 0: as if `run` were down, by braking
     Step at = 0;                      // the present step
@@ -99,7 +99,7 @@ class StartSequence {
                                           .update = in.update,
                                           .good = in.good,
                                           .turns_reverse = in.turns_reverse,
-                                          .hopeful = in.sure || in.slows,
+                                          .hopeful = in.moves,
                                           .words = in.words});
     // A rotor that turns the wanted way, but slower than it may run, is not caught: it is started.
     if (at_.holds(State::kObserve) && in.slow && turns_on(in, counts)) counts.enough = false;

@@ -136,7 +136,7 @@ struct SpeedSection {
 struct ProtectionSection {
   int misses = 18;
   std::optional<double> stall_rpm, slip_duty;
-  double freewheel_deg = 29;
+  double freewheel_deg = 29;  // of the 30 that hide a crossing; the duty yields from 28.1 on, and a right lock may take 28 while it does
   double wrong_lock_s = 0.1;
   int over_current = 8;
 };

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "model/design/rules.hpp"
+#include "model/design/words.hpp"
 
 namespace steplock::design {
 namespace {
@@ -57,11 +58,13 @@ void set_speed(const Settings& s, Design& d) {
   const double f_a = d.parameters.start.hand_over;
   const double loop_bandwidth =
       loop.form == LoopForm::kPerStep ? d.bandwidth * f_a : d.components.omega_g();
-  const double bandwidth =
-      v.bandwidth_rad_s.value_or(std::min(loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick()));
+  // Of a heavy rotor, what the word of kp holds.
+  const double per_kp = m.tau_m * m.k_e / bus / steps;
+  const double bandwidth = v.bandwidth_rad_s.value_or(std::min(
+      {loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick(), most_speed_kp(loop, s.control.clock_hz) / per_kp}));
   const double per_rpm = 1 / steps_per_second(s, 1.0);
   p.target = steps_per_second(s, s.scenario.speed_rpm);
-  p.kp = bandwidth * m.tau_m * m.k_e / bus / steps;
+  p.kp = bandwidth * per_kp;
   // The motor is a pole at 1 / tau_m.  A fast one is cancelled; else the loop's poles coincide.
   const double pole = 1 / m.tau_m, sum = pole + bandwidth;
   p.ki = p.kp * (pole > bandwidth ? pole : sum * sum / (4 * bandwidth));

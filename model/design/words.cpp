@@ -60,18 +60,30 @@ StartWords start_words(Quantiser& word, const StartParameters& p, double tick, d
   return w;
 }
 
+Word speed_shift(Word fastest) {
+  Word shift = 0;
+  while ((fastest >> shift) > 32767) ++shift;
+  return shift;
+}
+
+double hertz_of(const LoopParameters& p, double clock_hz) {  // steps/s per LSB of a frequency
+  return std::ldexp(clock_hz, -32 - p.divide);
+}
+
+// 1/(step/s) per LSB of kp, with the steps/s per LSB of frequency >> shift.
+double kp_lsb(double normalised) { return kDuty / normalised / 4096; }
+
 SpeedWords speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, double tick,
                        double hertz) {
-  SpeedWords w;
-  while ((fastest >> w.shift) > 32767) ++w.shift;
+  SpeedWords w{.shift = speed_shift(fastest)};
   const double normalised =
       std::ldexp(hertz, int(w.shift));  // steps/s per LSB of frequency >> shift
   w.target = word("speed.target", "steps/s", p.target, hertz, 26);
   w.slew = word("speed.slew", "steps/s^2", p.slew, hertz / tick, 20);
-  w.kp = word("speed.kp", "1/(step/s)", p.kp, kDuty / normalised / 4096, 16);
+  w.kp = word("speed.kp", "1/(step/s)", p.kp, kp_lsb(normalised), 16);
   w.ki = word("speed.ki", "1/step", p.ki, kDuty / normalised / 65536 / tick, 16);
-  w.bemf = word("speed.bemf", "1/(step/s)", p.bemf, kDuty / normalised / 4096, 16);
-  w.loaded = word("speed.loaded", "1/(step/s)", p.loaded, kDuty / normalised / 4096, 16);
+  w.bemf = word("speed.bemf", "1/(step/s)", p.bemf, kp_lsb(normalised), 16);
+  w.loaded = word("speed.loaded", "1/(step/s)", p.loaded, kp_lsb(normalised), 16);
   w.minimum = word("speed.minimum", "", p.minimum, kDuty, 16, kDutyMost);
   w.maximum = word("speed.maximum", "", p.maximum, kDuty, 16, kDutyMost);
   w.duty_slew = word("speed.duty_slew", "1/s", p.duty_slew, kDuty / tick, 12);
@@ -79,6 +91,12 @@ SpeedWords speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, 
 }
 
 }  // namespace
+
+double most_speed_kp(const LoopParameters& p, double clock_hz) {
+  const double hertz = hertz_of(p, clock_hz);
+  const double fastest = std::clamp(std::round(p.maximum / hertz), 0.0, std::ldexp(1.0, 26) - 1);
+  return 65535 * kp_lsb(std::ldexp(hertz, int(speed_shift(Word(fastest)))));
+}
 
 Quantised quantise(const Parameters& p, double clock_hz) {
   Quantised q;
@@ -102,7 +120,7 @@ Quantised quantise(const Parameters& p, double clock_hz) {
 
   // Times are counted in the ticks that the words make, not in those that were wanted.
   const double tick = w.pwm.period * clock * w.pwm.tick_periods;
-  const double hertz = std::ldexp(clock_hz, -32 - p.loop.divide);  // steps/s per LSB of a frequency
+  const double hertz = hertz_of(p.loop, clock_hz);
   w.loop = loop_words(word, p.loop, tick, clock_hz, hertz);
   const double sample = std::max<Word>(w.bemf.sample_every, 1) * clock;
   w.start = start_words(word, p.start, tick, hertz, sample);

@@ -105,7 +105,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                     .good = detector_.good(),
                     .ramp_done = ramp_done_,
                     .blocked = following() && follower_.blocked(),
-                    .hopeful = following() && (follower_.sure() || follower_.slows()),
+                    .hopeful = following() && follower_.moves(),
                     .still = target_ == 0,
                     .frequency = filter_.frequency(),
                     .caught = caught_});
@@ -117,8 +117,8 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
     const bool lags = detector_.error() < 0;
     if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
-  // Freewheeling of 3/8 of a step, and more current would hide the crossing, if it is not hidden yet.
-  long_freewheel_ = !hall && bemf_.freewheel() >= 3.0 / 8;
+  // Freewheeling of 15/32 of a step, and more current would hide the crossing, if it is not hidden yet.  Not while pulling in.
+  long_freewheel_ = !hall && sequence_.locked() && bemf_.freewheel() >= 15.0 / 32;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 

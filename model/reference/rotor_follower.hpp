@@ -66,7 +66,7 @@ class RotorFollower {
   bool caught() const { return caught_; }    // in this update: hand over, in the middle of the step
   bool blocked() const { return blocked_; }  // three steps in a row moved nothing
   bool sure() const { return edges_ >= 2; }
-  bool slows() const { return belief_ < 0 && moved_; }  // a rotor that turns the other way
+  bool moves() const { return moved_; }      // it passed an edge, the way that is believed
   double next() const {
     if (stage_ == Stage::kLook) return until_;
     return stage_ == Stage::kDrive && !timed_ ? until_ : kNever;

@@ -32,7 +32,7 @@ class SpeedControl {
     follow(duty, std::clamp(duty - p_.kp * (reference - f), p_.minimum, p_.maximum), reference);
   }
   // `limited`: the current limit cut, the duty stays; `freewheels`: the current is about to hide crossings, and the duty
-  // falls if it is to rise; `hurries`: one of a rotor that leads is hidden, it falls as well.
+  // falls, faster than its slew, if it is to rise; `hurries`: one of a rotor that leads is hidden, it falls by its slew.
   void tick(double target, double f, bool limited, bool hurries = false, bool freewheels = false) {
     if (resumes_) {
       resumes_ = false;
@@ -43,9 +43,9 @@ class SpeedControl {
     const double move = p_.slew * tick_, slew = p_.duty_slew * tick_;
     reference_ += std::clamp(target - reference_, -move, held_ ? 0 : move);
     const double error = reference_ - f;
-    const bool yields = hurries || ((limited || asks_ || p_.ki * tick_ * error >= kAsks) && freewheels);
-    const double rise = yields ? -slew : limited ? 0 : slew;
-    const double low = std::max(p_.minimum, duty_ - slew), high = std::max(low, std::min(p_.maximum, duty_ + rise));
+    const bool yields = (limited || asks_ || p_.ki * tick_ * error >= kAsks) && freewheels;
+    const double fall = yields ? kYield * slew : slew, rise = yields || hurries ? -fall : limited ? 0 : slew;
+    const double low = std::max(p_.minimum, duty_ - fall), high = std::max(low, std::min(p_.maximum, duty_ + rise));
     const double wanted = integral_ + p_.kp * error;
     const bool far = reference_ > target;
     resumes_ = descends_ && !far && error >= 0;
@@ -64,6 +64,7 @@ class SpeedControl {
 
  private:
   static constexpr double kAsks = 1.0 / 8192;  // of the duty, a tick
+  static constexpr double kYield = 2;          // times its slew
   design::SpeedParameters p_;
   double tick_, duty_ = 0, integral_ = 0, reference_ = 0;
   bool asks_ = false;  // for more than it got

@@ -29,7 +29,7 @@ class StartSequence {
     bool updated = false, good = false;  // the phase detector took an error; it was a good one
     bool ramp_done = false;  // or the follower has caught the rotor
     bool blocked = false;    // the follower cannot move it
-    bool hopeful = false;    // it has the rotor, or brakes one that turns the other way
+    bool hopeful = false;    // it has seen the rotor move
     bool still = false;      // the set speed is 0
     double frequency = 0;  // steps/s
     int caught = 0;        // observing: the rotor turns, +1 as wanted, -1 the other way

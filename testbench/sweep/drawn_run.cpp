@@ -122,6 +122,7 @@ WitnessSettings witness_settings(const DrawnRun& run) {
                     .pole_pairs = s.motor.pole_pairs,
                     .advance_deg = s.loop.advance_deg,
                     .at_rest = n.start_speed_rpm == 0 && !turns_by_itself(run)};
+  if (run.file.drive.kind == design::DriveKind::kSixStep) w.maximum_duty = static_cast<double>(run.words.speed.maximum.raw()) / 0x8000;
   if (run.seed.disturbed()) return w;
   if (run.seed.watched()) w.held_turns = kWatchedTurns, w.held_s = kWatchedTime;
   w.bounds = design::start_bounds(run.file, s);

@@ -54,7 +54,7 @@ void StartJudge::caused(const plant::State& s, bool claimed_lock, bool pulled_in
 }
 
 void StartJudge::claims(bool lock, double time) {
-  lock_at_ = slipped_at_ = astray_at_ = findings_.speed_time_s = std::nullopt;
+  lock_at_ = slipped_at_ = astray_at_ = full_at_ = findings_.speed_time_s = std::nullopt;
   slips_before_ = findings_.slips;
   if (lock) {
     lock_at_ = time;
@@ -67,11 +67,11 @@ void StartJudge::slipped(std::uint64_t in_total, double time) {
   if (findings_.slips > slips_before_ && !slipped_at_) slipped_at_ = time;
 }
 
-void StartJudge::turn(const plant::State& s, double drive_rpm) {
+void StartJudge::turn(const plant::State& s, double drive_rpm, double duty) {
   next_look_ = s.time + settings_.electrical_turn_s();
   marks_.push_back({s.time, s.electrical_angle});
   if (marks_.size() > kAtSpeedTurns + 1) marks_.pop_front();
-  judge(s.time, drive_rpm);
+  judge(s.time, drive_rpm, duty);
 }
 
 double StartJudge::mean_rpm(std::size_t turns) const {
@@ -88,7 +88,19 @@ bool StartJudge::other_speed(double drive_rpm) const {
   return std::abs(rotor - drive_rpm) > kOtherSpeed * std::max({rotor, drive_rpm, 0.1 * set});
 }
 
-void StartJudge::judge(double time, double drive_rpm) {
+// Below the set speed all the while, as the caller knows.
+bool StartJudge::bus_gives_no_more(double time, double duty) {
+  const double rpm = std::abs(mean_rpm(kAtSpeedTurns));
+  if (duty < settings_.maximum_duty) {
+    full_at_ = std::nullopt;
+  } else if (!full_at_ || rpm > (1 + kCreeps) * full_rpm_) {
+    full_at_ = time;
+    full_rpm_ = rpm;
+  }
+  return full_at_ && time - *full_at_ >= std::max(1.0, settings_.held());
+}
+
+void StartJudge::judge(double time, double drive_rpm, double duty) {
   findings_.end_s = time;
   if (!lock_at_ || decided()) return;
   if (!slipped_at_ && !other_speed(drive_rpm)) {
@@ -97,12 +109,15 @@ void StartJudge::judge(double time, double drive_rpm) {
     astray_at_ = slipped_at_.value_or(time);
   }
   if (astray_at_) {
+    full_at_ = std::nullopt;
     if (time - *astray_at_ >= kNoticeTime) findings_.outcome = Outcome::kSilentStepOut;
     return;
   }
   const double set = settings_.set_rpm;
-  if (marks_.size() <= kAtSpeedTurns ||
-      std::abs(mean_rpm(kAtSpeedTurns) - set) > kAtSpeed * std::abs(set)) {
+  if (marks_.size() <= kAtSpeedTurns) return;
+  if (std::abs(mean_rpm(kAtSpeedTurns) - set) > kAtSpeed * std::abs(set)) {
+    const bool below = mean_rpm(kAtSpeedTurns) * way() < std::abs(set);
+    if (below && bus_gives_no_more(time, duty)) findings_.beyond = "bus";
     return;
   }
   if (!findings_.speed_time_s) findings_.speed_time_s = time - settings_.run_s;

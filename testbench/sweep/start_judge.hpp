@@ -7,7 +7,9 @@
 //     latched          the fault is latched
 //     silent_step_out  a slip, or the rotor stands, or the drive's speed is not the rotor's (by a quarter),
 //                      and kNoticeTime later the drive still claims that lock
-//     unfinished       none of these when the time was over
+//     unfinished       none of these when the time was over.  Beyond "bus": it is in lock, without a slip, below the set speed,
+//                      and has had its highest duty for held_turns, held_s and a second, in which it has become no faster
+//                      (by kCreeps): the bus gives no more
 //
 // A try that failed has a cause, told from the rotor's true motion when it was given up:
 //
@@ -52,6 +54,7 @@ struct WitnessSettings {
   double advance_deg = 0;
   bool at_rest = true;          // at t = 0: only then there is a kick
   double held_turns = 24, held_s = 0;  // for so long a lock is watched
+  double maximum_duty = 1;             // more the drive does not give
   std::optional<design::StartBounds> bounds = std::nullopt;
   double held() const { return std::max(held_s, held_turns * electrical_turn_s()); }
   double electrical_turn_s() const;
@@ -68,7 +71,7 @@ struct Findings {
   double peak_current_a = 0;
   std::optional<double> peak_speed;    // of a rotor that stood: its highest, over the set speed
   std::string causes;                  // of each failed try, with + between them
-  std::string beyond;                  // the bounds that a rough start passed: current, kick, speed, lock; likewise
+  std::string beyond;                  // the bounds that a rough start passed: current, kick, speed, lock; likewise.  Or bus
   int retries = 0;                     // failed tries
   int lost_locks = 0;                  // of them, after a claim of lock
   std::uint64_t slips = 0;             // six-step: steps; sinusoidal: times that the angle was lost
@@ -78,7 +81,7 @@ struct Findings {
 class StartJudge {
  public:
   static constexpr double kAtSpeed = 0.03, kNoticeTime = 0.5,
-                          kOtherSpeed = 0.25, kStandStill = 0.01, kSlow = 0.02;
+                          kOtherSpeed = 0.25, kStandStill = 0.01, kSlow = 0.02, kCreeps = 0.001;
   static constexpr std::size_t kAtSpeedTurns = 6;
 
   explicit StartJudge(const WitnessSettings& settings) : settings_(settings) {}
@@ -91,11 +94,11 @@ class StartJudge {
   void claims(bool lock, double time);                         // from now on
   void slipped(std::uint64_t in_total, double time);
   // Once per electrical turn of set speed, from next_look() on.  `drive_rpm`: what the drive takes for
-  // the speed, positive the wanted way.
-  void turn(const plant::State&, double drive_rpm);
+  // the speed, positive the wanted way; `duty`: the drive's, 0 to 1, or 0 where it has none.
+  void turn(const plant::State&, double drive_rpm, double duty = 0);
   double next_look() const { return next_look_; }
 
-  bool decided() const { return findings_.outcome != Outcome::kUnfinished; }
+  bool decided() const { return findings_.outcome != Outcome::kUnfinished || !findings_.beyond.empty(); }
   const Findings& findings() const { return findings_; }
   Findings& findings() { return findings_; }
 
@@ -103,7 +106,8 @@ class StartJudge {
   struct Mark {
     double time, angle;  // angle electrical, rad
   };
-  void judge(double time, double drive_rpm);
+  void judge(double time, double drive_rpm, double duty);
+  bool bus_gives_no_more(double time, double duty);
   std::string beyond() const;  // which bounds
   double mean_rpm(std::size_t turns) const;  // over the last ones
   bool other_speed(double drive_rpm) const;
@@ -114,6 +118,8 @@ class StartJudge {
   std::optional<double> first_angle_;
   std::optional<double> lock_at_, slipped_at_, astray_at_;  // of the present claim of lock
   std::uint64_t slips_before_ = 0;  // of earlier claims
+  std::optional<double> full_at_;   // the duty has been at its highest since, and the speed was full_rpm_
+  double full_rpm_ = 0;
   double next_look_ = 0;
   std::deque<Mark> marks_;  // one per electrical turn of set speed, the last kAtSpeedTurns
 };

@@ -31,7 +31,7 @@ void Witness::sample(const plant::State& s, Watch w, const DriveView& view, doub
   // Not at the recorder's samples: what is found does not depend on who writes it down.
   if (s.time >= start_.next_look()) {
     start_.look(s);
-    start_.turn(s, rpm_of_steps(view.steps_per_second, pole_pairs_));
+    start_.turn(s, rpm_of_steps(view.steps_per_second, pole_pairs_), view.duty);
   }
   if (recorder_ && s.time >= recorder_->next_sample()) recorder_->sample(s, w, view, load_nm);
 }

@@ -25,7 +25,8 @@ Json outcomes(const Rows& rows) {
           {"rough", count(rows, Outcome::kRough)},
           {"latched", count(rows, Outcome::kLatched)},
           {"silent_step_outs", count(rows, Outcome::kSilentStepOut)},
-          {"unfinished", count(rows, Outcome::kUnfinished)}};
+          {"unfinished", count(rows, Outcome::kUnfinished)},
+          {"bus_gives_no_more", std::ranges::count(rows, "bus", [](const Row* r) { return r->findings.beyond; })}};
 }
 
 Json spread(std::vector<double> values) {
@@ -115,6 +116,7 @@ std::vector<const Row*> failures(const std::vector<Row>& rows) {
 }
 
 std::string failure(const Row& r) {
+  if (r.findings.beyond == "bus") return "the bus gives no more";
   return r.findings.outcome == Outcome::kRough ? "beyond " + r.findings.beyond : start_reason(r);
 }
 

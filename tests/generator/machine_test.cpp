@@ -125,22 +125,22 @@ TEST(Machine, EarlyOutputsComeBeforeTheOthers) {
   EXPECT_GT(sooner, 20U);
 }
 
-// The comparison above must be able to fail: one bit of the program turned.
-TEST(Machine, OneWrongBitOfTheProgramIsNoticed) {
+// The comparison above must be able to fail, in every fourth clock (all are too many for a test, and are noticed as well): its word's bits
+// turned one after the other.
+TEST(Machine, AWrongBitInAClockOfTheProgramIsNoticed) {
   const Module sample = RandomNetlist(3).make("random", 40);
   auto scheduled = compiled(sample, budget_of(16, 16));
   ASSERT_EQ(first_difference(sample, scheduled, 3, 30), -1);
   auto& words = scheduled.memories[0].tables[0].entries;
-  unsigned noticed = 0, turned = 0;
-  for (unsigned word = 1; word < scheduled.report.clocks; word += 3) {
-    const unsigned place = (7 * word) % words[word].getBitWidth();
-    words[word].flipBit(place);
-    noticed += first_difference(sample, scheduled, 3, 30) != -1 ? 1 : 0;
-    ++turned;
-    words[word].flipBit(place);
+  for (unsigned word = 0; word < scheduled.report.clocks; word += 4) {
+    bool noticed = false;  // by one at least: some are of fields that this clock does not use
+    for (unsigned place = 0; place < words[word].getBitWidth() && !noticed; ++place) {
+      words[word].flipBit(place);
+      noticed = first_difference(sample, scheduled, 3, 30) != -1;
+      words[word].flipBit(place);
+    }
+    EXPECT_TRUE(noticed) << "clock " << word;
   }
-  EXPECT_GT(noticed, 0U);
-  EXPECT_LT(noticed, turned);  // some bits are of fields that this clock does not use
 }
 
 // saturate<Int<8>>(x), as LLVM leaves it.

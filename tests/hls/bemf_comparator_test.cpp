@@ -134,8 +134,9 @@ TEST(BemfComparator, TheGapLeavesNoBias) {
            crossing;
     ++count;
   }
-  // A sample says that the crossing is past: half a clock of 16 units late, and half a truncated bit.
-  EXPECT_NEAR(sum / count, -8, 9);
+  // Every place of a PWM period once.  In a gap of n units a crossing lies 0 to n - 1 before its end, for one on a sample is past
+  // it: (n - 1) / 2 on the average, where the middle is n / 2.
+  EXPECT_DOUBLE_EQ(sum / count, -0.5);
 }
 
 TEST(BemfComparator, FreewheelingIsNoCrossingAndItsEndIsMeasured) {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
+#include "model/reference/phase_locked_loop.hpp"
 #include "tests/hls/random_words.hpp"
 
 namespace steplock {
@@ -125,6 +127,51 @@ TEST(LoopFilterLaw, IsItsEquations) {
   EXPECT_EQ(moved({.loop = Loop::kTrack, .delay = 16, .ki = 0x4000, .pole = 0x8000}), 1 << 21) << "16 f are 1/16 turn more";
   EXPECT_EQ(moved({.loop = Loop::kTrack, .bandwidth = Bandwidth::kPerSecond, .ki = 0x4000, .pole = 0x8000, .scale = kF / 4}), 1 << 18);
   EXPECT_EQ(moved({.loop = Loop::kRamp, .ramp = 1000}), 1000) << "1/16 of a turn stands for the ramp";
+}
+
+// The reference in doubles beside the law, in turns per clock; the law may be away from it by what its truncations can have made by then:
+// a product drops less than one last place, the frequency that gains a product has 28 bits.  The times that it is further away.
+int beyond_truncations(Words words, int updates, const std::function<void(design::LoopParameters&)>& spoil = [](design::LoopParameters&) {}) {
+  constexpr double kPlace = 0x1p-36, kError = 0x1p-22, kGained = 0x1p-28;
+  int beyond = 0;
+  for (int run = 0; run < updates / 50; ++run) {
+    In in{.loop = Loop::kTrack, .delay = words.below(64), .ki = 600 + words.below(4000), .kp = 6000 + words.below(14000)};
+    in.pole = 2 * (0x1000 + words.below(0x3001)), in.minimum = 1, in.maximum = Frequency::max();
+    const double ki = std::ldexp(double(in.ki.raw()), -14), kp = std::ldexp(double(in.kp.raw()), -14);
+    const double pole = std::ldexp(double(in.pole.raw()), -15), delay = double(in.delay.raw());
+    design::LoopParameters p{.delay = delay, .integral = ki, .proportional = kp, .pole = pole, .minimum = 0, .maximum = 1};
+    spoil(p);
+    reference::LoopFilter filter(p);
+    LoopFilterLaw law;
+    law.y = UInt<30>::of((1u << 22) + words.below(1u << 26));
+    law.x = law.y;
+    const auto value = [](auto x) { return std::ldexp(double(x.raw()), -36); };
+    filter.load(value(law.y));
+    double of_x = 0, of_y = 0;  // how far the law may be away
+    for (int k = 0; k < 50; ++k) {
+      const double f = filter.frequency();
+      in.error = PhaseError(int(words.below(4000)) - 2000 - int(65536 * delay * f));
+      const double e = std::ldexp(double(in.error.raw()), -16) + delay * f;
+      law.update(in);
+      filter.step(std::ldexp(double(in.error.raw()), -16));
+      const double of_e = of_y * delay + kError, of_s = of_y + kGained;
+      const double of_p = std::abs(e) * of_s + f * of_e + of_e * of_s + kPlace;
+      of_x += ki * of_p + kPlace;
+      of_y = pole * (of_x + kp * of_p + kPlace) + (1 - pole) * of_y + 2 * kPlace;
+      EXPECT_FALSE(law.at_bottom || law.at_top);
+      beyond += std::abs(value(law.y) - filter.frequency()) > of_y;
+    }
+  }
+  return beyond;
+}
+
+TEST(LoopFilterLaw, EqualsTheReferenceWithinItsTruncations) {
+  EXPECT_EQ(beyond_truncations(Words(5), 20000), 0);
+  // A last bit of a coefficient is more.
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::LoopParameters& p) { p.proportional += 0x1p-14; }), 0);
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::LoopParameters& p) { p.integral += 0x1p-14; }), 0);
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::LoopParameters& p) { p.pole -= 0x1p-14; }), 0);
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::LoopParameters& p) { p.delay += 1; }), 0);
 }
 
 }  // namespace

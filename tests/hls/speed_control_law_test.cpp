@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
+#include "model/reference/speed_control.hpp"
 #include "tests/hls/random_words.hpp"
 
 namespace steplock {
@@ -158,6 +160,48 @@ TEST(SpeedControlLaw, ADifferenceOfOneBitIsFound) {
   EXPECT_TRUE(found([](In& in) { in.hurries = false; }));
   EXPECT_TRUE(found([](In& in) { in.freewheels = false; }));
   EXPECT_TRUE(found([](In& in) { in.limited = false; }));
+}
+
+// The reference in doubles beside the law, in its last places of a frequency and in ticks; what the law may be away: a last place of the
+// error (the one's complement), of the integral in each tick, and two of the duty; and the tick's ki e, which the reference adds to the next
+// duty.  The times that it is further away.
+int beyond_truncations(Words words, int ticks, const std::function<void(design::SpeedParameters&)>& spoil = [](design::SpeedParameters&) {}) {
+  int beyond = 0;
+  for (int run = 0; run < ticks / 50; ++run) {
+    In in;
+    in.fixed_duty = 0x3000 + words.below(0x2000), in.frequency = Frequency::of((1u << 17) + words.below(1u << 17));
+    in.words = {.slew = 200 + words.below(1000), .shift = 4, .kp = words.below(1 << 12), .ki = words.below(1 << 12), .maximum = 0x8000,
+                .duty_slew = UInt<12>::max()};
+    const double kp = std::ldexp(double(in.words.kp.raw()), -4 - 12 - 15), ki = std::ldexp(double(in.words.ki.raw()), -4 - 31);
+    design::SpeedParameters p{.slew = double(in.words.slew.raw()), .kp = kp, .ki = ki, .minimum = 0, .maximum = 1, .duty_slew = 0.124};
+    spoil(p);
+    reference::SpeedControl control(p, 1);
+    SpeedControlLaw law;
+    law.tick(in);
+    const auto duty = [](Duty d) { return std::ldexp(double(d.raw()), -15); };
+    control.follow(duty(law.duty), duty(law.duty), double(in.frequency.raw()));
+    in.mode = SpeedMode::kControl;
+    in.target = in.frequency.raw() + 5000 + words.below(20000);  // upwards: where it came down, control begins once more
+    double of_integral = 0;
+    for (int k = 0; k < 50; ++k) {
+      in.frequency = Frequency::of(std::uint64_t(law.reference.raw()) + words.below(2000) - 1000);
+      law.tick(in);
+      control.tick(double(in.target.raw()), double(in.frequency.raw()), false);
+      of_integral += ki + 0x1p-31;
+      EXPECT_FALSE(law.at_low || law.at_high);
+      const double next = ki * (double(law.reference.raw()) - double(in.frequency.raw()));
+      beyond += std::abs(duty(law.duty) - next - control.duty()) > of_integral + kp + 0x1p-27 + 2 * 0x1p-15;
+    }
+  }
+  return beyond;
+}
+
+TEST(SpeedControlLaw, EqualsTheReferenceWithinItsTruncations) {
+  EXPECT_EQ(beyond_truncations(Words(5), 20000), 0);
+  // Some last bits of a gain, or one of the slew, are more.
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::SpeedParameters& p) { p.kp += 0x1p-27; }), 0);
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::SpeedParameters& p) { p.ki += 0x1p-31; }), 0);
+  EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::SpeedParameters& p) { p.slew += 1; }), 0);
 }
 
 }  // namespace

@@ -37,6 +37,15 @@ class Story {
       if (state_.time >= witness_.next_sample()) witness_.sample(state_, was_, view_, 0);
     }
   }
+  // So long, at so many degrees a step, and no commutation that could slip.
+  void turns(double s, double deg_a_step) {
+    for (const double end = state_.time + s; state_.time < end && !witness_.decided();) {
+      state_.time += 0.01;
+      state_.electrical_angle += deg_a_step * 60 * 0.01 * kPi / 180;
+      view_.steps_per_second = deg_a_step;
+      if (state_.time >= witness_.next_sample()) witness_.sample(state_, was_, view_, 0);
+    }
+  }
   void wait(double s) {
     for (const double end = state_.time + s; state_.time < end; state_.time += 0.01) {
       if (state_.time >= witness_.next_sample()) witness_.sample(state_, was_, view_, 0);
@@ -47,6 +56,7 @@ class Story {
     state_.speed = rad_per_s;
     witness_.changed(state_, was_, was_, view_, 0);
   }
+  void duty(double duty) { view_.duty = duty; }
   void turn_back(double deg) { state_.electrical_angle -= deg * kPi / 180; }
   const Findings& findings() const { return witness_.findings(); }
 
@@ -114,6 +124,22 @@ TEST(Witness, ALockAtAnotherSpeedNeverStarts) {
   story.enter(State::kRun);
   story.step(6 * 60, 56);  // falls behind, too: slips
   EXPECT_NE(story.findings().outcome, Outcome::kStarted);
+}
+
+// 56 degrees in the time of a step are 560 r/min.
+TEST(Witness, ALockBelowTheSetSpeedAtTheHighestDutyIsWhatTheBusGives) {
+  const auto told = [](double duty, double deg, double faster) {
+    Story story({.run_s = 0, .set_rpm = 600, .held_turns = 1, .maximum_duty = 0.9});
+    story.duty(duty);
+    story.enter(State::kRun);
+    for (int k = 0; k < 60; ++k) story.turns(0.1, deg * (1 + k * faster));
+    return std::string(name_of(story.findings().outcome)) + ":" + story.findings().beyond;
+  };
+  EXPECT_EQ(told(0.9, 56, 0), "unfinished:bus");
+  EXPECT_EQ(told(0.89, 56, 0), "unfinished:") << "the drive could give more";
+  EXPECT_EQ(told(0.9, 50, 0.0005), "unfinished:") << "it becomes faster";
+  EXPECT_EQ(told(0.9, 64, 0), "unfinished:") << "it is too fast";
+  EXPECT_EQ(told(0.9, 59, 0), "started:");
 }
 
 TEST(Witness, AClaimOfLockOnARotorThatStandsIsASilentStepOut) {

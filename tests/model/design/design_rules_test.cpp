@@ -6,6 +6,7 @@
 
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
+#include "model/design/words.hpp"
 #include "model/plant/plant.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
@@ -128,6 +129,25 @@ TEST(DesignRules, SpeedPiPlacesItsBandwidthOnTheMotorsPole) {
   };
   EXPECT_NEAR(std::abs(open(5)), 1, 1e-9);
   EXPECT_NEAR(std::arg(open(5)), -kPi / 2, 1e-9);
+}
+
+// A rotor so heavy that its gain would not fit the word is controlled more slowly, not refused; a gain that the file names is.
+TEST(DesignRules, AVeryHeavyRotorIsControlledAsFastAsTheGainsWordAllows) {
+  auto s = settings_of("maxon_ec45_flat");
+  const double clock = s.control.clock_hz;
+  const double most = most_speed_kp(design_drive(s).parameters.loop, clock);
+  const double heavier = 3 * most / design_drive(s).parameters.speed.kp;
+  s.load.inertia_kgm2 = heavier * (s.motor.inertia_kgm2 + s.load.inertia_kgm2);
+  const auto d = design_drive(s);
+  const auto q = quantise(d.parameters, clock);
+  EXPECT_TRUE(q.problems.empty()) << (q.problems.empty() ? "" : q.problems[0]);
+  EXPECT_EQ(q.words.speed.kp, 65535u);
+  // A slow pole, and so both of the closed loop coincide.
+  const double gain = s.inverter.bus_v / d.motor.k_e * 6 * s.motor.pole_pairs / (2 * kPi) / d.motor.tau_m;
+  const double half = (1 / d.motor.tau_m + d.parameters.speed.kp * gain) / 2;
+  EXPECT_NEAR(half * half, d.parameters.speed.ki * gain, 1e-9 * half * half);
+  s.speed.kp_duty_per_rpm = 1.001 * most * steps_per_second(s, 1.0);
+  EXPECT_EQ(quantise(design_drive(s).parameters, clock).problems.size(), 1u);
 }
 
 // At the corner of the default envelope: 1.2 times flux and resistance at 0.8 times the bus, with the limit's current.

@@ -61,8 +61,8 @@ TEST(ReferenceStartSequence, GoesThroughThePapersModesInTime) {
   EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
 }
 
-// What has no rotor by then fails for good; what has one gets as many ticks again, and is tried again after those.
-TEST(ReferenceStartSequence, ARotorThatIsFollowedHasTwiceTheTicks) {
+// What has seen no rotor move by then fails for good; what has gets as many ticks again, and is tried again after those.
+TEST(ReferenceStartSequence, ARotorThatMovesHasTwiceTheTicksAtTheFirstTry) {
   auto times = kTimes;
   times.method = design::Method::kFollow;
   for (const bool hopeful : {false, true}) {
@@ -73,6 +73,10 @@ TEST(ReferenceStartSequence, ARotorThatIsFollowedHasTwiceTheTicks) {
     EXPECT_EQ(c.tick(ticks - 1, {.hopeful = hopeful}), State::kAccelerate);
     EXPECT_EQ(c.tick(1, {.hopeful = hopeful}), State::kRest);
     EXPECT_EQ(c.tick(50), hopeful ? State::kObserve : State::kFault);
+    if (!hopeful) continue;
+    ASSERT_EQ(c.tick(10), State::kAccelerate);
+    EXPECT_EQ(c.tick(4094, {.hopeful = true}), State::kAccelerate);
+    EXPECT_EQ(c.tick(1, {.hopeful = true}), State::kRest) << "later tries have 4095";
   }
 }
 
