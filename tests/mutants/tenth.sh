@@ -2,4 +2,4 @@
 # tenth.sh ROOT BUILD: a tenth of the mutants, drawn by what the blocks are now.
 set -euo pipefail
 cd "$1"
-STEPLOCK_BUILD=$2 STEPLOCK_MUTANTS=$2/mutants tools/mutants --tenth "$(cat hls/six_step/*.hpp | sha256sum | cut -c 1-16)"
+STEPLOCK_BUILD=$2 STEPLOCK_MUTANTS=$2/mutants tools/mutants --tenth "$(cat hls/*/*.hpp | sha256sum | cut -c 1-16)"
