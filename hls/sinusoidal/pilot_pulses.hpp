@@ -23,7 +23,7 @@
 //     latency       1 clock; all outputs follow from registers
 //     registers     86 bits     multipliers  none
 //
-// Doc: docs/blocks/pilot_pulses.md   Test: tests/hls/pilot_pulses_test.cpp
+// Law: hls/sinusoidal/pilot_pulses_law.hpp   Doc: docs/blocks/pilot_pulses.md   Test: tests/hls/pilot_pulses_test.cpp
 
 #pragma once
 

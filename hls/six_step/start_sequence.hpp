@@ -23,7 +23,7 @@
 //     latency      1 clock: outputs follow the state
 //     registers    83 bits, 57 of them in the two     multipliers  none
 //
-// Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
+// Law: hls/six_step/start_sequence_law.hpp   Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
 #pragma once
 

@@ -125,8 +125,7 @@ TEST(Machine, EarlyOutputsComeBeforeTheOthers) {
   EXPECT_GT(sooner, 20U);
 }
 
-// The comparison above must be able to fail, in every fourth clock (all are too many for a test, and are noticed as well): its word's bits
-// turned one after the other.
+// The comparison above must be able to fail, in every fourth clock (all take a minute): its word's bits turned one after the other.
 TEST(Machine, AWrongBitInAClockOfTheProgramIsNoticed) {
   const Module sample = RandomNetlist(3).make("random", 40);
   auto scheduled = compiled(sample, budget_of(16, 16));

@@ -198,7 +198,7 @@ int beyond_truncations(Words words, int ticks, const std::function<void(design::
 
 TEST(SpeedControlLaw, EqualsTheReferenceWithinItsTruncations) {
   EXPECT_EQ(beyond_truncations(Words(5), 20000), 0);
-  // Some last bits of a gain, or one of the slew, are more.
+  // Sixteen last places of a gain, or one of the slew, are more.
   EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::SpeedParameters& p) { p.kp += 0x1p-27; }), 0);
   EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::SpeedParameters& p) { p.ki += 0x1p-31; }), 0);
   EXPECT_GT(beyond_truncations(Words(5), 20000, [](design::SpeedParameters& p) { p.slew += 1; }), 0);
