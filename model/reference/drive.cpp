@@ -117,8 +117,6 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
     const bool lags = detector_.error() < 0;
     if (!lags || boost_ < stronger(p_.start.start_duty)) boost_ += lags ? boost_ / 32 : -boost_ / 32;
   }
-  // Freewheeling of 15/32 of a step, and more current would hide the crossing, if it is not hidden yet.  Not while pulling in.
-  long_freewheel_ = !hall && sequence_.locked() && bemf_.freewheel() >= 15.0 / 32;
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 
@@ -320,8 +318,10 @@ void Drive::on_tick(double t) {
   holds_ = pulls_in && boosted_;
   boosted_ = pulls_in;
   if (sequence_.locked() || holds_) {
+    // Freewheeling of 15/32 of a step, and more current would hide the crossing, if it is not hidden yet.  Not while pulling in.
+    const bool freewheels = p_.source != design::Source::kHall && sequence_.locked() && bemf_.freewheel() >= 15.0 / 32;
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
-                detector_.hurries(), long_freewheel_);
+                detector_.hurries(), freewheels);
   } else {
     speed_.follow(duty, duty, f);
   }

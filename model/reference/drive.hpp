@@ -86,7 +86,7 @@ class Drive {
   int steady_ = 0, way_ = 0;  // changes in a row with a steady period, and their direction
   int caught_ = 0;
   bool limited_ = false, ramp_done_ = false;
-  bool good_interval_ = false, measured_ = false, long_freewheel_ = false, holds_ = false, boosted_ = false;
+  bool good_interval_ = false, measured_ = false, holds_ = false, boosted_ = false;
   double overdue_ = kNever;   // when the rotor that is followed should have passed an edge, and a quarter more
 };
 
