@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 
+#include "model/reference/protection.hpp"
 #include "tests/hls/random_words.hpp"
 
 namespace steplock {
@@ -109,6 +110,62 @@ TEST(ProtectionLaw, ADifferenceOfOneIsFound) {
   EXPECT_TRUE(found([](In& in) { in.good = false; }));
   EXPECT_TRUE(found([](In& in) { in.hall = false; }));
   EXPECT_TRUE(found([](In& in) { in.commutate = true; })) << "freewheeling is long in the clock of a commutation";
+}
+
+// The reference counts the same events, so its verdict is the law's in every clock of an attempt, up to the one that ends it.
+// How many differ, of attempts by a story whose words last as long as the attempt; what both see is spoilt for the reference.
+int verdicts_beside_the_reference(std::uint32_t seed, int attempts, std::map<Reason, int>* reasons = nullptr,
+                                  const std::function<void(design::ProtectionParameters&)>& spoil = [](design::ProtectionParameters&) {}) {
+  constexpr double kTurn = 0x1p-16;  // of a phase's last bit
+  int differ = 0;
+  for (int k = 0; k < attempts; ++k) {
+    Story story(seed + std::uint32_t(k));
+    ProtectionLaw law;
+    In idle = story.in;
+    idle.running = false;
+    law.clock(idle);
+    const auto& w = story.in.words;
+    design::ProtectionParameters p{.misses = int(w.misses.raw()), .stall = 1, .slip = 0.5, .freewheel = double(w.freewheel.raw()) * kTurn,
+                                   .wrong_lock = double(w.wrong_lock.raw()), .over_current = int(w.over_current.raw())};
+    spoil(p);
+    reference::Protection reference(p, 1);
+    const auto words = w;
+    for (int i = 0; i < 400; ++i) {
+      story.levels();
+      story.strobes();
+      In in = story.in;
+      in.running = true, in.words = words;
+      const Out is = law.clock(in);
+      reference.update({.running = true, .tick = in.tick, .commutated = in.commutate, .updated = in.update, .good = in.good,
+                        .missed = in.missed, .lags = in.lags, .hall = in.hall, .hall_illegal = in.hall_illegal,
+                        .fault_pin = in.fault_pin, .frequency = in.slow ? 0.5 : 1.5, .slip = in.slips ? 0.75 : 0.25,
+                        .freewheel = double(in.freewheel.raw()) * kTurn, .stuck = int(in.stuck.raw())});
+      // Both number the reasons alike; one that is fatal comes first.
+      const auto wanted = reference.fatal() != reference::Reason::kNone ? reference.fatal() : reference.lost();
+      differ += is.lost != (reference.lost() != reference::Reason::kNone) || is.fatal != (reference.fatal() != reference::Reason::kNone) ||
+                int(is.reason) != int(wanted);
+      if (is.lost || is.fatal) {
+        if (reasons != nullptr) ++(*reasons)[is.reason];
+        break;
+      }
+    }
+  }
+  return differ;
+}
+
+TEST(ProtectionLaw, EqualsTheReferenceInEveryVerdict) {
+  std::map<Reason, int> reasons;
+  EXPECT_EQ(verdicts_beside_the_reference(1, 4000, &reasons), 0);
+  for (const Reason r : {Reason::kFaultPin, Reason::kOverCurrent, Reason::kStepOut, Reason::kStall, Reason::kWrongLock, Reason::kHallCode}) {
+    EXPECT_GT(reasons[r], 20) << int(r);
+  }
+  const auto found = [](const std::function<void(design::ProtectionParameters&)>& spoil) {
+    return verdicts_beside_the_reference(1, 4000, nullptr, spoil) > 0;
+  };
+  EXPECT_TRUE(found([](design::ProtectionParameters& p) { p.misses += p.misses > 0; }));
+  EXPECT_TRUE(found([](design::ProtectionParameters& p) { p.wrong_lock += p.wrong_lock > 0; }));
+  EXPECT_TRUE(found([](design::ProtectionParameters& p) { p.over_current += p.over_current > 0; }));
+  EXPECT_TRUE(found([](design::ProtectionParameters& p) { p.freewheel += 0x1p-16; }));
 }
 
 }  // namespace
