@@ -51,7 +51,7 @@ module rotor_follower #(
   logic [2:0] belief_rest;  // code u v w of the rotor at rest
   logic [7:0] belief_idle;  // looks without news
   logic [1:0] belief_stood;  // times that it was too many of them, in a row
-  logic belief_onward;  // the last time the step after it was taken, not the one before
+  logic belief_onward;  // the last time the way onward was taken, not the way back
   logic sight_legal;  // neither 000 nor 111, and clear or of a rotor that has passed an edge
   logic sight_clear;  // hardly a sample said otherwise
   logic sight_rests;  // the code of the rotor at rest
@@ -144,13 +144,13 @@ module rotor_follower #(
       choice_110_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
       either_118 = {1'b0, either_117} | choice_110_5;  // line 118
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
-      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:144
-      on = sight_on || sight_skipped;  // follow_law.hpp:130
-      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:138
+      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:147
+      on = sight_on || sight_skipped;  // follow_law.hpp:133
+      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:141
       judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 92
-      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:153
+      stands_2 = !judge_choice && sight_tired;  // follow_law.hpp:156
       now_back = (sight_contrary || sight_across || (sight_far && belief_far)) && !belief_back;
-      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:146
+      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:149
       judge_either = on || judge_both;  // line 92
       judge_both_3 = sight_legal && !sight_here;  // line 92
       judge_both_4 = belief_real && judge_both_3;  // line 92
@@ -160,7 +160,7 @@ module rotor_follower #(
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
       choice_4 = at_bits[4] ? now_edges_3 : belief_edges;
       code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 159
-      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:165
+      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:168
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
       choice_5 = at_bits[4] ? now_rest_3 : belief_rest;
@@ -226,7 +226,7 @@ module rotor_follower #(
           out_moves <= 1'b0;
         end else begin
           logic now_real;
-          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:136
+          now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:139
           belief_real <= belief_real || now_real;
           if (belief_real) begin
             if (sight_legal) begin
@@ -278,7 +278,7 @@ module rotor_follower #(
         logic [2:0] next_step_either;
         logic [2:0] code_of_choice;
         logic [1:0] code_of_choice_2;
-        logic [2:0] code_of;  // follow_law.hpp:113
+        logic [2:0] code_of;  // follow_law.hpp:116
         logic [2:0] see_differ;
         logic [2:0] other;
         logic v_2;
@@ -298,8 +298,8 @@ module rotor_follower #(
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:96
-        code_of_choice_2 =  // follow_law.hpp:113
+        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:99
+        code_of_choice_2 =  // follow_law.hpp:116
             (code_of_choice == 3'd3) ? 2'd2 :
             (code_of_choice == 3'd4) ? 2'd3 :
             2'd1;
@@ -309,11 +309,11 @@ module rotor_follower #(
           3'd2: code_of = 3'd6;
           default: code_of = {1'b0, code_of_choice_2};
         endcase
-        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:113
-        other = see_differ ^ code;  // follow_law.hpp:113
-        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:114
-        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:114
-        u_2 = !(w_2 || v_2);  // follow_law.hpp:114
+        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:116
+        other = see_differ ^ code;  // follow_law.hpp:116
+        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:117
+        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:117
+        u_2 = !(w_2 || v_2);  // follow_law.hpp:117
         behind = (v_2 ? 3'd4 : 3'd0) | {1'b0, w_2 ? 2'd2 : 2'd0} | {2'd0, u_2};
         case (step_i)
           3'd0, 3'd3, 3'd1, 3'd4: begin
@@ -325,10 +325,10 @@ module rotor_follower #(
             ahead_choice = 3'd4;
           end
         endcase
-        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:105
-        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:115
-        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:105
-        see_equal = other == ~ahead;  // follow_law.hpp:121
+        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:108
+        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:118
+        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:108
+        see_equal = other == ~ahead;  // follow_law.hpp:124
         sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_4 != 2'd0);
         sight_clear <= clear;
         sight_rests <= code == choice_5;
@@ -365,20 +365,34 @@ module rotor_follower #(
         if (stands) begin
           logic step_after_differ;
           logic three_or_four_2;
+          logic to_high_choice;
           logic to_high;
           logic to_middle_2;
-          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:169
+          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:173
           three_or_four_2 = step_i[1:0] == 2'd3 || (step_i[2] && !step_i[0]);  // divide_by_n.hpp:27
-          to_high =  // divide_by_n.hpp:29
-              step_after_differ ? three_or_four_2 :
-              step_i[2] ? step_i[0] :
-              !step_i[1] && !step_i[0];
+          to_high_choice = step_i[2] ? step_i[0] : !step_i[1] && !step_i[0];  // divide_by_n.hpp:29
+          to_high = step_after_differ ? three_or_four_2 : to_high_choice;  // divide_by_n.hpp:29
           to_middle_2 = step_after_differ ? to_middle : three_or_four_2;  // divide_by_n.hpp:28
-          out_step <=
-              (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle_2 ? 2'd2 : 2'd0} | {2'd0, !step_i[0]};
+          if (belief_stood == 2'd2) begin
+            logic three_or_four_3;
+            logic to_high_2;
+            logic to_middle_3;
+            three_or_four_3 = step_i[0] ? to_high : to_middle_2;  // divide_by_n.hpp:27
+            to_high_2 =  // divide_by_n.hpp:29
+                step_after_differ ? three_or_four_3 :
+                to_high_choice ? !step_i[0] :
+                step_i[0] && !to_middle_2;
+            to_middle_3 =  // divide_by_n.hpp:28
+                step_after_differ ? (to_middle_2 ^ !step_i[0]) && !to_high : three_or_four_3;
+            out_step <=
+                (to_high_2 ? 3'd4 : 3'd0) | {1'b0, to_middle_3 ? 2'd2 : 2'd0} | {2'd0, step_i[0]};
+          end else begin
+            out_step <=
+                (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle_2 ? 2'd2 : 2'd0} | {2'd0, !step_i[0]};
+          end
         end else begin
           logic [2:0] code_2;
-          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:107
+          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:110
           case (code_2)
             3'd2: out_step <= {1'b0, reverse_i ? 2'd2 : 2'd3};
             3'd3: begin

@@ -433,6 +433,8 @@ module six_step_top #(
       .pulse_o(vco_pulse)
   );
 
+  wire unknown = update && !good && start_mode == 2'd2 && !start_running;
+
   wire [15:0] speed_duty;
   wire [13:0] speed_on_clocks;
   wire speed_slips;
@@ -444,7 +446,7 @@ module six_step_top #(
       .fixed_duty_i(start_duty),
       .frequency_i(filter_frequency),
       .target_i(start_stop ? 26'd0 : words_speed_target_i),
-      .limited_i(limited),
+      .limited_i(limited || unknown),
       .hurries_i(hurries),
       .freewheels_i(freewheels),
       .period_i(words_pwm_period_i),
@@ -491,6 +493,7 @@ module six_step_top #(
       .rst(rst),
       .on_i(pwm_on),
       .comparator_i(synchroniser_limit),
+      .fast_i(follow && !rotor_sure),
       .words_blanking_i(words_limit_blanking_i),
       .words_off_time_i(words_limit_off_time_i),
       .on_o(limit_on),
@@ -633,7 +636,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 253
+    still <= words_speed_target_i == 26'd0;  // line 255
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -650,14 +653,14 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 236
+    lags <= detector_error[15];  // line 238
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
     crossing <= bemf_crossing;
     hurries <= detector_hurries;
-    freewheels <= !(hall_2 || !start_running) && bemf_freewheel[15:11] > 5'd14;
+    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 271
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;

@@ -22,9 +22,12 @@
 //       the other way        -2, -2 before          on, backwards: an edge went by unseen
 //       either               3                      it turned round: the same step is right as it is
 //                            all else               the wanted way; the code's step
-//     no news `still` times                         a dead centre: the step after this one, as with a rotor at rest; when
-//                                                   it stands again, the step before (a rotor held opposite to its step
-//                                                   needs that one); in turn.  Three times in a row: blocked
+//     no news `still` times                         a dead centre: a neighbour of this step, as with a rotor at rest, the one
+//                                                   after it and the one before it in turn.  For a second time in a row:
+//                                                   its other neighbour, two steps from the last.  For a third: blocked
+//
+// So a rotor that nothing moves gets three steps in a row of the ring, and whatever its angle one of them gives at least
+// 0.87 of the current's torque.  One way or the other: a rotor held opposite to its step needs the step before.
 //
 // "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.
@@ -51,7 +54,7 @@ struct FollowLaw {
     UInt<3> rest = 0;     // code u v w of the rotor at rest
     UInt<8> idle = 0;     // looks without news
     UInt<2> stood = 0;    // times that it was too many of them, in a row
-    bool onward = false;  // the last time the step after it was taken, not the one before
+    bool onward = false;  // the last time the way onward was taken, not the way back
     bool sure() const { return edges.bit(1); }
     bool operator==(const Belief&) const = default;
   };
@@ -166,7 +169,10 @@ struct FollowLaw {
 
   // The step to drive after that.
   static constexpr Step step_after(const News& news, UInt<3> code, Step step, bool reverse) {
-    return news.stands ? next_step(step, reverse == news.belief.onward) : step_of(code, reverse, news.belief.back);
+    if (!news.stands) return step_of(code, reverse, news.belief.back);
+    const bool way = reverse == news.belief.onward;
+    const Step neighbour = next_step(step, way);
+    return news.belief.stood == 2 ? next_step(neighbour, way) : neighbour;
   }
 };
 

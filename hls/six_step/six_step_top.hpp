@@ -199,12 +199,14 @@ class SixStepTop {
     // A step that follows the sectors drives no gate: they wait for the next one.
     const Gates legs = Commutation::legs(start.load_step ? start.step : divided_.turned);
 
+    // While pulling in, a step without a good crossing says nothing of the speed: the duty rises on none.
+    const bool unknown = update_ && !good_ && start.mode == SpeedMode::kControl && !start.running;
     const auto speed = speed_.tick({.tick = tick_,
                                     .mode = start.mode,
                                     .fixed_duty = start.duty,
                                     .frequency = filter.frequency,
                                     .target = start.stop ? Frequency(0) : words.speed.target,
-                                    .limited = limited_,
+                                    .limited = limited_ || unknown,
                                     .hurries = hurries_,
                                     .freewheels = freewheels_,
                                     .period = words.pwm.period,
@@ -216,7 +218,7 @@ class SixStepTop {
                                 .centred = words.pwm.centred,
                                 .tick_periods = words.pwm.tick_periods});
     const auto limit =
-        limit_.tick({.on = pwm.on, .comparator = pins.limit, .words = words.limit});
+        limit_.tick({.on = pwm.on, .comparator = pins.limit, .fast = follow_ && !rotor.sure, .words = words.limit});
     const auto request = commutation_.tick({.pattern = start.pattern,
                                             .legs = hall ? Commutation::legs(hall_step) : legs_,
                                             .chop = limit.on,

@@ -42,11 +42,12 @@ double mean_line_shape(const MotorSection& m) {
 }
 
 // s.  At a standstill the bus drives the current up while the comparator is not believed, and resistance alone takes it down
-// in the off-time: one that is shorter than this lets it climb from pulse to pulse.
+// in the off-time: one that is shorter than this lets it climb from pulse to pulse.  With all gates off the bus does, as
+// steeply as it drove it up, in a quarter of the off-time.
 double off_time(const Settings& s) {
   constexpr double kShortest = 20e-6, kLongest = 4095;  // s; clocks, the word
   const double off = kCorner * unbelieved(s) * s.inverter.bus_v / (s.sensors.limit_a * motor_constants(s).r_loop);
-  return std::clamp(off, kShortest, kLongest / s.control.clock_hz);
+  return std::clamp(std::max(off, least_off_time(s)), kShortest, kLongest / s.control.clock_hz);
 }
 
 void set_bridge(const Settings& s, Parameters& p) {
@@ -142,6 +143,8 @@ double unbelieved(const Settings& s) {
   constexpr double kClocks = 4;  // synchroniser, decision, gate
   return s.control.limit_blanking_s + s.sensors.limit_delay_s + kClocks / s.control.clock_hz;
 }
+
+double least_off_time(const Settings& s) { return 4 * unbelieved(s); }
 
 MotorConstants motor_constants(const Settings& s) {
   MotorConstants m;

@@ -140,6 +140,10 @@ void check_start(Findings& found, const Settings& s, const Design& d) {
       found.add(name, " is ", current, " A; must be below sensors.limit_a, ", s.sensors.limit_a);
     }
   }
+  if (p.start.method == Method::kFollow && p.limit.off_time > 0 && p.limit.off_time < least_off_time(s)) {
+    found.add("control.limit_off_time_s is ", p.limit.off_time, " s; must be at least ", least_off_time(s),
+              " s, or 0: in a quarter of it, with all gates off, the current falls by what it rose while the comparator was not believed; or lower control.limit_blanking_s");
+  }
   if (p.start.reset_duty * p.pwm.period < p.pwm.minimum) {
     found.add("control.minimum_pulse_s is ", p.pwm.minimum, " s; must be below the reset pulse, ",
               p.start.reset_duty * p.pwm.period, " s");

@@ -156,7 +156,7 @@ void for_each_key(S& s, Visitor&& visit) {
     1e-3);
   k("limit_blanking_s", c.limit_blanking_s, "s", "current comparator ignored after switch-on", 0,
     1e-4);
-  k("limit_off_time_s", c.limit_off_time_s, "s", "fixed off-time of the limit; 0 disables it; default: 20 us, or what lets the current fall further than it rises while the comparator is not believed", 0,
+  k("limit_off_time_s", c.limit_off_time_s, "s", "fixed off-time of the limit; 0 disables it; default: 20 us, or what lets the current fall further than it rises while the comparator is not believed; a quarter of it while a cut turns all gates off", 0,
     1e-2);
   k("sampling", c.sampling, "", "chop states in which the comparators are read");
   k("blanking_s", c.blanking_s, "s", "comparators not believed after each chop edge", 0, 1e-3);

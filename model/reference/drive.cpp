@@ -50,7 +50,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                      const std::optional<Bridge>& bridge) {
   assert(t <= next_ * (1 + 1e-12));
   pwm_.update(t);
-  limit_.update(t, pwm_.on(), pins.limit);
+  limit_.update(t, pwm_.on(), pins.limit, following() && !follower_.sure());
   limited_ |= limit_.hit();
   vco_.update(t, sequence_.reverse());
   bemf_.update(t, pins, bridge.value_or(Bridge{vco_.step(), limit_.on()}), vco_.phase(t),
@@ -96,6 +96,8 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                       .slip = speed_.duty() - speed_.loaded_duty(filter_.frequency()),
                       .freewheel = bemf_.freewheel(),
                       .stuck = limit_.stuck()});
+  // While pulling in, a step without a good crossing says nothing of the speed: the duty rises on none.
+  limited_ |= holds_ && detector_.updated() && !detector_.good();
   sequence_.update({.tick = pwm_.tick(),
                     .command = command,
                     .fatal = protection_.fatal(),

@@ -1,7 +1,8 @@
 // Pulse-width modulation and the fixed-off-time current limit, with edges at exact instants.
 //
 //     on while lead <= t - start < lead + duty * period,   lead = 0, or centred (1 - duty) / 2
-//     the limit cuts for off_time when the comparator answers, from `blanking` after switch-on on
+//     the limit cuts for off_time when the comparator answers, from `blanking` after switch-on on; for a quarter of it
+//     where a cut turns all gates off, so that the bus takes the current down
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_pwm_test.cpp
 #pragma once
@@ -62,7 +63,7 @@ class CurrentLimit {
  public:
   explicit CurrentLimit(const design::LimitParameters& p) : p_(p) {}
 
-  void update(double t, bool wanted, bool comparator) {
+  void update(double t, bool wanted, bool comparator, bool all_off = false) {
     hit_ = false;
     if (cut_) {
       released_ |= !comparator;
@@ -77,7 +78,7 @@ class CurrentLimit {
     if (on_ && comparator && p_.off_time > 0 && t >= believed_) {
       hit_ = cut_ = true;
       on_ = released_ = false;
-      until_ = t + p_.off_time;
+      until_ = t + p_.off_time / (all_off ? 4 : 1);
     }
   }
   double next(double t) const {

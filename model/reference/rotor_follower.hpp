@@ -147,7 +147,8 @@ class RotorFollower {
       rest_ = now_at_rest;
       idle_ = 0;
       onward_ = !onward_;
-      go(in.step + (onward_ ? way : -way));
+      // For a second time in a row: the other neighbour of the step that moved nothing first.
+      go(in.step + (onward_ ? way : -way) * (stood_ == 2 ? 2 : 1));
     }
   }
 
@@ -160,7 +161,7 @@ class RotorFollower {
   std::optional<std::array<bool, 3>> rest_;  // code of a rotor at rest
   bool real_ = false, moved_ = false, far_ = false;
   int belief_ = +1, edges_ = 0, idle_ = 0, stood_ = 0;
-  bool onward_ = false;  // the last time that nothing moved the step after was driven, not the one before
+  bool onward_ = false;  // the last time that nothing moved the way was onward, not back
   std::optional<int> loaded_;
   bool changed_ = false, caught_ = false, blocked_ = false, timed_ = false;
 };

@@ -288,7 +288,7 @@ TEST(ClosedLoop, NoGainWrittenWhileRunningDrivesMoreThanTheLimitAndShortedWindin
     }
     const double speed = std::max(fastest, -slowest);
     EXPECT_LE(rig.peak, design::limited_current(settings()) + design::shorted_current(settings(), speed)) << k;
-    EXPECT_LT(speed, 1.3 * set_rpm()) << k;
+    EXPECT_LT(speed, 1.1 * set_rpm()) << k;
   }
 }
 

@@ -48,6 +48,42 @@ TEST(CurrentLimit, ACutLastsExactlyTheOffTimeWhateverThePwmDoes) {
   }
 }
 
+TEST(CurrentLimit, ACutWithAllGatesOffLastsAQuarterOfIt) {
+  for (const int off_time : {1, 3, 4, 7, 8, 100, 4095}) {
+    CurrentLimit dut;
+    In in = limit(true, true, 0, off_time);
+    in.fast = true;
+    dut.tick(in);
+    in.comparator = false;
+    int off = 0;
+    while (!dut.tick(in).on) ++off;
+    EXPECT_EQ(off, std::max(1, off_time / 4)) << off_time;
+  }
+}
+
+// A current that rises by one in each clock on and falls by one in each clock off, down to nothing; what it reaches at most.
+int highest(int blanking, int off_time) {
+  CurrentLimit dut;
+  In in = limit(true, false, blanking, off_time);
+  in.fast = true;
+  int current = 0, most = 0;
+  for (int i = 0; i < 10000; ++i) {
+    in.comparator = current > 500;
+    current = std::max(0, current + (dut.tick(in).on ? 1 : -1));
+    most = std::max(most, current);
+  }
+  return most;
+}
+
+// From below the limit it rises for the blanking, and for the clock that hears; the cut begins one later.
+TEST(CurrentLimit, AFastCutUndoesWhatTheBlankingDid) {
+  for (const int blanking : {0, 1, 10, 100}) {
+    const int enough = 4 * (blanking + 2);
+    EXPECT_LE(highest(blanking, enough), 500 + blanking + 2) << blanking;
+  }
+  EXPECT_GT(highest(100, 4 * 90), 1000) << "the control: a quarter that is shorter lets it climb";
+}
+
 TEST(CurrentLimit, TheHitIsTheFirstClockOfTheOffTime) {
   CurrentLimit dut;
   EXPECT_FALSE(dut.tick(limit(true, true, 0, 5)).hit);
@@ -64,6 +100,32 @@ TEST(CurrentLimit, AfterACutTheSwitchOnIsBlankedAnew) {
   for (int i = 0; i < 5; ++i) ASSERT_FALSE(dut.tick(limit(true, true, 10, 5)).on);
   for (int i = 0; i < 11; ++i) ASSERT_TRUE(dut.tick(limit(true, true, 10, 5)).on) << i;
   EXPECT_FALSE(dut.tick(limit(true, true, 10, 5)).on);
+}
+
+// Where a clock does nothing but count, so many clocks at once are the same as one by one: in a pulse, between two and in a cut.
+TEST(CurrentLimit, SkippingItsQuietClocksEqualsTickingThem) {
+  int skipped = 0, without_end = 0;
+  std::mt19937 random(5);
+  CurrentLimit ticked;
+  for (int k = 0; k < 4000; ++k) {
+    const In in = limit(random() % 4 != 0, false, 30, 40);
+    ticked.tick(limit(true, random() % 3 == 0, 30, 40));
+    for (unsigned i = random() % 40; i > 0; --i) ticked.tick(in);
+    CurrentLimit one = ticked, counted = ticked;
+    one.tick(in), counted.skip(in.on, 1);
+    const std::uint64_t quiet = ticked.quiet(in.on);
+    if (quiet == 0 || one != counted) continue;
+    without_end += quiet == ~std::uint64_t{0};
+    const std::uint64_t clocks = std::min<std::uint64_t>(quiet, 25);
+    CurrentLimit jumped = ticked;
+    jumped.skip(in.on, clocks);
+    for (std::uint64_t i = 0; i < clocks; ++i) ticked.tick(in);
+    ASSERT_EQ(jumped, ticked) << k;
+    skipped += int(clocks);
+  }
+  EXPECT_GT(skipped, 10000);
+  EXPECT_GT(without_end, 100) << "a pulse of which the blanking is over, and no pulse";
+  EXPECT_LT(without_end, 3000) << "blanking and cuts end";
 }
 
 TEST(CurrentLimit, OffTimeZeroDisablesIt) {

@@ -28,6 +28,7 @@ Seen settle(HallDecoder& dut, const HallDecoder::In& in, int clocks = 4) {
     seen.last = dut.tick(in);
     seen.moves += seen.last.moved;
     seen.jumps += seen.last.jumped;
+    EXPECT_EQ(seen.last.changed, seen.last.moved || seen.last.jumped);
   }
   return seen;
 }
@@ -159,6 +160,29 @@ RC_GTEST_PROP(HallDecoder, MovesAddUpToTheSectorButForOneOfPlay, ()) {
     RC_ASSERT(seen.last.sector == UInt<3>(at % 6));
     gear = next;
   }
+}
+
+// At once or clock by clock, with pins that stand: the same.  A code that has just stood for long enough has its three clocks first.
+TEST(HallDecoder, SkippingItsQuietClocksEqualsTickingThem) {
+  int skipped = 0, without_end = 0;
+  HallDecoder ticked;
+  for (int k = 0; k < 4000; ++k) {
+    const HallDecoder::In in = signs_at(17 + 60 * (k * 7 % 11), unsigned(k % 23));
+    for (int i = 0; i < 2 + k % 5; ++i) ticked.tick(in);
+    if (ticked.quiet() == ~std::uint64_t{0}) {
+      for (int i = 0; i < 3; ++i) ticked.tick(in);
+      ++without_end;
+    }
+    const std::uint64_t clocks = std::min<std::uint64_t>(ticked.quiet(), 30);
+    HallDecoder jumped = ticked;
+    for (std::uint64_t i = 0; i < clocks; ++i) ticked.tick(in);
+    jumped.skip(clocks);
+    ASSERT_EQ(jumped, ticked) << k;
+    skipped += int(clocks);
+  }
+  EXPECT_GT(skipped, 10000);
+  EXPECT_GT(without_end, 100);
+  EXPECT_LT(without_end, 3900);
 }
 
 TEST(HallDecoder, LeftOutItSaysNothing) {

@@ -210,6 +210,23 @@ TEST(DesignRules, InTheOffTimeTheLimitsCurrentFallsFurtherThanItRose) {
   EXPECT_DOUBLE_EQ(design_drive(s).parameters.limit.off_time, 7e-6);
 }
 
+// With all gates off the current falls as it rose, in a quarter of the off-time.
+TEST(DesignRules, AQuarterOfTheOffTimeUndoesWhatNobodyBelieved) {
+  auto s = settings_of("bly172s");
+  s.motor.resistance_ohm *= 2;
+  s.control.limit_blanking_s = 8e-6;
+  const double default_off = design_drive(s).parameters.limit.off_time;
+  EXPECT_DOUBLE_EQ(default_off, 4 * unbelieved(s));
+  EXPECT_GT(default_off, 32e-6);
+  EXPECT_EQ(problems(s), std::vector<std::string>());
+  s.control.limit_off_time_s = 0.9 * default_off;
+  const auto found = problems(s);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("control.limit_off_time_s"), std::string::npos) << found[0];
+  s.start.method = Method::kRamp;
+  EXPECT_EQ(problems(s), std::vector<std::string>()) << "no cut of a ramp turns all gates off";
+}
+
 TEST(DesignRules, HandOverShowsTheBackEmfAboveTheComparatorsDoubt) {
   auto s = settings_of("m2310p_servo");
   s.start.hand_over_rpm.reset();

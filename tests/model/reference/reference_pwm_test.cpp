@@ -93,6 +93,16 @@ TEST(ReferenceCurrentLimit, CutsForItsFixedOffTimeWhateverTheComparatorDoes) {
   EXPECT_NEAR(limit.next(22e-6), 24e-6, kRounding);  // blanked anew
 }
 
+TEST(ReferenceCurrentLimit, CutsForAQuarterWhereTheBusTakesTheCurrentDown) {
+  CurrentLimit limit({.blanking = 2e-6, .off_time = 20e-6});
+  limit.update(0, true, true, true);
+  limit.update(limit.next(0), true, true, true);
+  ASSERT_TRUE(limit.hit());
+  EXPECT_NEAR(limit.next(2e-6), 7e-6, kRounding);
+  limit.update(limit.next(2e-6), true, false, true);
+  EXPECT_TRUE(limit.on());
+}
+
 TEST(ReferenceCurrentLimit, CountsHitsThatNeverRelease) {
   CurrentLimit limit({.blanking = 1e-6, .off_time = 10e-6});
   double t = 0;
