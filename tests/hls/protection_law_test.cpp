@@ -124,17 +124,16 @@ int verdicts_beside_the_reference(std::uint32_t seed, int attempts, std::map<Rea
     In idle = story.in;
     idle.running = false;
     law.clock(idle);
-    const auto& w = story.in.words;
+    const auto w = story.in.words;
     design::ProtectionParameters p{.misses = int(w.misses.raw()), .stall = 1, .slip = 0.5, .freewheel = double(w.freewheel.raw()) * kTurn,
                                    .wrong_lock = double(w.wrong_lock.raw()), .over_current = int(w.over_current.raw())};
     spoil(p);
     reference::Protection reference(p, 1);
-    const auto words = w;
     for (int i = 0; i < 400; ++i) {
       story.levels();
       story.strobes();
       In in = story.in;
-      in.running = true, in.words = words;
+      in.running = true, in.words = w;
       const Out is = law.clock(in);
       reference.update({.running = true, .tick = in.tick, .commutated = in.commutate, .updated = in.update, .good = in.good,
                         .missed = in.missed, .lags = in.lags, .hall = in.hall, .hall_illegal = in.hall_illegal,

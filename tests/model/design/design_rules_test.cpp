@@ -175,24 +175,40 @@ TEST(DesignRules, NoRightLockOfTheEnvelopeSlips) {
   EXPECT_GT(once_slipped, 0);
 }
 
-// A, the greatest in the plant, of 400 pulses that the limit cuts for `off` seconds each; the rotor is blocked.
-double peak_when_cut(Settings s, double off) {
-  s.inverter.bus_v *= 1.2;
-  s.motor.resistance_ohm *= 0.8;
-  s.inverter.bus_resistance_ohm = 0;
+struct Current {
+  double peak = 0, mean = 0;  // A, the mean over time
+};
+
+// In the plant, of 400 pulses that the limit cuts for `off` seconds each, with these gates on in the cut; the rotor is blocked.
+Current when_cut(const Settings& s, double off, const plant::Gates& in_the_cut) {
+  constexpr int kSamples = 100;  // of a cut
   plant::Parameters p = plant_parameters(s);
   p.motor.static_friction = p.motor.coulomb_friction = 1e3;
   plant::Plant plant(p);
-  double peak = 0;
+  Current of;
+  const auto advance = [&](double dt) {
+    plant.advance_to(plant.time() + dt);
+    of.mean += std::abs(plant.state().current[0]) * dt;
+  };
   for (int pulse = 0; pulse < 400; ++pulse) {
     plant.set_gates({.uh = true, .vl = true});
-    plant.advance_to(plant.time() + unbelieved(s));
-    while (!plant.pins().limit && plant.time() < 0.1) plant.advance_to(plant.time() + 1 / s.control.clock_hz);
-    peak = std::max(peak, std::abs(plant.state().current[0]));
-    plant.set_gates({.ul = true, .vl = true});
-    plant.advance_to(plant.time() + off);
+    const double believed = plant.time() + unbelieved(s);
+    while (plant.time() < believed || (!plant.pins().limit && plant.time() < 0.1)) advance(1 / s.control.clock_hz);
+    of.peak = std::max(of.peak, std::abs(plant.state().current[0]));
+    plant.set_gates(in_the_cut);
+    for (int i = 0; i < kSamples; ++i) advance(off / kSamples);
   }
-  return peak;
+  of.mean /= plant.time();
+  return of;
+}
+constexpr plant::Gates kFreewheeling = {.ul = true, .vl = true}, kAllOff = {};
+
+// At the end of the envelope where the current climbs most.
+Settings most_of(Settings s) {
+  s.inverter.bus_v *= 1.2;
+  s.motor.resistance_ohm *= 0.8;
+  s.inverter.bus_resistance_ohm = 0;
+  return s;
 }
 
 // At a standstill the bus drives the current up while nobody believes the comparator; resistance alone takes it down.
@@ -204,8 +220,8 @@ TEST(DesignRules, InTheOffTimeTheLimitsCurrentFallsFurtherThanItRose) {
   most.inverter.bus_v *= 1.2;
   const double off = design_drive(s).parameters.limit.off_time;
   EXPECT_GT(off, 20e-6);
-  EXPECT_LT(peak_when_cut(s, off), limited_current(most));
-  EXPECT_GT(peak_when_cut(s, 20e-6), limited_current(most));  // the control: as it once was
+  EXPECT_LT(when_cut(most_of(s), off, kFreewheeling).peak, limited_current(most));
+  EXPECT_GT(when_cut(most_of(s), 20e-6, kFreewheeling).peak, limited_current(most));  // the control: as it once was
   s.control.limit_off_time_s = 7e-6;
   EXPECT_DOUBLE_EQ(design_drive(s).parameters.limit.off_time, 7e-6);
 }
@@ -225,6 +241,19 @@ TEST(DesignRules, AQuarterOfTheOffTimeUndoesWhatNobodyBelieved) {
   EXPECT_NE(found[0].find("control.limit_off_time_s"), std::string::npos) << found[0];
   s.start.method = Method::kRamp;
   EXPECT_EQ(problems(s), std::vector<std::string>()) << "no cut of a ramp turns all gates off";
+}
+
+// Of a small inductance the bus takes all current down in less than a whole off-time: then a quarter of the limit is left.
+TEST(DesignRules, AQuarterOfTheOffTimeLeavesMoreOfTheLimit) {
+  const auto s = load_drive_file(DRIVES "/../tests/testbench/low_inductance.toml").settings;
+  const double off = design_drive(s).parameters.limit.off_time;
+  EXPECT_LT(when_cut(s, off, kAllOff).mean, 0.25 * s.sensors.limit_a);
+  EXPECT_GT(when_cut(s, off / 4, kAllOff).mean, 0.5 * s.sensors.limit_a);
+  // Of the least off-time that a drive may have a quarter is enough, and half of that is not.
+  Settings most = s;
+  most.inverter.bus_v *= 1.2;
+  EXPECT_LT(when_cut(most_of(s), least_off_time(s) / 4, kAllOff).peak, limited_current(most));
+  EXPECT_GT(when_cut(most_of(s), least_off_time(s) / 8, kAllOff).peak, limited_current(most));
 }
 
 TEST(DesignRules, HandOverShowsTheBackEmfAboveTheComparatorsDoubt) {
