@@ -1,6 +1,8 @@
 /* See steplock.h. */
 #include "steplock.h"
 
+#include "steplock_sinusoidal_registers.h" /* the bounds of the other drive */
+
 #define GET(name, value) (((value) & STEPLOCK_##name##_MASK) >> STEPLOCK_##name##_LSB)
 
 static int write_mapped(void *context, uint32_t offset, uint32_t value) {
@@ -21,11 +23,15 @@ struct steplock_bus steplock_memory_mapped(volatile uint32_t *base) {
   return bus;
 }
 
+static int usable(const struct steplock_bus *bus) { return bus && bus->write && bus->read; }
+
 static enum steplock_result put(const struct steplock_bus *bus, uint32_t offset, uint32_t value) {
+  if (!usable(bus)) return STEPLOCK_REFUSED;
   return bus->write(bus->context, offset, value) == 0 ? STEPLOCK_OK : STEPLOCK_BUS_ERROR;
 }
 
 static enum steplock_result get(const struct steplock_bus *bus, uint32_t offset, uint32_t *value) {
+  if (!usable(bus)) return STEPLOCK_REFUSED;
   return bus->read(bus->context, offset, value) == 0 ? STEPLOCK_OK : STEPLOCK_BUS_ERROR;
 }
 
@@ -84,6 +90,7 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count) {
   uint32_t id, version, capability, status;
   enum steplock_result result, closed;
+  if (!usable(bus) || (!words && count != 0)) return STEPLOCK_REFUSED;
   if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||
       get(bus, STEPLOCK_VERSION, &version) != STEPLOCK_OK ||
       GET(VERSION_MAJOR, version) != GET(VERSION_MAJOR, STEPLOCK_VERSION_RESET)) {
@@ -115,14 +122,14 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
 
 enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned *kind) {
   uint32_t capability;
-  const enum steplock_result result = get(bus, STEPLOCK_CAPABILITY, &capability);
+  const enum steplock_result result = kind ? get(bus, STEPLOCK_CAPABILITY, &capability) : STEPLOCK_REFUSED;
   if (result == STEPLOCK_OK) *kind = (unsigned)GET(CAPABILITY_KIND, capability);
   return result;
 }
 
 enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes) {
   uint32_t capability;
-  const enum steplock_result result = get(bus, STEPLOCK_CAPABILITY, &capability);
+  const enum steplock_result result = axes ? get(bus, STEPLOCK_CAPABILITY, &capability) : STEPLOCK_REFUSED;
   if (result == STEPLOCK_OK) *axes = (unsigned)GET(CAPABILITY_AXES, capability);
   return result;
 }
@@ -149,20 +156,27 @@ enum steplock_result steplock_reverse(const struct steplock_bus *bus, int revers
 }
 
 enum steplock_result steplock_set_speed(const struct steplock_bus *bus, uint32_t speed) {
-  return put(bus, STEPLOCK_SPEED_TARGET, speed & STEPLOCK_SPEED_TARGET_TARGET_MASK);
+  unsigned kind;
+  uint32_t most;
+  const enum steplock_result result = steplock_get_kind(bus, &kind);
+  if (result != STEPLOCK_OK) return result;
+  most = kind == STEPLOCK_SIX_STEP ? STEPLOCK_SPEED_TARGET_TARGET_MASK : STEPLOCK_SINUSOIDAL_SPEED_TARGET_TARGET_MASK;
+  return speed > most ? STEPLOCK_REFUSED : put(bus, STEPLOCK_SPEED_TARGET, speed);
 }
 
 uint32_t steplock_speed(uint32_t erpm, uint32_t clock_hz, unsigned divide) {
-  /* Steps per second are a tenth of the electrical revolutions per minute. */
-  const uint64_t turns = ((uint64_t)erpm << 32) / 10u / clock_hz; /* below 2^64 for all erpm */
   const uint32_t most = STEPLOCK_SPEED_TARGET_TARGET_MASK;
+  uint64_t turns;
+  if (clock_hz == 0 || divide > GET(LOOP_DIVIDE, STEPLOCK_LOOP_DIVIDE_MASK)) return STEPLOCK_NO_SPEED;
+  /* Steps per second are a tenth of the electrical revolutions per minute. */
+  turns = ((uint64_t)erpm << 32) / 10u / clock_hz; /* below 2^64 for all erpm */
   return turns > (most >> divide) ? most : (uint32_t)turns << divide;
 }
 
 enum steplock_result steplock_get_status(const struct steplock_bus *bus,
                                          struct steplock_status *status) {
   uint32_t now, fault;
-  enum steplock_result result = get(bus, STEPLOCK_STATUS, &now);
+  enum steplock_result result = status ? get(bus, STEPLOCK_STATUS, &now) : STEPLOCK_REFUSED;
   if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_FAULT, &fault);
   if (result != STEPLOCK_OK) return result;
   status->state = GET(STATUS_STATE, now);
@@ -178,7 +192,7 @@ enum steplock_result steplock_get_status(const struct steplock_bus *bus,
 enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
                                             struct steplock_telemetry *telemetry) {
   uint32_t speed, loop, crossings, limits, retries;
-  enum steplock_result result = put(bus, STEPLOCK_SNAPSHOT, 1);
+  enum steplock_result result = telemetry ? put(bus, STEPLOCK_SNAPSHOT, 1) : STEPLOCK_REFUSED;
   if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_SPEED, &speed);
   if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_LOOP, &loop);
   if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_TELEMETRY_CROSSINGS, &crossings);
@@ -209,8 +223,11 @@ enum steplock_result steplock_clear_fault(const struct steplock_bus *bus) {
 
 enum steplock_result steplock_set_watchdog(const struct steplock_bus *bus, uint32_t ticks) {
   const struct steplock_word word = {STEPLOCK_WATCHDOG, ticks};
-  enum steplock_result result = need_stopped(bus), closed;
-  if (result == STEPLOCK_OK) result = put(bus, STEPLOCK_LOCK, STEPLOCK_LOCK_KEY);
+  enum steplock_result result, closed;
+  if (ticks > STEPLOCK_WATCHDOG_PERIOD_MASK) return STEPLOCK_REFUSED;
+  result = need_stopped(bus);
+  if (result != STEPLOCK_OK) return result;
+  result = put(bus, STEPLOCK_LOCK, STEPLOCK_LOCK_KEY);
   if (result == STEPLOCK_OK) result = write_words(bus, &word, 1);
   closed = put(bus, STEPLOCK_LOCK, 0);
   return result == STEPLOCK_OK ? closed : result;
@@ -221,10 +238,32 @@ enum steplock_result steplock_heartbeat(const struct steplock_bus *bus) {
 }
 
 enum steplock_result steplock_enable_interrupts(const struct steplock_bus *bus, uint32_t bits) {
+  if (bits & ~STEPLOCK_INTERRUPT_ENABLE_ENABLE_MASK) return STEPLOCK_REFUSED;
   return put(bus, STEPLOCK_INTERRUPT_ENABLE, bits);
 }
 
 enum steplock_result steplock_take_interrupts(const struct steplock_bus *bus, uint32_t *bits) {
-  const enum steplock_result result = get(bus, STEPLOCK_INTERRUPT, bits);
+  const enum steplock_result result = bits ? get(bus, STEPLOCK_INTERRUPT, bits) : STEPLOCK_REFUSED;
   return result != STEPLOCK_OK || *bits == 0 ? result : put(bus, STEPLOCK_INTERRUPT, *bits);
+}
+
+static const char *name_of(const char *const *names, size_t count, unsigned value) {
+  return value < count ? names[value] : "unknown";
+}
+
+const char *steplock_state_name(unsigned state) {
+  static const char *const names[] = {STEPLOCK_STATE_NAMES};
+  return name_of(names, sizeof names / sizeof names[0], state);
+}
+
+const char *steplock_reason_name(unsigned reason) {
+  static const char *const names[] = {STEPLOCK_REASON_NAMES};
+  return name_of(names, sizeof names / sizeof names[0], reason);
+}
+
+const char *steplock_result_name(enum steplock_result result) {
+  static const char *const names[] = {
+      "done", "bus error", "no such drive", "not stopped", "not kept", "fault latched", "no PWM period",
+      "no Hall decoder", "no such start", "refused"};
+  return name_of(names, sizeof names / sizeof names[0], (unsigned)result);
 }

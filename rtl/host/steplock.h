@@ -27,8 +27,10 @@ enum steplock_result {
   STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
   STEPLOCK_NO_PERIOD,    /* the words leave PWM.period 0, or too short: the bridge stays off */
   STEPLOCK_NO_HALL,      /* the words ask for Hall sensors, whose decoder this drive was made without */
-  STEPLOCK_NO_METHOD     /* the words ask for a start (START_LOCK.method) that this drive was made without */
+  STEPLOCK_NO_METHOD,    /* the words ask for a start (START_LOCK.method) that this drive was made without */
+  STEPLOCK_REFUSED       /* an argument that cannot be: no bus, or a value that its register does not hold; nothing was written */
 };
+const char *steplock_result_name(enum steplock_result result);
 
 enum steplock_kind { STEPLOCK_SIX_STEP = 1, STEPLOCK_SINUSOIDAL = 2 };
 
@@ -44,7 +46,7 @@ struct steplock_word {
 };
 
 struct steplock_status {
-  unsigned state, reason; /* as in STATUS of docs/registers.md, or docs/sinusoidal_registers.md */
+  unsigned state, reason; /* enum steplock_state and steplock_reason, or steplock_sinusoidal_state and _reason */
   int locked, reverse, stopped, fault, watchdog;
 };
 
@@ -74,13 +76,20 @@ enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake);
 /* Turns round: slows down, brakes and starts the other way; also while running. */
 enum steplock_result steplock_reverse(const struct steplock_bus *bus, int reverse);
 
-/* `speed` as steplock_speed() or steplock_sinusoidal_speed() gives it; acts from the next PWM period on. */
+/* `speed` as steplock_speed() or steplock_sinusoidal_speed() gives it; acts from the next PWM period on.  More than the drive's
+ * SPEED_TARGET holds is refused. */
 enum steplock_result steplock_set_speed(const struct steplock_bus *bus, uint32_t speed);
-/* The word of a speed in electrical revolutions per minute; stops at the largest word.  Six-step. */
+/* What these two give for a clock of 0 Hz and the like; steplock_set_speed() refuses it. */
+#define STEPLOCK_NO_SPEED 0xffffffffu
+/* The word of a speed in electrical revolutions per minute; stops at the largest word.  STEPLOCK_NO_SPEED for a clock of 0 Hz
+ * or a `divide` that LOOP.divide does not hold.  Six-step. */
 uint32_t steplock_speed(uint32_t erpm, uint32_t clock_hz, unsigned divide);
 
 enum steplock_result steplock_get_status(const struct steplock_bus *bus,
                                          struct steplock_status *status);
+/* In words; "unknown" for any other number.  Six-step; steplock_sinusoidal.h has those of the other drive. */
+const char *steplock_state_name(unsigned state);
+const char *steplock_reason_name(unsigned reason);
 /* Six-step. */
 enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
                                             struct steplock_telemetry *telemetry);
@@ -89,7 +98,7 @@ enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
    after its comparator fell, so call it again. */
 enum steplock_result steplock_clear_fault(const struct steplock_bus *bus);
 
-/* Longest time between two heartbeats in ticks; 0: none.  Only while stopped. */
+/* Longest time between two heartbeats in ticks, at most 4095; 0: none.  Only while stopped. */
 enum steplock_result steplock_set_watchdog(const struct steplock_bus *bus, uint32_t ticks);
 enum steplock_result steplock_heartbeat(const struct steplock_bus *bus);
 

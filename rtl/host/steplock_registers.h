@@ -355,4 +355,33 @@
 #define STEPLOCK_START_STILL_STILL_LSB 0
 #define STEPLOCK_START_STILL_STILL_MASK 0x000000ffu
 
+enum steplock_state {
+  STEPLOCK_STATE_IDLE = 0,
+  STEPLOCK_STATE_OBSERVE = 1,
+  STEPLOCK_STATE_BRAKE = 2,
+  STEPLOCK_STATE_SETTLE = 3,
+  STEPLOCK_STATE_RESET = 4,
+  STEPLOCK_STATE_ACCELERATE = 5,
+  STEPLOCK_STATE_PULL_IN = 6,
+  STEPLOCK_STATE_RUN = 7,
+  STEPLOCK_STATE_SLOW_DOWN = 8,
+  STEPLOCK_STATE_REST = 9,
+  STEPLOCK_STATE_FAULT = 10
+};
+#define STEPLOCK_STATE_NAMES "idle", "observe", "brake", "settle", "reset", "accelerate", "pull in", "run", "slow down", "rest", "fault"
+
+enum steplock_reason {
+  STEPLOCK_REASON_NONE = 0,
+  STEPLOCK_REASON_FAULT_PIN = 1,
+  STEPLOCK_REASON_OVER_CURRENT = 2,
+  STEPLOCK_REASON_STEP_OUT = 3,
+  STEPLOCK_REASON_STALL = 4,
+  STEPLOCK_REASON_WRONG_LOCK = 5,
+  STEPLOCK_REASON_NO_LOCK = 6,
+  STEPLOCK_REASON_CANNOT_STOP = 7,
+  STEPLOCK_REASON_HALL_CODE = 8,
+  STEPLOCK_REASON_BLOCKED = 9
+};
+#define STEPLOCK_REASON_NAMES "none", "fault pin", "over-current", "step-out", "stall", "wrong lock", "no lock", "cannot stop", "Hall code", "blocked"
+
 #endif

@@ -25,13 +25,16 @@ struct steplock_sinusoidal_telemetry {
 };
 
 /* The word of a speed in electrical revolutions per minute, for steplock_set_speed(); `period` is PWM.period in
- * clocks.  Stops at the largest word. */
+ * clocks.  Stops at the largest word; STEPLOCK_NO_SPEED for a clock of 0 Hz or a period of 0. */
 uint32_t steplock_sinusoidal_speed(uint32_t erpm, uint32_t clock_hz, uint32_t period);
-/* A speed of the telemetry in electrical revolutions per minute. */
+/* A speed of the telemetry in electrical revolutions per minute; 0 for a period of 0. */
 int32_t steplock_sinusoidal_erpm(int16_t speed, uint32_t clock_hz, uint32_t period);
 
 enum steplock_result steplock_sinusoidal_get_telemetry(const struct steplock_bus *bus,
                                                        struct steplock_sinusoidal_telemetry *telemetry);
+/* In words; "unknown" for any other number. */
+const char *steplock_sinusoidal_state_name(unsigned state);
+const char *steplock_sinusoidal_reason_name(unsigned reason);
 
 #ifdef __cplusplus
 }

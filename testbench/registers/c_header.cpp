@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 #include "testbench/registers/registers.hpp"
 
@@ -12,6 +13,20 @@ std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text;
+}
+
+// A field whose prose counts its values, "0 idle, 1 observe": an enum of them, and their names in order.
+std::string values_of(const Map& map, const Field& field) {
+  const std::string name = map.prefix + upper(field.name), prose = field.prose;
+  std::string values, names;
+  const std::regex value("([0-9]+) ([A-Za-z][A-Za-z -]*)");
+  for (std::sregex_iterator at(prose.begin(), prose.end(), value), end; at != end; ++at) {
+    const std::string word = (*at)[2];
+    const std::string constant = std::regex_replace(upper(word), std::regex("[ -]"), "_");
+    values += fmt::format("{}\n  {}_{} = {}", values.empty() ? "" : ",", name, constant, (*at)[1].str());
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", word);
+  }
+  return fmt::format("\nenum {} {{{}\n}};\n#define {}_NAMES {}\n", lower(name), values, name, names);
 }
 
 }  // namespace
@@ -33,6 +48,11 @@ std::string c_header(const Map& map) {
       const std::string name = fmt::format("{}{}_{}", map.prefix, r.name, upper(f.name));
       text += fmt::format("#define {}_LSB {}\n#define {}_MASK 0x{:08x}u\n", name, f.lsb, name,
                           mask_of(f));
+    }
+  }
+  for (const Field& f : map.fields) {
+    if (std::string(f.group) == "STATUS" && (std::string(f.name) == "state" || std::string(f.name) == "reason")) {
+      text += values_of(map, f);
     }
   }
   return text + "\n#endif\n";
