@@ -8,6 +8,9 @@ module power_on_reset (
     input  logic hold,
     output logic rst
 );
+  // Of Vivado, Synplify and Lattice's own synthesis, and Quartus: two flip-flops close to each other.
+  (* ASYNC_REG = "TRUE", syn_preserve = 1,
+     altera_attribute = "-name SYNCHRONIZER_IDENTIFICATION FORCED" *)
   logic [1:0] held = 2'b00;
   logic [9:0] clocks = 10'd0;
   initial rst = 1'b1;

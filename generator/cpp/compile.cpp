@@ -82,7 +82,9 @@ Refusal first_error(const std::string& diagnostics, const std::string& source) {
   }
   // It crashed, say: its own first line, of many.
   const auto first = diagnostics.find_first_not_of(" \n");
-  const std::string said = first == std::string::npos ? "it says nothing" : diagnostics.substr(first, diagnostics.find('\n', first) - first);
+  const std::string said = first == std::string::npos
+                               ? "it says nothing"
+                               : diagnostics.substr(first, diagnostics.find('\n', first) - first);
   return {{source, 1}, "clang++-16 failed: " + said, "compile the source with it to see all it says"};
 }
 

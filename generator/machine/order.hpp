@@ -4,8 +4,8 @@
 //     clock t + 1  shift and format                 in t + 2 for a, b, the condition; in t + 3 for c
 //     clock t + 2  written to the memory            read in t + 3: for a, b in t + 4, for c, d in t + 5
 //
-// List scheduling, what early outputs wait for before the rest, the longest way to go first.  A register of the block has a cell of its own, which
-// is written when nobody reads the old value any more.
+// List scheduling, what early outputs wait for before the rest, the longest way to go first.  A register of the block has
+// a cell of its own, which is written when nobody reads the old value any more.
 //
 // Test: tests/generator/machine_test.cpp
 

@@ -111,7 +111,8 @@ void StartSequence::update(const In& in) {
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
-      if (p_.method == design::Method::kFollow && (ticks_ >= (retries_ == 0 ? 2 : 1) * kMostTicks || (ticks_ == kMostTicks && !in.hopeful))) {
+      if (p_.method == design::Method::kFollow &&
+          (ticks_ >= (retries_ == 0 ? 2 : 1) * kMostTicks || (ticks_ == kMostTicks && !in.hopeful))) {
         if (!in.hopeful) retries_ = p_.retries;  // the next one would be the same
         fail(Reason::kNoLock);
       }

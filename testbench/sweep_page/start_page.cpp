@@ -110,7 +110,8 @@ std::string head(const SweepSetup& setup, const char* title, const char* command
                  const char* test) {
   const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
   std::string t = fmt::format("# {}\n\nPrinted by ", title);
-  t += setup.judged.empty() ? fmt::format("`steplock sweep {} --runs {} --seed {}{} --page {}`", sweep, setup.runs, setup.kind.seed, outside, page)
+  t += setup.judged.empty() ? fmt::format("`steplock sweep {} --runs {} --seed {}{} --page {}`", sweep, setup.runs,
+                                          setup.kind.seed, outside, page)
                             : fmt::format("`{} {}`", command, setup.runs);
   t += fmt::format("; the test `{}` repeats its first runs and fails when they are not the page's.\n\n", test);
   if (!setup.judged.empty()) {
@@ -187,7 +188,10 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   const Json j = sweep_json(setup, rows);
   const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
   const bool hard = setup.kind.matrix == Matrix::kHard;
-  std::string t = hard ? hard_head(setup) : of_drawn_motors(setup) ? motors_head(setup) : sinusoidal ? sinusoidal_head(setup) : six_step_head(setup);
+  std::string t = hard                     ? hard_head(setup)
+                  : of_drawn_motors(setup) ? motors_head(setup)
+                  : sinusoidal             ? sinusoidal_head(setup)
+                                           : six_step_head(setup);
   t += fmt::format("{} runs; engine `fixed`, {} runs repeated on the RTL, {} of them differ on any clock.\n\n", rows.size(),
                    j["rtl_repeats"].get<int>(), j["rtl_differing"].get<int>());
   t += fmt::format("{} of the started ones were watched for 200 turns and a second.\n\n", j["inside"]["watched"].get<int>());
@@ -198,8 +202,8 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   t += outcomes_line("all, inside the envelope", j["inside"]);
   if (const Json& o = j["outside_of_envelope"]; o["runs"] > 0) {
     t += fmt::format("\nOutside the envelope: {} runs, {} started, {} rough, {} latched, {} silent, {} unfinished.\n",
-                     o["runs"].get<int>(), o["started"].get<int>(), o["rough"].get<int>(), o["latched"].get<int>(), o["silent_step_outs"].get<int>(),
-                     o["unfinished"].get<int>());
+                     o["runs"].get<int>(), o["started"].get<int>(), o["rough"].get<int>(), o["latched"].get<int>(),
+                     o["silent_step_outs"].get<int>(), o["unfinished"].get<int>());
   }
   t += "\nTimes from `run`, kicks backwards from rest in electrical degrees, peaks of any phase, also over the current limit (sinusoidal: of the speed "
        "control's regulator); the highest speed of a rotor that stood, over the set speed.\n\n"
@@ -219,7 +223,8 @@ std::string start_page(const SweepSetup& setup, const std::vector<Row>& rows) {
   if (sinusoidal) t += "Why, as far as it is known: [causes](sweep.md#why-sinusoidal-starts-are-lost).\n\n";
   t += "| replay | outcome | reason | envelope |\n|---|---|---|---|\n";
   for (const Row* r : failed) {
-    t += fmt::format("| `steplock run {}/{}.toml --replay {}` | {} | {} | {} |\n", of_drawn_motors(setup) ? "out/motors" : "drives", r->drive, r->seed,
+    t += fmt::format("| `steplock run {}/{}.toml --replay {}` | {} | {} | {} |\n",
+                     of_drawn_motors(setup) ? "out/motors" : "drives", r->drive, r->seed,
                      name_of(r->findings.outcome), failure(*r), r->outside ? "outside" : "inside");
   }
   return t;

@@ -131,7 +131,9 @@ TEST(LoopFilterLaw, IsItsEquations) {
 
 // The reference in doubles beside the law, in turns per clock; the law may be away from it by what its truncations can have made by then:
 // a product drops less than one last place, the frequency that gains a product has 28 bits.  The times that it is further away.
-int beyond_truncations(Words words, int updates, const std::function<void(design::LoopParameters&)>& spoil = [](design::LoopParameters&) {}) {
+int beyond_truncations(
+    Words words, int updates,
+    const std::function<void(design::LoopParameters&)>& spoil = [](design::LoopParameters&) {}) {
   constexpr double kPlace = 0x1p-36, kError = 0x1p-22, kGained = 0x1p-28;
   int beyond = 0;
   for (int run = 0; run < updates / 50; ++run) {

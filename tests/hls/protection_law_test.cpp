@@ -64,7 +64,8 @@ class Story : public RandomWords {
   bool running_ = false;  // before this change of levels
 };
 
-int differences(std::uint32_t seed, int strobes, std::map<Reason, int>* reasons = nullptr, const std::function<void(In&)>& spoil = [](In&) {}) {
+int differences(std::uint32_t seed, int strobes, std::map<Reason, int>* reasons = nullptr,
+                const std::function<void(In&)>& spoil = [](In&) {}) {
   Story story(seed);
   Protection dut;
   ProtectionLaw law;
@@ -94,7 +95,8 @@ int differences(std::uint32_t seed, int strobes, std::map<Reason, int>* reasons 
 TEST(ProtectionLaw, IsWhatTheMachineDoes) {
   std::map<Reason, int> reasons;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) ASSERT_EQ(differences(seed, 20000, &reasons), 0) << seed;
-  for (const Reason r : {Reason::kFaultPin, Reason::kOverCurrent, Reason::kStepOut, Reason::kStall, Reason::kWrongLock, Reason::kHallCode}) {
+  for (const Reason r : {Reason::kFaultPin, Reason::kOverCurrent, Reason::kStepOut, Reason::kStall, Reason::kWrongLock,
+                         Reason::kHallCode}) {
     EXPECT_GT(reasons[r], 100) << int(r);
   }
 }
@@ -155,7 +157,8 @@ int verdicts_beside_the_reference(std::uint32_t seed, int attempts, std::map<Rea
 TEST(ProtectionLaw, EqualsTheReferenceInEveryVerdict) {
   std::map<Reason, int> reasons;
   EXPECT_EQ(verdicts_beside_the_reference(1, 4000, &reasons), 0);
-  for (const Reason r : {Reason::kFaultPin, Reason::kOverCurrent, Reason::kStepOut, Reason::kStall, Reason::kWrongLock, Reason::kHallCode}) {
+  for (const Reason r : {Reason::kFaultPin, Reason::kOverCurrent, Reason::kStepOut, Reason::kStall, Reason::kWrongLock,
+                         Reason::kHallCode}) {
     EXPECT_GT(reasons[r], 20) << int(r);
   }
   const auto found = [](const std::function<void(design::ProtectionParameters&)>& spoil) {

@@ -162,10 +162,12 @@ TEST(SpeedControlLaw, ADifferenceOfOneBitIsFound) {
   EXPECT_TRUE(found([](In& in) { in.limited = false; }));
 }
 
-// The reference in doubles beside the law, in its last places of a frequency and in ticks; what the law may be away: a last place of the
-// error (the one's complement), of the integral in each tick, and two of the duty; and the tick's ki e, which the reference adds to the next
-// duty.  The times that it is further away.
-int beyond_truncations(Words words, int ticks, const std::function<void(design::SpeedParameters&)>& spoil = [](design::SpeedParameters&) {}) {
+// The reference in doubles beside the law, in its last places of a frequency and in ticks; what the law may be away: a last
+// place of the error (the one's complement), of the integral in each tick, and two of the duty; and the tick's ki e, which
+// the reference adds to the next duty.  The times that it is further away.
+int beyond_truncations(
+    Words words, int ticks,
+    const std::function<void(design::SpeedParameters&)>& spoil = [](design::SpeedParameters&) {}) {
   int beyond = 0;
   for (int run = 0; run < ticks / 50; ++run) {
     In in;

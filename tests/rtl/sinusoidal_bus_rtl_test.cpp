@@ -191,7 +191,8 @@ class Life {
     if (out_.sample) since_sample_ = 0, late_ = 1 + int(draw() % 100);
     const bool due = since_sample_ == late_;
     if (due) since_codes_ = 0;
-    in_.codes = {.valid = due || (since_codes_ > 0 && since_codes_ < SinusoidalLoop::kClocks && draw() % 256 == 0),  // those count for nothing
+    const bool early = since_codes_ > 0 && since_codes_ < SinusoidalLoop::kClocks && draw() % 256 == 0;  // counts for nothing
+    in_.codes = {.valid = due || early,
                  .u = int(draw() % 801) - 400, .v = int(draw() % 801) - 400, .dc = 2500 + int(draw() % 400)};
     in_.fault = in_.fault ? draw() % 64 != 0 : draw() % 65536 == 0;
 

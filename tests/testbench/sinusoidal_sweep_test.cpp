@@ -189,7 +189,9 @@ TEST(SinusoidalSweep, ShardsMergedAndResumedAreTheWholeByteForByte) {
   const Row& row = end.rows[1];
   sinusoidal::Record record;
   Row watched = row;
-  watched.findings = simulate(drawn_run(files[0].settings, {row.seed}), {.sinusoidal_record = &record, .record_s = row.findings.end_s}).findings;
+  watched.findings = simulate(drawn_run(files[0].settings, {row.seed}),
+                              {.sinusoidal_record = &record, .record_s = row.findings.end_s})
+                         .findings;
   EXPECT_EQ(csv_line(watched), csv_line(row));
   EXPECT_GT(record.overview.size(), 100u);
 }

@@ -104,7 +104,9 @@ TEST(SinusoidalRules, NoRotorOfTheEnvelopePassesTheSetSpeedByMoreThanATenthAtThe
   for (const char* name : {"matsui1996", "ipm_2k2", "m2310p_sinusoidal", "br2804_sinusoidal"}) {
     const Settings s = load_drive_file(std::string(DRIVES "/") + name + ".toml").settings;
     const double slew = design_drive(s).parameters.speed.slew;
-    for (const double inertia : {0.5, 1.0, 2.0, s.envelope.inertia[1]}) EXPECT_LT(passes(s, slew, inertia), 1.0605) << name;  // 6 %, and what steps of 20 us make of it
+    for (const double inertia : {0.5, 1.0, 2.0, s.envelope.inertia[1]}) {
+      EXPECT_LT(passes(s, slew, inertia), 1.0605) << name;  // 6 %, and what steps of 20 us make of it
+    }
   }
   const Settings s = load_drive_file(DRIVES "/m2310p_sinusoidal.toml").settings;
   const Design d = design_drive(s);
