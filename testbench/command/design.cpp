@@ -23,7 +23,7 @@ namespace {
 
 struct Arguments {
   std::string file, out;
-  bool json = false, c_header = false, verilog = false, circuit = false;
+  bool json = false, c_header = false, verilog = false, mem = false, circuit = false;
   std::optional<double> clock_hz;
 };
 
@@ -48,6 +48,7 @@ int print_part(SixStepDrive, const DriveFile& file, const Arguments& arguments) 
   const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
   const std::string name = name_of(arguments);
   fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
+                   : arguments.mem    ? registers::words_mem(words, name, clock_hz)
                                       : registers::words_verilog(words, name, clock_hz));
   return kWell;
 }
@@ -61,6 +62,7 @@ int print_part(SinusoidalDrive, const DriveFile& file, const Arguments& argument
   try {
     const SinusoidalWords words = sinusoidal::words_of(file.settings);
     fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
+                     : arguments.mem    ? registers::words_mem(words, name, clock_hz)
                                         : registers::words_verilog(words, sinusoidal::converter_words_of(file.settings),
                                                                    name, clock_hz));
   } catch (const std::invalid_argument& e) {
@@ -100,7 +102,7 @@ int design_drive_file(const Arguments& arguments) {
     file.settings.control.clock_hz = *arguments.clock_hz;
     check_drive_file(file);  // words that fitted the file's clock need not fit this one
   }
-  const bool part = arguments.c_header || arguments.verilog || arguments.circuit;
+  const bool part = arguments.c_header || arguments.verilog || arguments.mem || arguments.circuit;
   return with_drive(file.settings, [&](auto drive) {
     return part ? print_part(drive, file, arguments) : print_design(drive, file, arguments);
   });
@@ -118,6 +120,8 @@ void add_design_command(CLI::App& app, int& exit_code) {
                     "print the words as C initialisers for rtl/host/steplock.h, nothing else");
   command->add_flag("--verilog", arguments->verilog,
                     "print the words as constants around rtl/six_step_bare.sv or sinusoidal_bare.sv, nothing else");
+  command->add_flag("--mem", arguments->mem,
+                    "print the words as a list for $readmemh, offset and value of each register, nothing else");
   command->add_flag("--circuit", arguments->circuit,
                     "print dividers, filter, shunt and threshold in front of the FPGA, nothing else");
   command->add_option("--clock-hz", arguments->clock_hz, "clock of the board (default: the file's)");

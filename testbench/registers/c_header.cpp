@@ -78,6 +78,20 @@ std::string words_text(const Map& map, const std::map<int, std::uint32_t>& value
   return text + "};\n";
 }
 
+std::string list_text(const Map& map, const std::map<int, std::uint32_t>& values, const std::string& name,
+                      const std::string& constants) {
+  std::string text = fmt::format(
+      "// The words of the drive {0}, for $readmemh: offset and value of a register, to be written behind the lock.\n"
+      "// Printed by `steplock design {0}.toml --mem`.  {1}\n",
+      name, constants);
+  for (const Register& r : registers(map)) {
+    if (const auto value = values.find(r.address); value != values.end()) {
+      text += fmt::format("{:08x}_{:08x}  // {}\n", r.address, value->second, r.name);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string words_c_header(const Words& words, const std::string& name, double clock_hz) {
@@ -89,6 +103,15 @@ std::string words_c_header(const SinusoidalWords& words, const std::string& name
   return words_text(sinusoidal(), values_of<Sinusoidal>(words), name,
                     fmt::format("{0}_clock_hz = {1:.0f}, {0}_period = {2}", name, clock_hz,
                                 int(words.bridge.period.raw())));
+}
+
+std::string words_mem(const Words& words, const std::string& name, double clock_hz) {
+  return list_text(six_step(), values_of<SixStep>(words), name,
+                   fmt::format("Clock: {:.0f} Hz; LOOP.divide: {}.", clock_hz, int(words.loop.divide.raw())));
+}
+std::string words_mem(const SinusoidalWords& words, const std::string& name, double clock_hz) {
+  return list_text(sinusoidal(), values_of<Sinusoidal>(words), name,
+                   fmt::format("Clock: {:.0f} Hz; PWM.period: {} clocks.", clock_hz, int(words.bridge.period.raw())));
 }
 
 }  // namespace steplock::registers

@@ -67,6 +67,9 @@ std::map<int, std::uint32_t> values_of(const typename Table::Words& words) {
 // The words of a drive as initialisers of `struct steplock_word`, by address.
 std::string words_c_header(const Words&, const std::string& name, double clock_hz);
 std::string words_c_header(const SinusoidalWords&, const std::string& name, double clock_hz);
+// The same as a list for $readmemh, a register a line: 64 bits, its offset in the upper ones, its value in the lower ones.
+std::string words_mem(const Words&, const std::string& name, double clock_hz);
+std::string words_mem(const SinusoidalWords&, const std::string& name, double clock_hz);
 // The same words as constants: a module six_step_fixed, which is six_step_bare with all words tied.
 std::string words_verilog(const Words&, const std::string& name, double clock_hz);
 // Likewise sinusoidal_fixed around sinusoidal_bare and its converter.
