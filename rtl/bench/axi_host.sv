@@ -1,5 +1,5 @@
 // A host on AXI4-Lite for a testbench: `read`, `write`, and `configure`, which does what steplock_init() of rtl/host does.
-// Hierarchical calls: host.write(12'h00c, 32'd1).  For Icarus (-g2012) and any other simulator of SystemVerilog; no C++.
+// Hierarchical calls: host.write(12'h00c, 32'd1).  Tried in Icarus (-g2012); no C++.
 //
 // Doc: docs/integration.md   Test: tests/rtl/bench.sh
 

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# The motor of rtl/bench in Icarus, beside the co-simulation of the same drive file: its lock comes at the same time.
+#   turning_motor.sh [--backwards] STEPLOCK WORK
+#     --backwards   a motor whose current turns it the wrong way: it must not lock
+# The drive of the bench does not observe, and its comparators are ideal; so is the drive file's.  A lock may come a look and a
+# probe sooner or later: the integration steps differ, and with them the moment at which an edge is seen.
+set -euo pipefail
+flaw=false
+[ "$1" != --backwards ] || { flaw=true; shift; }
+steplock=$(realpath "$1") work=$2 name=maxon_ec45_flat
+cd "$(dirname "$0")/../.."
+mkdir -p "$work"
+for key in resistance_ohm flux_vs pole_pairs inertia_kgm2 coulomb_nm viscous_nms bus_v limit_a; do
+  file=$(sed -n "s/^$key = //p" "drives/$name.toml") bench=$(sed -n "s/^ *parameter [a-z]* $key = \([^,) ]*\).*/\1/p" rtl/bench/motor.sv)
+  awk -v a="$file" -v b="$bench" 'BEGIN { exit a == "" || a + 0 != b + 0 }' || { echo "$key: $file in the drive file, $bench in the bench"; exit 1; }
+done
+motor=rtl/bench/motor.sv
+latest=4800000
+if $flaw; then
+  motor=$work/motor.sv
+  sed 's/torque = torque + pole_pairs/torque = torque - pole_pairs/' rtl/bench/motor.sv >"$motor"
+  cmp -s rtl/bench/motor.sv "$motor" && { echo "turning_motor.sh: the flaw found no place"; exit 2; }
+  latest=700000
+fi
+iverilog -g2012 -o "$work/turning_motor.vvp" -s turning_motor -P "turning_motor.LATEST=$latest" -c rtl/six_step_axi.f \
+  rtl/bench/axi_host.sv "$motor" rtl/bench/turning_motor.sv
+vvp -n "$work/turning_motor.vvp" "+words=rtl/words/$name.mem" | tee "$work/log"
+locked=$(sed -n 's/^locked after \([0-9.]*\) ms .*/\1/p' "$work/log")
+
+# Without what the bench does not have; one tick of observing is the least that the file takes.
+sed -e 's/^comparator_offset_v.*/comparator_offset_v = [0, 0, 0]/' -e 's/^comparator_noise_v.*/comparator_noise_v = 0/' \
+  -e 's/^duration_s.*/duration_s = 0.2/' -e '/^\(load_step\|load_off\|reverse\|stop\)_s/d' -e 's/^\[start\]/[start]\nobserve_s = 0.001/' \
+  "drives/$name.toml" >"$work/$name.toml"
+"$steplock" run "$work/$name.toml" --engine fixed --out "$work/run" >/dev/null || true  # it is not at its set speed yet
+"$steplock" design "$work/$name.toml" --json >"$work/design.json"
+jq -n --argjson bench "$locked" --slurpfile run "$work/run/summary.json" --slurpfile design "$work/design.json" -r '
+  ($run[0].lock_time_s * 1e3 - 1) as $model |
+  ($design[0].start | (.look + .probe) * 1e3) as $tolerance |
+  "bench \($bench) ms, co-simulation \($model * 100 | round / 100) ms, a look and a probe \($tolerance * 100 | round / 100) ms: " +
+  (if ($bench - $model | fabs) <= $tolerance then "they agree" else "they differ" end)'
