@@ -1,4 +1,4 @@
-// A host on AXI4-Lite for a testbench: `read`, `write`, and `configure`, which does what steplock_init() of rtl/host does.
+// A host on AXI4-Lite for a testbench: `read`, `write`, and `configure`.
 // Hierarchical calls: host.write(12'h00c, 32'd1).  Tried in Icarus (-g2012); no C++.
 //
 // Doc: docs/integration.md   Test: tests/rtl/bench.sh
@@ -73,7 +73,7 @@ module axi_host (
     errors = 0;
     count = 0;
     read(kStatus, value);
-    if ((value & kStopped) == 0) errors = 1;
+    if ((value & kStopped) == 0) errors = 1;  // what is refused below counts, too
     write(kControl, 32'd0);
     write(kLock, kLockKey);
     for (int i = 0; i < kWords; ++i) begin

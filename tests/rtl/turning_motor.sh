@@ -34,7 +34,8 @@ sed -e 's/^comparator_offset_v.*/comparator_offset_v = [0, 0, 0]/' -e 's/^compar
 "$steplock" run "$work/$name.toml" --engine fixed --out "$work/run" >/dev/null || true  # it is not at its set speed yet
 "$steplock" design "$work/$name.toml" --json >"$work/design.json"
 jq -n --argjson bench "$locked" --slurpfile run "$work/run/summary.json" --slurpfile design "$work/design.json" -r '
-  ($run[0].lock_time_s * 1e3 - 1) as $model |
+  ($design[0].words[] | select(.name == "start.observe") | .meant) as $observed |
+  (($run[0].lock_time_s - $observed) * 1e3) as $model |
   ($design[0].start | (.look + .probe) * 1e3) as $tolerance |
   "bench \($bench) ms, co-simulation \($model * 100 | round / 100) ms, a look and a probe \($tolerance * 100 | round / 100) ms: " +
   (if ($bench - $model | fabs) <= $tolerance then "they agree" else "they differ" end)'
