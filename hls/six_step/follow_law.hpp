@@ -32,7 +32,12 @@
 // "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.
 //
-//     latency      none     registers    those of Belief: 21 bits     multipliers  none
+// Until then a new step the wanted way is not driven at once: kCoast looks follow each other first, and count for no `still`.
+// A light rotor, fast after its first sector already, tells its direction in that time and is not made faster; to a heavy
+// one it is a moment.  That one takes long to be turned round: `still` begins anew when it is believed to turn the other
+// way, once between two news, since codes that quiver say so at every look.
+//
+//     latency      none     registers    those of Belief: 24 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/follow_law_test.cpp
 
@@ -44,6 +49,8 @@
 namespace steplock {
 
 struct FollowLaw {
+  static constexpr int kCoast = 3;  // looks
+
   struct Belief {
     bool looked = false;  // there was a look, and `rest` is its code
     bool real = false;    // a code was seen that is not that of a rotor at rest
@@ -55,6 +62,8 @@ struct FollowLaw {
     UInt<8> idle = 0;     // looks without news
     UInt<2> stood = 0;    // times that it was too many of them, in a row
     bool onward = false;  // the last time the way onward was taken, not the way back
+    bool turned = false;  // since the last news a belief that had lasted turned
+    UInt<2> coast = 0;    // looks to come before a drive, up to kCoast
     bool sure() const { return edges.bit(1); }
     bool operator==(const Belief&) const = default;
   };
@@ -125,7 +134,7 @@ struct FollowLaw {
             .far = other == (ahead ^ UInt<3>(7)),
             .contrary = other == (was.back ? ahead : behind),
             .across = other == 7,
-            .tired = was.idle + 1 >= still};
+            .tired = was.coast == 0 && was.idle + 1 >= still};
   }
 
   static constexpr News judge(const Belief& was, const Sight& sight, UInt<3> code) {
@@ -153,8 +162,12 @@ struct FollowLaw {
         goes = !sight.across;
       }
     }
-    const bool stands = !news && sight.tired;
-    now.idle = news ? UInt<8>(0) : wrap<UInt<8>>(was.idle + 1);
+    const bool turns = now.back != was.back;
+    const bool waits = turns && !was.turned && was.idle >= 4;
+    const bool stands = !news && !waits && sight.tired;
+    now.coast = goes && now.real && !now.back && !turns && !now.sure() ? UInt<2>(kCoast) : turns ? UInt<2>(0) : less(was.coast);
+    now.turned = !news && (waits || was.turned);
+    now.idle = news || waits ? UInt<8>(0) : was.coast != 0 ? was.idle : wrap<UInt<8>>(was.idle + 1);
     if (news) now.stood = 0;
     if (stands) now = {.looked = true, .rest = at_rest(sight, code), .stood = wrap<UInt<2>>(was.stood + 1), .onward = !was.onward};
     return {.belief = now,
@@ -163,6 +176,8 @@ struct FollowLaw {
             .changed = sight.on && sight.legal && was.real && !was.back && was.edges != 0,
             .blocked = stands && was.stood == 2};
   }
+
+  static constexpr UInt<2> less(UInt<2> looks) { return looks == 0 ? looks : wrap<UInt<2>>(looks - 1); }
 
   // What is not clear is the code of no sector.
   static constexpr UInt<3> at_rest(const Sight& sight, UInt<3> code) { return sight.clear ? code : UInt<3>(0); }

@@ -1,6 +1,6 @@
 // Rotor follower: a start whose steps follow the rotor, from standstill or from any motion.
 //
-//     drive    one step for `probe`, or until its crossing
+//     drive    one step for `probe`, or until its crossing; what brakes a rotor that turns the other way for `probe`
 //     look     gates off for `look`, until no current flows; then the majority of 15 samples of each
 //              comparator is the code of the back-EMFs
 //     judge    FollowLaw: what this code says, after those before it, and the step to drive next
@@ -14,10 +14,12 @@
 // intervals.  `caught`, at a crossing: fast enough for the PLL, before the last interval already, and that was as long as the
 // one before.
 //
+// Until then a drive follows three looks later where a new step was loaded: a rotor that is fast passes an edge meanwhile.
+//
 //     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, once
 //                  an interval was measured, until the expected one is over by a quarter
 //     latency      1 clock: outputs are registers
-//     registers    95 bits     multipliers  none
+//     registers    98 bits     multipliers  none
 //
 // Doc: docs/blocks/rotor_follower.md   Test: tests/hls/rotor_follower_test.cpp
 
@@ -72,8 +74,9 @@ class RotorFollower {
   Out tick(const In& in) {
     const Out out = out_;
     const bool sure = belief_.sure();
+    const bool coasts = at_.holds(Stage::kTurn) && belief_.coast != 0;
     const bool over = strobe_ && none_;
-    const bool crossed = at_.holds(Stage::kDrive) && in.crossing && belief_.real;
+    const bool crossed = at_.holds(Stage::kDrive) && in.crossing && belief_.real && !belief_.back;
     const bool ready = good_ && (in.fast || (in.steady && !in.slow));
     const bool caught = crossed && sure && ready;  // the drive goes on
     const bool late = sure && overdue_ && in.quarter;
@@ -97,11 +100,11 @@ class RotorFollower {
       out_.blocked = news.blocked;
     }
     if (at_.holds(Stage::kSee)) sight_ = FollowLaw::see(code(), clear(), in.step, in.reverse, belief_, in.still);
-    out_.restart = at_.holds(Stage::kTurn);
+    out_.restart = at_.holds(Stage::kTurn) && !coasts;
     out_.caught = caught;
 
     sample(in);
-    count(in, over, ends);
+    count(in, over, ends, coasts);
     // The expected interval is over: said once, for a look to be taken.
     overdue_ = !loads && !ends && (overdue_ || in.elapsed);
     good_ = sure && (in.update ? in.good && (in.fast || in.steady) : good_);
@@ -109,13 +112,13 @@ class RotorFollower {
 
     const auto to = [](Stage stage, bool yes) { return Stages(stage).when(yes); };
     const bool drove = drives();
-    at_ = to(Stage::kDecay, ends || (at_.holds(Stage::kDecay) && !over) || at_.holds(Stage::kOff)) |
+    at_ = to(Stage::kDecay, ends || (at_.holds(Stage::kDecay) && !over) || at_.holds(Stage::kOff) || coasts) |
           to(Stage::kSample, over ? at_.holds(Stage::kDecay) : at_.holds(Stage::kSample)) |
           to(Stage::kSee, at_.holds(Stage::kSample) && over) |
           to(Stage::kJudge, at_.holds(Stage::kSee)) |
           to(Stage::kLoad, at_.holds(Stage::kJudge)) |
           to(Stage::kTurn, at_.holds(Stage::kLoad)) |
-          to(Stage::kHold, at_.holds(Stage::kTurn) || (at_.holds(Stage::kHold) && !over && !ends)) |
+          to(Stage::kHold, (at_.holds(Stage::kTurn) && !coasts) || (at_.holds(Stage::kHold) && !over && !ends)) |
           to(Stage::kDrive, (at_.holds(Stage::kHold) && over && !ends) || (at_.holds(Stage::kDrive) && !ends));
     out_.drive = drives() && drove;  // a clock late, when the new step has come to the gates
     out_.sure = sure;
@@ -173,12 +176,13 @@ class RotorFollower {
   }
 
   // What a stage counts is loaded in the clock that ends the one before it.
-  void count(const In& in, bool over, bool ends) {
+  void count(const In& in, bool over, bool ends, bool coasts) {
     const bool loads = at_.holds_one_of(Stage::kOff, Stage::kTurn) || ends ||
                        (over && at_.holds_one_of(Stage::kDecay, Stage::kHold));
     none_ = !loads && left_ == 0;
     if (loads) {
-      left_ = at_.holds(Stage::kOff) || ends ? in.look : at_.holds(Stage::kHold) ? in.probe : UInt<16>(kSamples - 1);
+      const bool look = at_.holds(Stage::kOff) || ends || coasts;
+      left_ = look ? in.look : at_.holds(Stage::kHold) ? in.probe : UInt<16>(kSamples - 1);
     } else if (strobe_ && !none_) {
       left_ = wrap<UInt<16>>(left_ - 1);
     }

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <span>
 
 namespace steplock::design {
 
@@ -88,12 +89,28 @@ inline double ramp_overshoot(const SpeedLoop& loop) {
   return most;
 }
 
-// The steepest ramp up to `most` that passes its target, `rise` above its begin, by `passes` at most.
-inline double steepest_ramp(const SpeedLoop& loop, double rise, double passes, double most) {
-  constexpr double kFiner = 1.05;
-  double slew = passes / ramp_overshoot(loop);  // is right whatever the ramp's length
-  while (slew < most && kFiner * slew * ramp_overshoot(loop, rise / (kFiner * slew)) <= passes) slew *= kFiner;
-  return slew;
+// One that a ramp is made for: its loop, and what the current's limit lets it accelerate by.
+struct RampedLoop {
+  SpeedLoop loop;
+  double limit = 0;  // speed per s
+};
+
+// The steepest ramp up to `most` at whose end none of them passes the target, `rise` above the begin, by more than `passes`.
+// One that cannot follow it, at the current's limit, is not asked.  Looked for from above: what a steeper ramp passes by
+// may be less, where it ends when the error falls.
+inline double steepest_ramp(std::span<const RampedLoop> loops, double rise, double passes, double most) {
+  constexpr double kFiner = 0.97;
+  const auto too_steep = [&](double slew) {
+    return std::ranges::any_of(loops, [&](const RampedLoop& l) {
+      return slew < l.limit && slew * ramp_overshoot(l.loop, rise / slew) > passes;
+    });
+  };
+  // No rotor passes by more at this one, whatever the ramp's length.
+  double least = most;
+  for (const auto& l : loops) least = std::min(least, passes / ramp_overshoot(l.loop));
+  double slew = most;
+  while (slew > least && too_steep(slew)) slew *= kFiner;
+  return std::max(slew, least);
 }
 
 // s: times the deceleration by a load it is the speed by which the target is passed after the dip.

@@ -1,5 +1,6 @@
 // Speed control: gains from the motor's pole, and a ramp of the set speed that loop, torque and settling allow.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,25 +15,26 @@ constexpr double kPi = std::numbers::pi;
 double steps_per_radian(int pole_pairs) { return 6 * pole_pairs / (2 * kPi); }
 
 // The steepest ramp up to `most`, steps/s^2, at whose end no rotor of the envelope passes the set speed by more than 6 %,
-// of the tenth that a start may: the dip in which it meets its load, ticks and the duty's slew take the rest.  With the most bus and
-// the least flux, which damps least; a rotor that is too heavy for the ramp follows the limit's current.
+// of the tenth that a start may: the dip in which it meets its load, ticks and the duty's slew take the rest.  With the least
+// flux, which damps least, on either bus: which one swings further depends on how long the ramp is.  A rotor that is too heavy
+// for the ramp follows the limit's current.
 double settles(const Settings& s, const Design& d, double most) {
   constexpr double kPasses = 0.06;
   constexpr int kInertias = 16;
   const auto& p = d.parameters.speed;
   const auto& e = s.envelope;
-  const double rise = p.target - d.parameters.start.hand_over;
-  double steepest = most;
+  std::array<RampedLoop, 2 * (kInertias + 1)> loops;
+  auto* next = loops.begin();
   for (int k = 0; k <= kInertias; ++k) {
     MotorConstants m = d.motor;
     m.k_e *= e.flux[0];
     m.inertia *= e.inertia[0] * std::pow(e.inertia[1] / e.inertia[0], double(k) / kInertias);
-    const SpeedLoop loop = speed_loop(p, m, e.bus[1] * s.inverter.bus_v, s.motor.pole_pairs);
-    const double limit = acceleration(m, s.sensors.limit_a, s.motor.pole_pairs);
-    const double slew = steepest_ramp(loop, rise, kPasses * p.target, std::min(steepest, limit));
-    if (slew < limit) steepest = std::min(steepest, slew);
+    for (const double bus : e.bus) {
+      *next++ = {.loop = speed_loop(p, m, bus * s.inverter.bus_v, s.motor.pole_pairs),
+                 .limit = acceleration(m, s.sensors.limit_a, s.motor.pole_pairs)};
+    }
   }
-  return steepest;
+  return steepest_ramp(loops, p.target - d.parameters.start.hand_over, kPasses * p.target, most);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class RotorFollower {
     changed_ = caught_ = blocked_ = false;
     timed_ = sure() && (timed_ || in.update);
     if (stage_ == Stage::kDrive) {
-      const bool crossed = in.crossing && t >= believes_ && real_;
+      const bool crossed = in.crossing && t >= believes_ && real_ && belief_ > 0;
       caught_ = crossed && sure() && in.ready;
       const bool over = !timed_ && t >= until_;
       if (!caught_ && (crossed || over || (sure() && in.overdue))) look_from(t);
@@ -53,9 +53,13 @@ class RotorFollower {
       until_ = t + every_;
       if (++samples_ == kSamples) {
         judge(in);
-        stage_ = Stage::kDrive;
-        believes_ = t + kSamples * every_;
-        until_ = believes_ + p_.probe;
+        if (coasts_ > 0) {
+          look_from(t);
+        } else {
+          stage_ = Stage::kDrive;
+          believes_ = t + kSamples * every_;
+          until_ = believes_ + p_.probe;
+        }
       }
     }
   }
@@ -74,6 +78,7 @@ class RotorFollower {
 
  private:
   static constexpr int kSamples = 15;
+  static constexpr int kCoast = 3;  // looks in a row at a rotor that may turn either way
   enum class Stage { kOff, kLook, kDrive };
 
   void look_from(double t) {
@@ -106,6 +111,8 @@ class RotorFollower {
       moved_ = false;
       edges_ = 0;
     };
+    const int believed = belief_;
+    const bool coasted = coasts_ > 0;
     bool news = false;
     if (!real_) {
       const bool first = !rest_;
@@ -138,12 +145,18 @@ class RotorFollower {
         go(step_for(+1));
       }
     }
-    idle_ = news ? 0 : idle_ + 1;
+    // A belief that had lasted and turns gives a heavy rotor time to do so; once, since codes that quiver turn it for ever.
+    const bool turns = belief_ != believed, waits = turns && !turned_ && idle_ >= 4;
+    turned_ = !news && (turned_ || waits);
+    coasts_ = loaded_ && real_ && belief_ > 0 && !turns && !sure() ? kCoast : turns ? 0 : std::max(0, coasts_ - 1);
+    if (news || waits) idle_ = 0;
+    else if (!coasted) ++idle_;
     if (news) stood_ = 0;
-    if (idle_ >= p_.still && !news) {
+    if (idle_ >= p_.still && !coasted) {
       blocked_ = ++stood_ == 3;
       doubt(+1);
-      real_ = far_ = false;
+      real_ = far_ = turned_ = false;
+      coasts_ = 0;
       rest_ = now_at_rest;
       idle_ = 0;
       onward_ = !onward_;
@@ -161,6 +174,8 @@ class RotorFollower {
   std::optional<std::array<bool, 3>> rest_;  // code of a rotor at rest
   bool real_ = false, moved_ = false, far_ = false;
   int belief_ = +1, edges_ = 0, idle_ = 0, stood_ = 0;
+  bool turned_ = false;  // a belief that had lasted, since the last news
+  int coasts_ = 0;       // looks to come before a drive
   bool onward_ = false;  // the last time that nothing moved the way was onward, not back
   std::optional<int> loaded_;
   bool changed_ = false, caught_ = false, blocked_ = false, timed_ = false;

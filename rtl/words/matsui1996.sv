@@ -87,7 +87,7 @@ module sinusoidal_fixed (
       .words_pilot_decayed_i(15'd0),
       .words_pilot_saliency_i(15'd0),
       .words_speed_target_i(25'd6442451),
-      .words_speed_slew_i(15'd5512),
+      .words_speed_slew_i(15'd5414),
       .words_speed_filter_i(15'd3691),
       .words_speed_k_p_i(15'd883),
       .words_speed_k_i_i(15'd2702),

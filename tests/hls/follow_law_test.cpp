@@ -3,33 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "hls/six_step/hall_decoder.hpp"
+#include "tests/hls/follow_law_look.hpp"
 
 namespace steplock {
 namespace {
 
-using Belief = FollowLaw::Belief;
-
-constexpr UInt<8> kStill = 20;
-constexpr std::array<int, 6> kCodes = {0b101, 0b100, 0b110, 0b010, 0b011, 0b001};  // of sectors 0 to 5
-
-struct Look : FollowLaw::News {
-  Step step = 0;
-};
-Look look(const Belief& was, int code, int step, bool reverse = false, bool clear = true) {
-  const auto news = FollowLaw::judge(was, FollowLaw::see(code, clear, step, reverse, was, kStill), code);
-  return {news, FollowLaw::step_after(news, code, step, reverse)};
-}
-Belief real(Belief b = {}) {
-  b.looked = b.real = true;
-  return b;
-}
+using namespace test;
 
 TEST(FollowLaw, StepAndSectorHaveOneNumberForwardAndTheStepIsOneLessBackwards) {
   for (int s = 0; s < 6; ++s) {
@@ -195,89 +175,6 @@ TEST(FollowLaw, AnotherCodeBetweenTwoJumpsBackwardsForgetsTheFirst) {
   EXPECT_FALSE(look(real({.back = true}), kCodes[0], 5).belief.back) << "nor is the first one of a rotor thought to turn back";
 }
 
-TEST(FollowLaw, WithoutNewsForLongTheStepMovesOn) {
-  Belief b = look({}, kCodes[2], 0).belief;
-  for (int i = 1; i < 20; ++i) {
-    const auto news = look(b, kCodes[2], 2);
-    ASSERT_FALSE(news.goes) << i;
-    b = news.belief;
-  }
-  const auto news = look(b, kCodes[2], 2);
-  EXPECT_TRUE(news.goes);
-  EXPECT_EQ(news.step, Step(3));
-  EXPECT_FALSE(news.belief.real);
-  EXPECT_EQ(news.belief.idle, UInt<8>(0));
-}
-
-// A rotor that friction holds opposite to its step goes the wrong way with the next one, and there it is held again.
-TEST(FollowLaw, EachTimeThatTheStepMovesOnItGoesTheOtherWay) {
-  for (const bool reverse : {false, true}) {
-    const UInt<3> code = FollowLaw::code_of(2, reverse);
-    Belief b;
-    for (const int expected : {+1, -1, +1}) {
-      FollowLaw::News news;
-      for (int i = 0; i < 21 && !news.stands; ++i) {
-        news = FollowLaw::judge(b, FollowLaw::see(code, true, 2, reverse, b, 20), code);
-        b = news.belief;
-      }
-      const int way = reverse ? -1 : 1;
-      EXPECT_EQ(FollowLaw::step_after(news, code, 2, reverse), Step((2 + way * expected + 6) % 6)) << expected;
-      b = {.looked = true, .real = true, .edges = 1, .onward = b.onward};  // it turned meanwhile
-    }
-  }
-}
-
-// Of three steps in a row of the ring one pulls a rotor, one way or the other, by 0.87 of all at any angle; of two, half.
-TEST(FollowLaw, OfThreeStepsThatMoveNothingTheThirdIsTheFirstOnesOtherNeighbour) {
-  for (const bool reverse : {false, true}) {
-    for (const bool onward : {false, true}) {
-      Belief b{.looked = true, .onward = onward};
-      std::vector<int> driven;
-      Step step = 2;
-      bool blocked = false;
-      while (!blocked) {
-        driven.push_back(int(step.raw()));
-        FollowLaw::News news;
-        do {
-          b = (news = look(b, 0, int(step.raw()), reverse)).belief;
-          ASSERT_LT(b.idle, kStill);
-        } while (!news.stands);
-        step = FollowLaw::step_after(news, 0, step, reverse);
-        blocked = news.blocked;
-      }
-      ASSERT_EQ(driven.size(), 3u);
-      EXPECT_EQ(driven[1], reverse == onward ? 3 : 1);
-      EXPECT_EQ(driven[2], reverse == onward ? 1 : 3);
-      for (int angle = 0; angle < 360; ++angle) {
-        const auto pull = [&](int k) { return std::abs(std::sin((angle - 60 * k) * std::numbers::pi / 180)); };
-        EXPECT_GE(std::max({pull(driven[0]), pull(driven[1]), pull(driven[2])}), std::sqrt(0.75) - 1e-12) << angle;
-      }
-    }
-  }
-}
-
-TEST(FollowLaw, ThreeStepsInARowThatMoveNothingAreABlockedRotor) {
-  const auto still = [](Belief b, int code) {
-    FollowLaw::News news;
-    for (int i = 0; i < 20; ++i) {
-      EXPECT_FALSE(news.blocked);
-      b = (news = look(b, code, 2)).belief;
-    }
-    return news;
-  };
-  Belief b = look({}, kCodes[2], 2).belief;
-  for (int step = 1; step <= 3; ++step) {
-    const auto news = still(b, kCodes[2]);
-    EXPECT_TRUE(news.stands);
-    EXPECT_EQ(news.blocked, step == 3);
-    b = news.belief;
-  }
-  // News in between, and all three are to come again.
-  b = still(still(look({}, kCodes[2], 2).belief, kCodes[2]).belief, kCodes[2]).belief;
-  b = look(b, kCodes[3], 2).belief;
-  EXPECT_EQ(b.stood, UInt<2>(0));
-}
-
 // Of every belief, code and step: backwards is forward in the mirror, where sectors count down, u and w have changed
 // places, and the step's number is 5 less.
 TEST(FollowLaw, ReverseIsForwardInTheMirror) {
@@ -288,7 +185,7 @@ TEST(FollowLaw, ReverseIsForwardInTheMirror) {
       for (int step = 0; step < 6; ++step) {
         Belief b{.looked = (bits & 1) != 0, .real = (bits & 2) != 0, .back = (bits & 4) != 0, .moved = (bits & 8) != 0,
                  .far = (bits & 1 << 10) != 0, .edges = bits >> 4 & 3, .rest = bits >> 6 & 7, .idle = bits % 3 == 0 ? 19 : 3,
-                 .stood = bits % 4};
+                 .stood = bits % 4, .turned = bits % 5 < 2, .coast = bits % 7 % 4};
         const bool clear = (bits & 1 << 9) == 0;
         const auto forward = look(b, code, step, false, clear);
         b.rest = mirrored(bits >> 6 & 7);

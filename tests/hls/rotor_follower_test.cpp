@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace steplock {
 namespace {
@@ -50,6 +51,44 @@ TEST(RotorFollower, ADriveLastsForFifteenSamplesAndItsProbe) {
   b.until(true);
   EXPECT_EQ(b.in.step, Step(2));
   EXPECT_NEAR(b.until(false), (15 + 65) * 4, 4);
+}
+
+// Real, and an edge: which way it turns is not known yet.  The second edge tells.
+TEST(RotorFollower, ANewStepOfARotorThatIsNotFollowedWaitsForThreeLooks) {
+  Bench b;
+  b.code(kCodes[0]);
+  b.until(true);
+  const int look = (6 + 15) * 4 + 4;
+  for (const auto& [sector, looks] : {std::pair{0, 1}, {1, 4}, {1, 1}, {2, 4}, {3, 1}}) {
+    b.until(false);
+    b.code(kCodes[sector]);
+    int restarts = 0, clocks = 0;
+    while (!b.clock().drive) {
+      if (b.out.load) b.in.step = b.out.step;
+      restarts += b.out.restart;
+      ASSERT_LT(++clocks, 5000);
+    }
+    EXPECT_NEAR(clocks, looks * look, 4 * looks) << sector;
+    EXPECT_EQ(restarts, 1) << "a drive begins once";
+  }
+}
+
+// Of one that is braked the crossing tells nothing, and near standstill its noise would end each drive when it began.
+TEST(RotorFollower, ACrossingEndsADriveButNotOneThatBrakes) {
+  for (const bool brakes : {false, true}) {
+    Bench b;
+    b.code(kCodes[3]);
+    b.until(true);
+    for (const int sector : {brakes ? 2 : 4, brakes ? 1 : 4}) {
+      b.until(false);
+      b.code(kCodes[sector]);
+      b.until(true);
+    }
+    ASSERT_EQ(b.in.step, Step(4)) << "the opposite of 1, or that of 4";
+    b.in.crossing = true;
+    const int clocks = b.until(false);
+    EXPECT_NEAR(clocks, (brakes ? 15 + 65 : 15) * 4, 6) << brakes;
+  }
 }
 
 // Once an edge was passed; before that fewer than four may say otherwise, else there is no step.

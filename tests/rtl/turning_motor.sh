@@ -3,7 +3,8 @@
 #   turning_motor.sh [--backwards] STEPLOCK WORK
 #     --backwards   a motor whose current turns it the wrong way: it must not lock
 # The drive of the bench does not observe, and its comparators are ideal; so is the drive file's.  A lock may come a look and a
-# probe sooner or later: the integration steps differ, and with them the moment at which an edge is seen.
+# probe sooner or later, and the three looks that follow a new code: the integration steps differ, and with them the moment at
+# which an edge is seen.
 set -euo pipefail
 flaw=false
 [ "$1" != --backwards ] || { flaw=true; shift; }
@@ -36,6 +37,6 @@ sed -e 's/^comparator_offset_v.*/comparator_offset_v = [0, 0, 0]/' -e 's/^compar
 jq -n --argjson bench "$locked" --slurpfile run "$work/run/summary.json" --slurpfile design "$work/design.json" -r '
   ($design[0].words[] | select(.name == "start.observe") | .meant) as $observed |
   (($run[0].lock_time_s - $observed) * 1e3) as $model |
-  ($design[0].start | (.look + .probe) * 1e3) as $tolerance |
-  "bench \($bench) ms, co-simulation \($model * 100 | round / 100) ms, a look and a probe \($tolerance * 100 | round / 100) ms: " +
+  ($design[0].start | (4 * .look + .probe) * 1e3) as $tolerance |
+  "bench \($bench) ms, co-simulation \($model * 100 | round / 100) ms, four looks and a probe \($tolerance * 100 | round / 100) ms: " +
   (if ($bench - $model | fabs) <= $tolerance then "they agree" else "they differ" end)'

@@ -108,9 +108,9 @@ TEST(HostDriver, StartsReversesFaultsClearsAndStopsAMotorThroughTheRtl) {
   ASSERT_EQ(steplock_start(&bus, 0), STEPLOCK_OK);
   EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NOT_STOPPED);
 
-  // As a main loop would: a heartbeat every 20 ms until `done` or 0.5 s.
+  // As a main loop would: a heartbeat every 20 ms until `done` or 0.7 s.
   const auto beat_until = [&](auto done) {
-    for (int i = 0; i < 25 && !done(); ++i) {
+    for (int i = 0; i < 35 && !done(); ++i) {
       bench.wait(0.02);
       ASSERT_EQ(steplock_heartbeat(&bus), STEPLOCK_OK);
       ASSERT_EQ(steplock_get_status(&bus, &status), STEPLOCK_OK);

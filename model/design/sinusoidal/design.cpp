@@ -2,6 +2,7 @@
 #include "model/design/sinusoidal/design.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -70,15 +71,13 @@ double settles(const Settings& s, const SpeedRegulator& speed, double per_ampere
   constexpr double kPasses = 0.06;
   constexpr int kInertias = 16;
   const auto& e = s.envelope;
-  double slew = most;
+  std::array<RampedLoop, kInertias + 1> loops;
   for (int k = 0; k <= kInertias; ++k) {
     const double inertia = e.inertia[0] * std::pow(e.inertia[1] / e.inertia[0], double(k) / kInertias);
     const SpeedLoop loop{.gain = e.flux[0] * per_ampere / inertia, .pole = 0, .kp = speed.kp, .ki = speed.ki};
-    const double limit = speed.limit * loop.gain;
-    const double steepest = steepest_ramp(loop, speed.target, kPasses * speed.target, std::min(slew, limit));
-    if (steepest < limit) slew = std::min(slew, steepest);
+    loops[k] = {.loop = loop, .limit = speed.limit * loop.gain};
   }
-  return slew;
+  return steepest_ramp(loops, speed.target, kPasses * speed.target, most);
 }
 
 void set_regulators(const Settings& s, Design& d) {

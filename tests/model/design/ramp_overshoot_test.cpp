@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace steplock::design {
 namespace {
@@ -47,6 +48,28 @@ TEST(RampOvershoot, NothingPassesWithoutAnIntegralsHaste) {
 // With nothing that damps, begin and end of a ramp of half a period add up.
 TEST(RampOvershoot, IsTwiceTheSlopeOverTheNaturalFrequencyAtMost) {
   EXPECT_NEAR(ramp_overshoot({.gain = 100, .pole = 1e-6, .kp = 0, .ki = 1}), 0.2, 1e-4);
+}
+
+// Every ramp beyond the one that is found is too steep for one of them, or is not followed; and that one is none of these.
+TEST(SteepestRamp, IsTheSteepestAtWhoseEndNoneThatFollowsPassesByMore) {
+  constexpr double kRise = 10, kPasses = 0.5, kMost = 100;
+  std::vector<RampedLoop> loops;
+  for (const double gain : {2.0, 8.0, 32.0}) {
+    for (const double pole : {0.1, 1.0}) loops.push_back({{.gain = gain, .pole = pole, .kp = 0.1, .ki = 1}, 10 * gain});
+  }
+  const auto passes = [&](double slew) {
+    double most = 0;
+    for (const auto& l : loops) {
+      if (slew < l.limit) most = std::max(most, integrated(l.loop, kRise / slew) * slew);
+    }
+    return most;
+  };
+  const double slew = steepest_ramp(loops, kRise, kPasses, kMost);
+  EXPECT_LE(passes(slew), 1.01 * kPasses);
+  EXPECT_LT(slew, kMost);
+  for (double steeper = slew / 0.97; steeper < kMost; steeper /= 0.97) EXPECT_GT(passes(steeper), 0.99 * kPasses) << steeper;
+  EXPECT_EQ(steepest_ramp(loops, kRise, 100 * kPasses, kMost), kMost) << "nothing asks for less";
+  EXPECT_GE(slew, steepest_ramp(loops, 1e9, kPasses, kMost)) << "a ramp without end is the worst";
 }
 
 TEST(LoadRebound, IsWhatTheLoopStepByStepPassesBy) {

@@ -19,16 +19,15 @@ struct Bench {
     in.reverse = reverse;
     follower.begin(0);
   }
-  // Until the next look has been judged, with this code; returns the step it loads, or -1.
+  // Until the next drive, with this code at each look; returns the step that was loaded, or -1.
   int look(int sector) {
     in.comparator = kCodes[std::size_t((sector % 6 + 6) % 6)];
     while (follower.drives()) step_once();
     int loaded = -1;
     while (!follower.drives()) {
       step_once();
-      if (follower.loaded()) loaded = *follower.loaded();
+      if (follower.loaded()) in.step = loaded = *follower.loaded();
     }
-    if (loaded >= 0) in.step = loaded;
     return loaded;
   }
   void step_once() {
@@ -60,6 +59,23 @@ TEST(ReferenceRotorFollower, FollowsARotorEitherWay) {
       EXPECT_EQ(b.follower.sure(), k >= 3);
     }
   }
+}
+
+TEST(ReferenceRotorFollower, LooksThreeTimesMoreAfterANewStepTheWantedWay) {
+  Bench b;
+  const auto gates_off = [&](int sector) {
+    while (b.follower.drives()) b.step_once();
+    const double began = b.t;
+    b.look(sector);
+    return b.t - began;
+  };
+  const double look = 100e-6 + 14 * kEvery;
+  b.look(0);
+  EXPECT_NEAR(gates_off(0), look, 1e-9);
+  EXPECT_NEAR(gates_off(1), 4 * look, 1e-9) << "real";
+  EXPECT_NEAR(gates_off(1), look, 1e-9) << "no news";
+  EXPECT_NEAR(gates_off(2), 4 * look, 1e-9) << "an edge";
+  EXPECT_NEAR(gates_off(3), look, 1e-9) << "followed";
 }
 
 TEST(ReferenceRotorFollower, BrakesARotorThatTurnsTheOtherWayAndTurnsWithIt) {
