@@ -198,7 +198,7 @@ module word_registers_sinusoidal (
   always_comb begin
     case (mirror_part)
       6'd0, 6'd1, 6'd2, 6'd4, 6'd12, 6'd13, 6'd14, 6'd15, 6'd16: rule_at_entry = 3'd1;
-      6'd3, 6'd5, 6'd6, 6'd7, 6'd8, 6'd10, 6'd11, 6'd51: rule_at_entry = 3'd2;
+      6'd3, 6'd5, 6'd6, 6'd7, 6'd8, 6'd10, 6'd11, 6'd17, 6'd18, 6'd51: rule_at_entry = 3'd2;
       6'd9, 6'd33, 6'd58, 6'd59, 6'd60, 6'd61: rule_at_entry = 3'd4;
       6'd32, 6'd34, 6'd35, 6'd36, 6'd37, 6'd38, 6'd39, 6'd40, 6'd41, 6'd42, 6'd43, 6'd44,
       6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56, 6'd57: rule_at_entry =

@@ -4,6 +4,7 @@
 //     fault      sticky with its reason; a one re-arms the drive: `run` down, the cause gone
 //     watchdog   `period` ticks without a heartbeat while configured: all gates off, `run` cleared,
 //                latched until a one is written
+//     control    a write replaces its bits; one to its set or clear register changes those that are one
 //     snapshot   the telemetry registers are copies, all taken in the clock of one write, in a
 //                memory each: all are written at once, and only the one that is read shows its copy
 //     interrupts set by the edge of their event, which wins over a clear in the same clock
@@ -101,12 +102,10 @@ class DriveRegisters {
     interrupts_ = (interrupts_ & kept) | events;
 
     if (writes && request.strobes.bit(0)) {
-      if (request.index == kControl) {
-        configured_ = request.data.bit(field<Map>("CONTROL", "configured").lsb);
-        run_ = request.data.bit(field<Map>("CONTROL", "run").lsb);
-        reverse_ = request.data.bit(field<Map>("CONTROL", "reverse").lsb);
-        brake_to_stop_ = request.data.bit(field<Map>("CONTROL", "brake_to_stop").lsb);
-      }
+      configured_ = control<field<Map>("CONTROL", "configured").lsb>(configured_, request);
+      run_ = control<field<Map>("CONTROL", "run").lsb>(run_, request);
+      reverse_ = control<field<Map>("CONTROL", "reverse").lsb>(reverse_, request);
+      brake_to_stop_ = control<field<Map>("CONTROL", "brake_to_stop").lsb>(brake_to_stop_, request);
       if (request.index == kEnable) enabled_ = wrap<UInt<kEvents>>(request.data);
     }
     if (writes && request.index == kWatchdog) {
@@ -122,6 +121,8 @@ class DriveRegisters {
 
  private:
   static constexpr int kControl = index_of<Map>("CONTROL");
+  static constexpr int kSet = index_of<Map>("CONTROL_SET");
+  static constexpr int kClear = index_of<Map>("CONTROL_CLEAR");
   static constexpr int kFault = index_of<Map>("FAULT");
   static constexpr int kInterrupt = index_of<Map>("INTERRUPT");
   static constexpr int kEnable = index_of<Map>("INTERRUPT_ENABLE");
@@ -175,6 +176,14 @@ class DriveRegisters {
   template <int Bit>
   static UInt<kEvents> flag(bool on) {
     return on ? UInt<kEvents>(1 << Bit) : UInt<kEvents>(0);
+  }
+
+  // A bit of CONTROL after a write to one of its three registers.
+  template <int Bit>
+  static bool control(bool was, const BusRequest& request) {
+    const bool one = request.data.bit(Bit);
+    if (request.index == kControl) return one;
+    return (was || (one && request.index == kSet)) && !(one && request.index == kClear);
   }
 
   // A field's value at its place.

@@ -27,7 +27,7 @@
 namespace steplock {
 
 inline constexpr std::uint32_t kMapId = 0x53544c4b;  // "STLK"
-inline constexpr std::uint32_t kMapVersion = 0x000400;
+inline constexpr std::uint32_t kMapVersion = 0x000500;
 inline constexpr std::uint32_t kLockKey = 0xc0de;
 using WatchdogTicks = UInt<12>;
 
@@ -162,6 +162,15 @@ consteval auto system_fields(const DriveKind& drive) {
     {"HEARTBEAT", "beat", 0x28, 0, 1, Access::kWriteOnly, 0, "", "Any write is one."},
     {"SNAPSHOT", "take", 0x2c, 0, 1, Access::kWriteOnly, 0, "",
      "Any write copies the drive into the telemetry registers, all at one instant."},
+  });
+}
+
+// Bits of CONTROL alone: a stop from an interrupt is not undone by a main program that had read CONTROL before it.
+consteval auto control_fields() {
+  return std::to_array<Field>({
+    {"CONTROL_SET", "bits", 0x44, 0, 4, Access::kWriteOnly, 0, "",
+     "A one sets this bit of CONTROL, a zero leaves it.  So of two programs none undoes what the other wrote."},
+    {"CONTROL_CLEAR", "bits", 0x48, 0, 4, Access::kWriteOnly, 0, "", "A one clears this bit of CONTROL, a zero leaves it."},
   });
 }
 

@@ -22,7 +22,7 @@ inline constexpr int kShortestPeriod = SinusoidalLoop::kClocks + 2;
 static_assert(kShortestPeriod == 480, "STATUS.no_period says 480");
 static_assert((1 << 25) / (3 * kShortestPeriod) < 1 << decltype(BridgeWords::inverse)::width);
 
-inline constexpr auto kSinusoidalSystemFields = joined(
+inline constexpr auto kSinusoidalSystemFields = joined(joined(
     system_fields(
         {.kind = 2,
          .kind_prose = "2: sinusoidal drive.",
@@ -54,7 +54,7 @@ inline constexpr auto kSinusoidalSystemFields = joined(
         {"TELEMETRY_RETRIES", "retries", 0x40, 0, 4, Access::kReadOnly, 0, "",
          "Failed tries since run was obeyed, but for the one that latched a fault."},
         {"TELEMETRY_RETRIES", "on_w", 0x40, 16, 14, Access::kReadOnly, 0, "clocks", "Of leg w."},
-    }));
+    })), control_fields());
 
 inline constexpr auto kSinusoidalFields =
     joined(kSinusoidalSystemFields, fields_of(kSinusoidalWordRows));

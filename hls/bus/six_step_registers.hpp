@@ -17,7 +17,7 @@
 
 namespace steplock {
 
-inline constexpr auto kSystemFields = joined(
+inline constexpr auto kSystemFields = joined(joined(
     system_fields(
         {.kind = 1,
          .kind_prose = "1: six-step drive.",
@@ -45,7 +45,7 @@ inline constexpr auto kSystemFields = joined(
         {"TELEMETRY_LIMITS", "limit_hits", 0x3c, 16, 16, Access::kReadOnly, 0, "",
          "Pulses cut by the current limit."},
         {"TELEMETRY_RETRIES", "retries", 0x40, 0, 16, Access::kReadOnly, 0, "", "Failed tries."},
-    }));
+    })), control_fields());
 
 inline constexpr auto kFields = joined(kSystemFields, fields_of(kWordRows));
 static_assert(problem(kFields) == nullptr, "the register map breaks a rule: register_fields.hpp");

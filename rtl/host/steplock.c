@@ -35,12 +35,13 @@ static enum steplock_result get(const struct steplock_bus *bus, uint32_t offset,
   return bus->read(bus->context, offset, value) == 0 ? STEPLOCK_OK : STEPLOCK_BUS_ERROR;
 }
 
-/* Bits of a register: those of `set`, without those of `clear`. */
-static enum steplock_result change(const struct steplock_bus *bus, uint32_t offset, uint32_t clear,
-                                   uint32_t set) {
-  uint32_t value;
-  const enum steplock_result result = get(bus, offset, &value);
-  return result != STEPLOCK_OK ? result : put(bus, offset, (value & ~clear) | set);
+/* Bits of CONTROL: no other one is written, so that a stop from an interrupt is not undone. Those to be set last,
+   which may be a run. */
+static enum steplock_result control(const struct steplock_bus *bus, uint32_t clear, uint32_t set) {
+  enum steplock_result result = STEPLOCK_OK;
+  if (clear) result = put(bus, STEPLOCK_CONTROL_CLEAR, clear);
+  if (result == STEPLOCK_OK && set) result = put(bus, STEPLOCK_CONTROL_SET, set);
+  return result;
 }
 
 static enum steplock_result need_stopped(const struct steplock_bus *bus) {
@@ -93,7 +94,8 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
   if (!usable(bus) || (!words && count != 0)) return STEPLOCK_REFUSED;
   if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||
       get(bus, STEPLOCK_VERSION, &version) != STEPLOCK_OK ||
-      GET(VERSION_MAJOR, version) != GET(VERSION_MAJOR, STEPLOCK_VERSION_RESET)) {
+      GET(VERSION_MAJOR, version) != GET(VERSION_MAJOR, STEPLOCK_VERSION_RESET) ||
+      GET(VERSION_MINOR, version) < GET(VERSION_MINOR, STEPLOCK_VERSION_RESET)) {
     return STEPLOCK_NO_DRIVE;
   }
   result = get(bus, STEPLOCK_CAPABILITY, &capability);
@@ -139,20 +141,19 @@ enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse)
   const enum steplock_result result = get(bus, STEPLOCK_FAULT, &fault);
   if (result != STEPLOCK_OK) return result;
   if (GET(FAULT_DRIVE, fault) || GET(FAULT_WATCHDOG, fault)) return STEPLOCK_FAULT_LATCHED;
-  return change(bus, STEPLOCK_CONTROL,
-                STEPLOCK_CONTROL_REVERSE_MASK | STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK,
-                STEPLOCK_CONTROL_RUN_MASK | (reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u));
+  return control(bus, STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK | (reverse ? 0u : STEPLOCK_CONTROL_REVERSE_MASK),
+                 STEPLOCK_CONTROL_RUN_MASK | (reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u));
 }
 
 enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake) {
-  return change(bus, STEPLOCK_CONTROL,
-                STEPLOCK_CONTROL_RUN_MASK | STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK,
-                brake ? STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK : 0u);
+  /* How it is to stop first: a drive that is told to stop looks at that once. */
+  const enum steplock_result result = control(bus, brake ? 0u : STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK,
+                                              brake ? STEPLOCK_CONTROL_BRAKE_TO_STOP_MASK : 0u);
+  return result == STEPLOCK_OK ? control(bus, STEPLOCK_CONTROL_RUN_MASK, 0) : result;
 }
 
 enum steplock_result steplock_reverse(const struct steplock_bus *bus, int reverse) {
-  return change(bus, STEPLOCK_CONTROL, STEPLOCK_CONTROL_REVERSE_MASK,
-                reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u);
+  return control(bus, reverse ? 0u : STEPLOCK_CONTROL_REVERSE_MASK, reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u);
 }
 
 enum steplock_result steplock_set_speed(const struct steplock_bus *bus, uint32_t speed) {

@@ -21,7 +21,7 @@ extern "C" {
 enum steplock_result {
   STEPLOCK_OK = 0,
   STEPLOCK_BUS_ERROR,   /* an access was answered with an error */
-  STEPLOCK_NO_DRIVE,    /* another ID or major version stands there */
+  STEPLOCK_NO_DRIVE,    /* another ID, another major version or an older minor one stands there */
   STEPLOCK_NOT_STOPPED, /* the drive has to be stopped for this */
   STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
   STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
@@ -71,6 +71,7 @@ enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned 
 /* Drives on this bus, each 0x100 behind the one before. */
 enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes);
 
+/* These three write no bit of CONTROL but their own: an interrupt may stop the drive while the main program reverses it. */
 enum steplock_result steplock_start(const struct steplock_bus *bus, int reverse);
 enum steplock_result steplock_stop(const struct steplock_bus *bus, int brake);
 /* Turns round: slows down, brakes and starts the other way; also while running. */

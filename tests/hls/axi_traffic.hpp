@@ -86,7 +86,7 @@ void random_axi_traffic(int clocks, std::uint64_t seed, std::optional<int> lie_a
       in.wstrb = chance(60) ? 15 : int(random() % 16);
     }
     // Run stays low: this is the traffic of an idle drive.
-    if (in.awaddr >> 2 == UInt<12>(index_of("CONTROL"))) in.wdata = in.wdata & ~UInt<32>(2);
+    if (runs(4 * int((in.awaddr >> 2).raw()))) in.wdata = in.wdata & ~UInt<32>(2);
     if (!in.arvalid && chance(30)) {
       in.arvalid = true;
       in.araddr = address();

@@ -71,6 +71,27 @@ TYPED_TEST(DriveRegistersOf, ControlIsTheCommand) {
   EXPECT_TRUE(bench.write(kControl, 0, 14).command.run) << "no strobe, no change";
 }
 
+// A stop that an interrupt writes between a main program's read of CONTROL and its write is not undone.
+TYPED_TEST(DriveRegistersOf, SetAndClearChangeTheBitsThatAreOneAndNoOther) {
+  constexpr int kSet = index_of<TypeParam>("CONTROL_SET"), kClear = index_of<TypeParam>("CONTROL_CLEAR");
+  Bench<TypeParam> bench;
+  for (std::uint32_t was = 0; was < 16; ++was) {
+    for (std::uint32_t ones = 0; ones < 16; ++ones) {
+      bench.write(kControl, was);
+      bench.write(kSet, ones | ~15u);
+      EXPECT_EQ(bench.read(kControl), was | ones);
+      bench.write(kControl, was);
+      bench.write(kClear, ones | ~15u);
+      EXPECT_EQ(bench.read(kControl), was & ~ones);
+    }
+  }
+  bench.write(kControl, 5);
+  EXPECT_FALSE(bench.write(kSet, 2, 14).command.run) << "no strobe, no change";
+  EXPECT_TRUE(bench.write(kClear, 1, 14).command.configured);
+  EXPECT_EQ(bench.read(kSet), 0u);
+  EXPECT_EQ(bench.read(kClear), 0u);
+}
+
 TYPED_TEST(DriveRegistersOf, ARefusedWriteIsAnErrorAndChangesNothing) {
   Bench<TypeParam> bench;
   bench.in.refused = true;

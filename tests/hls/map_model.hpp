@@ -15,14 +15,19 @@ namespace steplock {
 
 constexpr int address_of(int index) { return 4 * index; }
 inline constexpr int kControl = address_of(index_of("CONTROL"));
+inline constexpr int kControlSet = address_of(index_of("CONTROL_SET"));
+inline constexpr int kControlClear = address_of(index_of("CONTROL_CLEAR"));
 inline constexpr int kStatus = address_of(index_of("STATUS"));
 inline constexpr int kFault = address_of(index_of("FAULT"));
 inline constexpr int kPwm = address_of(index_of("PWM"));
 inline constexpr int kLock = address_of(index_of("LOCK"));
+// Where bit 1 makes the drive run.
+constexpr bool runs(int address) { return address == kControl || address == kControlSet; }
 // Both maps have these where the first one has them.
 template <class Map>
 constexpr bool kSamePlaces =
     kControl == address_of(index_of<Map>("CONTROL")) && kStatus == address_of(index_of<Map>("STATUS")) &&
+    kControlSet == address_of(index_of<Map>("CONTROL_SET")) && kControlClear == address_of(index_of<Map>("CONTROL_CLEAR")) &&
     kFault == address_of(index_of<Map>("FAULT")) && kPwm == address_of(index_of<Map>("PWM")) &&
     kLock == address_of(index_of<Map>("LOCK")) &&
     address_of(index_of("SPEED_TARGET")) == address_of(index_of<Map>("SPEED_TARGET"));
@@ -87,6 +92,8 @@ class MapModel {
         value(address) = (value(address) & ~bits) | (data & bits);
       }
     }
+    if (address == kControlSet) value(kControl) |= data & mask & 15;
+    if (address == kControlClear) value(kControl) &= ~(data & mask & 15);
     if (address == kLock) {
       unlocked_ = (data & mask & 0xffff) == kLockKey;
     }

@@ -1,6 +1,7 @@
 // What the C driver answers to arguments that cannot be, before it writes anything; and its names.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -26,21 +27,74 @@ class Registers {
   }
   steplock_bus bus() {
     return {.write = [](void* self, std::uint32_t offset, std::uint32_t value) {
-              auto& registers = *static_cast<Registers*>(self);
-              ++registers.writes, registers.values_[offset] = value;
+              static_cast<Registers*>(self)->write(offset, value);
               return 0;
             },
             .read = [](void* self, std::uint32_t offset, std::uint32_t* value) {
-              return *value = static_cast<Registers*>(self)->values_[offset], 0;
+              auto& registers = *static_cast<Registers*>(self);
+              registers.interrupted();
+              return *value = registers.values_[offset], 0;
             },
             .context = this};
+  }
+  // Before that many accesses more, once, something else has the bus.
+  void interrupt(int accesses, std::function<void()> what) {
+    left_ = accesses;
+    what_ = std::move(what);
   }
   std::uint32_t at(std::uint32_t offset) { return values_[offset]; }
   int writes = 0;
 
  private:
+  void interrupted() {
+    if (what_ && left_-- == 0) std::exchange(what_, nullptr)();
+  }
+  void write(std::uint32_t offset, std::uint32_t value) {
+    interrupted();
+    ++writes;
+    if (offset == STEPLOCK_CONTROL_SET) {
+      values_[STEPLOCK_CONTROL] |= value;
+    } else if (offset == STEPLOCK_CONTROL_CLEAR) {
+      values_[STEPLOCK_CONTROL] &= ~value;
+    } else {
+      values_[offset] = value;
+    }
+  }
+
   std::map<std::uint32_t, std::uint32_t> values_;
+  int left_ = 0;
+  std::function<void()> what_;
 };
+
+// Wherever the interrupt comes.
+TEST(HostAnswers, AStopFromAnInterruptIsNotUndoneByAReversal) {
+  for (const int reverse : {0, 1}) {
+    for (int access = 0; access < 4; ++access) {
+      Registers registers(STEPLOCK_SIX_STEP);
+      const steplock_bus bus = registers.bus();
+      ASSERT_EQ(steplock_start(&bus, 1 - reverse), STEPLOCK_OK);
+      ASSERT_TRUE(registers.at(STEPLOCK_CONTROL) & STEPLOCK_CONTROL_RUN_MASK);
+      bool stopped = false;
+      registers.interrupt(access, [&] { stopped = steplock_stop(&bus, 1) == STEPLOCK_OK; });
+      EXPECT_EQ(steplock_reverse(&bus, reverse), STEPLOCK_OK);
+      EXPECT_TRUE(stopped || access > 0);
+      EXPECT_NE((registers.at(STEPLOCK_CONTROL) & STEPLOCK_CONTROL_RUN_MASK) != 0, stopped) << access;
+      EXPECT_EQ((registers.at(STEPLOCK_CONTROL) & STEPLOCK_CONTROL_REVERSE_MASK) != 0, reverse == 1);
+      registers.interrupt(0, nullptr);
+      EXPECT_EQ(steplock_stop(&bus, 0), STEPLOCK_OK);
+      EXPECT_EQ(registers.at(STEPLOCK_CONTROL), reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u) << "coasts";
+    }
+  }
+}
+
+TEST(HostAnswers, ACoreWithoutARegisterThatTheDriverWritesIsNoDrive) {
+  Registers registers(STEPLOCK_SIX_STEP);
+  const steplock_bus bus = registers.bus();
+  bus.write(bus.context, STEPLOCK_VERSION, STEPLOCK_VERSION_RESET - (1u << STEPLOCK_VERSION_MINOR_LSB));
+  EXPECT_EQ(steplock_init(&bus, nullptr, 0), STEPLOCK_NO_DRIVE);
+  bus.write(bus.context, STEPLOCK_VERSION, STEPLOCK_VERSION_RESET + (1u << STEPLOCK_VERSION_MINOR_LSB));
+  EXPECT_EQ(steplock_init(&bus, nullptr, 0), STEPLOCK_OK) << "a newer one has more";
+}
 
 TEST(HostAnswers, AWatchdogThatItsRegisterDoesNotHoldLeavesTheOldOne) {
   Registers registers(STEPLOCK_SIX_STEP);
