@@ -1,5 +1,5 @@
 // A host on AXI4-Lite for a testbench: `read`, `write`, and `configure`.
-// Hierarchical calls: host.write(12'h00c, 32'd1).  Tried in Icarus (-g2012); no C++.
+// Hierarchical calls: host.write(12'h00c, 32'd1).  Tried in Icarus (-g2012) and Verilator (--binary --timing); no C++.
 //
 // Doc: docs/integration.md   Test: tests/rtl/bench.sh
 
@@ -30,6 +30,20 @@ module axi_host (
 
   logic refused = 1'b0;  // the last access was answered with an error
 
+  // What the last rising edge took.  Outputs change at falling edges: so no simulator can take one for the other.
+  logic aw_taken, w_taken, b_taken, ar_taken, r_taken;
+  logic [1:0] answer;
+  logic [31:0] data;
+  always @(posedge clk) begin
+    aw_taken <= awvalid && awready;
+    w_taken <= wvalid && wready;
+    b_taken <= bvalid && bready;
+    ar_taken <= arvalid && arready;
+    r_taken <= rvalid && rready;
+    answer <= bvalid ? bresp : rresp;
+    data <= rdata;
+  end
+
   initial begin
     {awvalid, wvalid, bready, arvalid, rready} = 5'b0;
     awaddr = 12'd0;
@@ -39,37 +53,41 @@ module axi_host (
   end
 
   task automatic write(input logic [11:0] address, input logic [31:0] value);
-    awaddr <= address;
-    wdata <= value;
-    {awvalid, wvalid, bready} <= 3'b111;
+    @(negedge clk);
+    awaddr = address;
+    wdata = value;
+    {awvalid, wvalid, bready} = 3'b111;
     do begin
-      @(posedge clk);
-      if (awready) awvalid <= 1'b0;
-      if (wready) wvalid <= 1'b0;
-    end while (!bvalid);
-    refused = bresp != 2'd0;
-    {awvalid, wvalid, bready} <= 3'b000;
-    @(posedge clk);
+      @(negedge clk);
+      if (aw_taken) awvalid = 1'b0;
+      if (w_taken) wvalid = 1'b0;
+    end while (!b_taken);
+    refused = answer != 2'd0;
+    bready = 1'b0;
   endtask
 
   task automatic read(input logic [11:0] address, output logic [31:0] value);
-    araddr <= address;
-    {arvalid, rready} <= 2'b11;
+    @(negedge clk);
+    araddr = address;
+    {arvalid, rready} = 2'b11;
     do begin
-      @(posedge clk);
-      if (arready) arvalid <= 1'b0;
-    end while (!rvalid);
-    value = rdata;
-    refused = rresp != 2'd0;
-    {arvalid, rready} <= 2'b00;
-    @(posedge clk);
+      @(negedge clk);
+      if (ar_taken) arvalid = 1'b0;
+    end while (!r_taken);
+    value = data;
+    refused = answer != 2'd0;
+    rready = 1'b0;
   endtask
 
   // The words of rtl/words/NAME.mem behind the lock, each read back, then CONTROL.configured.  `errors`: words that are not kept.
+  // A file that is not there leaves `count` 0.
   localparam int kWords = 256;
+  localparam logic [63:0] kNone = 64'hffff_ffff_ffff_ffff;
   logic [63:0] words[0:kWords-1];
-  task automatic configure(output int errors, output int count);
+  task automatic configure(input string file, output int errors, output int count);
     logic [31:0] value;
+    for (int i = 0; i < kWords; ++i) words[i] = kNone;
+    $readmemh(file, words);
     errors = 0;
     count = 0;
     read(kStatus, value);
@@ -77,12 +95,12 @@ module axi_host (
     write(kControl, 32'd0);
     write(kLock, kLockKey);
     for (int i = 0; i < kWords; ++i) begin
-      if (words[i] !== 64'hx) begin
+      if (words[i] != kNone) begin
         count = count + 1;
         write(words[i][43:32], words[i][31:0]);
         if (refused) errors = errors + 1;
         read(words[i][43:32], value);
-        if (value !== words[i][31:0]) errors = errors + 1;
+        if (value != words[i][31:0]) errors = errors + 1;
       end
     end
     write(kLock, 32'd0);

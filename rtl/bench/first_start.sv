@@ -62,26 +62,25 @@ module first_start #(
   logic [31:0] value;
   initial begin
     if (!$value$plusargs("words=%s", file)) fail("no +words=FILE.mem");
-    $readmemh(file, host.words);
-    repeat (4) @(posedge clk);
-    rst <= 1'b0;
-    repeat (4) @(posedge clk);
-    host.configure(errors, count);
+    repeat (4) @(negedge clk);
+    rst = 1'b0;
+    repeat (4) @(negedge clk);
+    host.configure(file, errors, count);
     if (count < kLeastWords) fail("the list of words is not there, or empty");
     if (errors != 0) fail($sformatf("%0d of %0d words are not kept", errors, count));
     if (gates != 6'd0) fail("a gate is on before run");
     host.write(12'h00c, 32'd3);  // CONTROL: configured, run
     clocks = 0;
     while (gates == 6'd0 && clocks < kWait) begin
-      @(posedge clk);
+      @(negedge clk);
       clocks = clocks + 1;
     end
     if (gates == 6'd0) fail($sformatf("no gate is on %0d clocks after run", kWait));
     $display("%0d words; the first gate is on %0d clocks after run", count, clocks);
-    fault <= 1'b1;
-    repeat (kFaultClocks) @(posedge clk);
+    fault = 1'b1;
+    repeat (kFaultClocks) @(negedge clk);
     #1 if (gates != 6'd0) fail($sformatf("a gate is on %0d clocks after the fault pin", kFaultClocks));
-    repeat (100) @(posedge clk);
+    repeat (100) @(negedge clk);
     if (gates != 6'd0 || !latched) fail("the fault is not latched");
     host.read(12'h014, value);  // FAULT
     if (value[0] !== 1'b1 || value[7:4] !== 4'd1) fail("FAULT does not say fault pin");

@@ -219,7 +219,9 @@ enum steplock_result steplock_clear_fault(const struct steplock_bus *bus) {
   }
   if (result == STEPLOCK_OK) result = get(bus, STEPLOCK_FAULT, &fault);
   if (result != STEPLOCK_OK) return result;
-  return GET(FAULT_DRIVE, fault) ? STEPLOCK_FAULT_LATCHED : STEPLOCK_OK;
+  if (!GET(FAULT_DRIVE, fault)) return STEPLOCK_OK;
+  /* Of both drives. */
+  return GET(FAULT_REASON, fault) == STEPLOCK_REASON_OVER_CURRENT ? STEPLOCK_TRY_AGAIN : STEPLOCK_FAULT_LATCHED;
 }
 
 enum steplock_result steplock_set_watchdog(const struct steplock_bus *bus, uint32_t ticks) {
@@ -265,6 +267,6 @@ const char *steplock_reason_name(unsigned reason) {
 const char *steplock_result_name(enum steplock_result result) {
   static const char *const names[] = {
       "done", "bus error", "no such drive", "not stopped", "not kept", "fault latched", "no PWM period",
-      "no Hall decoder", "no such start", "refused"};
+      "no Hall decoder", "no such start", "refused", "try again"};
   return name_of(names, sizeof names / sizeof names[0], (unsigned)result);
 }

@@ -28,7 +28,8 @@ enum steplock_result {
   STEPLOCK_NO_PERIOD,    /* the words leave PWM.period 0, or too short: the bridge stays off */
   STEPLOCK_NO_HALL,      /* the words ask for Hall sensors, whose decoder this drive was made without */
   STEPLOCK_NO_METHOD,    /* the words ask for a start (START_LOCK.method) that this drive was made without */
-  STEPLOCK_REFUSED       /* an argument that cannot be: no bus, or a value that its register does not hold; nothing was written */
+  STEPLOCK_REFUSED,      /* an argument that cannot be: no bus, or a value that its register does not hold; nothing was written */
+  STEPLOCK_TRY_AGAIN     /* of clear_fault: an over-current, which lasts for a PWM period after its comparator fell */
 };
 const char *steplock_result_name(enum steplock_result result);
 
@@ -95,8 +96,9 @@ const char *steplock_reason_name(unsigned reason);
 enum steplock_result steplock_get_telemetry(const struct steplock_bus *bus,
                                             struct steplock_telemetry *telemetry);
 
-/* Stops, and re-arms drive and watchdog.  STEPLOCK_FAULT_LATCHED: the cause lasts; an over-current does for some clocks
-   after its comparator fell, so call it again. */
+/* Stops, and re-arms drive and watchdog.  STEPLOCK_FAULT_LATCHED: the cause lasts, such as a fault pin that is low.
+   STEPLOCK_TRY_AGAIN: an over-current, whose comparator has to be low for an off-time and a PWM period; one that goes on
+   answering so has a comparator that is stuck. */
 enum steplock_result steplock_clear_fault(const struct steplock_bus *bus);
 
 /* Longest time between two heartbeats in ticks, at most 4095; 0: none.  Only while stopped. */

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The first start of rtl/bench in Icarus, for a drive's words, or with a flaw that it has to notice.
-#   bench.sh [--bit | --deaf | --both] DRIVE WORK
+#   bench.sh [--verilator | --bit | --deaf | --both] DRIVE WORK
+#     --verilator  in Verilator, which has to say the same as Icarus
 #     --bit   a bit in the list that no register has       --deaf  a drive that does not hear its fault pin
 #     --both  a drive that turns on both gates of a leg
 set -euo pipefail
@@ -24,3 +25,9 @@ if [ -f "$top" ]; then
 fi
 iverilog -g2012 -o "$work/first_start.vvp" -s first_start "${files[@]}" rtl/bench/axi_host.sv rtl/bench/first_start.sv
 vvp -n "$work/first_start.vvp" "+words=$words"
+[ $flaw = --verilator ] || exit 0
+vvp -n "$work/first_start.vvp" "+words=$words" | grep -v WARNING >"$work/icarus"
+verilator --binary --timing -Wno-fatal -Wno-TIMESCALEMOD --top-module first_start --Mdir "$work/verilated" "${files[@]}" \
+  rtl/bench/axi_host.sv rtl/bench/first_start.sv >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
+"$work/verilated/Vfirst_start" "+words=$words" | grep -v finish >"$work/verilator"
+diff "$work/icarus" "$work/verilator" && echo "both say the same"

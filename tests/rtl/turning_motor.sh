@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # The motor of rtl/bench in Icarus, beside the co-simulation of the same drive file: its lock comes at the same time.
-#   turning_motor.sh [--backwards] STEPLOCK WORK
-#     --backwards   a motor whose current turns it the wrong way: it must not lock
+#   turning_motor.sh [--long | --backwards | --heavy] STEPLOCK WORK
+#     --long        in Verilator: load, reversal, fault, another start and stop, too
+#     --backwards   the same with a motor whose current turns it the wrong way: it must not lock
+#     --heavy       the same with ten times the load, more than the limit's current carries
 # The drive of the bench does not observe, and its comparators are ideal; so is the drive file's.  A lock may come a look and a
 # probe sooner or later, and the three looks that follow a new code: the integration steps differ, and with them the moment at
 # which an edge is seen.
 set -euo pipefail
-flaw=false
-[ "$1" != --backwards ] || { flaw=true; shift; }
+mode=icarus
+case $1 in --*) mode=${1#--}; shift ;; esac
 steplock=$(realpath "$1") work=$2 name=maxon_ec45_flat
 cd "$(dirname "$0")/../.."
 mkdir -p "$work"
@@ -15,16 +17,26 @@ for key in resistance_ohm flux_vs pole_pairs inertia_kgm2 coulomb_nm viscous_nms
   file=$(sed -n "s/^$key = //p" "drives/$name.toml") bench=$(sed -n "s/^ *parameter [a-z]* $key = \([^,) ]*\).*/\1/p" rtl/bench/motor.sv)
   awk -v a="$file" -v b="$bench" 'BEGIN { exit a == "" || a + 0 != b + 0 }' || { echo "$key: $file in the drive file, $bench in the bench"; exit 1; }
 done
-motor=rtl/bench/motor.sv
-latest=4800000
-if $flaw; then
-  motor=$work/motor.sv
-  sed 's/torque = torque + pole_pairs/torque = torque - pole_pairs/' rtl/bench/motor.sv >"$motor"
-  cmp -s rtl/bench/motor.sv "$motor" && { echo "turning_motor.sh: the flaw found no place"; exit 2; }
-  latest=700000
+motor=rtl/bench/motor.sv bench=rtl/bench/turning_motor.sv
+# flawed FILE EXPRESSION: a copy of it with that flaw
+flawed() {
+  sed "$2" "$1" >"$work/$(basename "$1")"
+  cmp -s "$1" "$work/$(basename "$1")" && { echo "turning_motor.sh: the flaw found no place" >&2; exit 2; }
+  echo "$work/$(basename "$1")"
+}
+case $mode in
+  backwards) motor=$(flawed $motor 's/torque = torque + pole_pairs/torque = torque - pole_pairs/') ;;
+  heavy) bench=$(flawed $bench 's/motor.load_nm = kHalfOfRated/motor.load_nm = 10.0 * kHalfOfRated/') ;;
+esac
+if [ $mode != icarus ]; then
+  latest=4800000
+  [ $mode != backwards ] || latest=700000
+  verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -GLATEST=$latest --Mdir "$work/verilated" -f rtl/six_step_axi.f \
+    rtl/bench/axi_host.sv "$motor" "$bench" >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
+  "$work/verilated/Vturning_motor" "+words=rtl/words/$name.mem" +long
+  exit
 fi
-iverilog -g2012 -o "$work/turning_motor.vvp" -s turning_motor -P "turning_motor.LATEST=$latest" -c rtl/six_step_axi.f \
-  rtl/bench/axi_host.sv "$motor" rtl/bench/turning_motor.sv
+iverilog -g2012 -o "$work/turning_motor.vvp" -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv "$motor" "$bench"
 vvp -n "$work/turning_motor.vvp" "+words=rtl/words/$name.mem" | tee "$work/log"
 locked=$(sed -n 's/^locked after \([0-9.]*\) ms .*/\1/p' "$work/log")
 

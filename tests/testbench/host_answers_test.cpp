@@ -33,7 +33,7 @@ class Registers {
             .read = [](void* self, std::uint32_t offset, std::uint32_t* value) {
               auto& registers = *static_cast<Registers*>(self);
               registers.interrupted();
-              return *value = registers.values_[offset], 0;
+              return *value = offset == STEPLOCK_FAULT ? registers.fault : registers.values_[offset], 0;
             },
             .context = this};
   }
@@ -44,6 +44,7 @@ class Registers {
   }
   std::uint32_t at(std::uint32_t offset) { return values_[offset]; }
   int writes = 0;
+  std::uint32_t fault = 0;  // what FAULT reads
 
  private:
   void interrupted() {
@@ -83,6 +84,22 @@ TEST(HostAnswers, AStopFromAnInterruptIsNotUndoneByAReversal) {
       registers.interrupt(0, nullptr);
       EXPECT_EQ(steplock_stop(&bus, 0), STEPLOCK_OK);
       EXPECT_EQ(registers.at(STEPLOCK_CONTROL), reverse ? STEPLOCK_CONTROL_REVERSE_MASK : 0u) << "coasts";
+    }
+  }
+}
+
+// A fault that stays: an over-current is gone soon, what else there is lasts.  The number is the same one of both drives.
+TEST(HostAnswers, AFaultThatStaysIsToTryAgainAfterAnOverCurrentAlone) {
+  static_assert(int(STEPLOCK_REASON_OVER_CURRENT) == int(STEPLOCK_SINUSOIDAL_REASON_OVER_CURRENT));
+  for (const unsigned kind : {unsigned(STEPLOCK_SIX_STEP), unsigned(STEPLOCK_SINUSOIDAL)}) {
+    for (unsigned reason = 0; reason < 10; ++reason) {
+      Registers registers(kind);
+      registers.fault = STEPLOCK_FAULT_DRIVE_MASK | reason << STEPLOCK_FAULT_REASON_LSB;
+      const steplock_bus bus = registers.bus();
+      EXPECT_EQ(steplock_clear_fault(&bus),
+                reason == STEPLOCK_REASON_OVER_CURRENT ? STEPLOCK_TRY_AGAIN : STEPLOCK_FAULT_LATCHED) << reason;
+      registers.fault &= ~STEPLOCK_FAULT_DRIVE_MASK;
+      EXPECT_EQ(steplock_clear_fault(&bus), STEPLOCK_OK);
     }
   }
 }
@@ -213,7 +230,7 @@ TEST(HostAnswers, EveryStateReasonAndResultHasAName) {
   all_have_names(steplock_reason_name, STEPLOCK_REASON_BLOCKED);
   all_have_names(steplock_sinusoidal_state_name, STEPLOCK_SINUSOIDAL_STATE_FAULT);
   all_have_names(steplock_sinusoidal_reason_name, STEPLOCK_SINUSOIDAL_REASON_NO_POLARITY);
-  all_have_names([](unsigned k) { return steplock_result_name(steplock_result(k)); }, STEPLOCK_REFUSED);
+  all_have_names([](unsigned k) { return steplock_result_name(steplock_result(k)); }, STEPLOCK_TRY_AGAIN);
   EXPECT_STREQ(steplock_state_name(STEPLOCK_STATE_PULL_IN), "pull in");
   EXPECT_STREQ(steplock_reason_name(STEPLOCK_REASON_OVER_CURRENT), "over-current");
   EXPECT_STREQ(steplock_sinusoidal_reason_name(STEPLOCK_SINUSOIDAL_REASON_NO_POLARITY), "no polarity");
