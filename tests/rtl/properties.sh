@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Random traffic on six_step_axi under the properties of rtl/bench, in Verilator; or on one with a flaw, which they have to notice.
+#   properties.sh CLOCKS WORK         traffic, with the words of a drive
+#   properties.sh --FLAW WORK         one of those below: prints `noticed` if the right promise was found broken
+#   properties.sh --icarus WORK       Icarus and Verilator count the same
+#   properties.sh --bound WORK        bound to the drive of another bench, which has a flaw: they notice
+set -euo pipefail
+mode=$1 work=$2
+cd "$(dirname "$0")/../.."
+rm -rf "$work"
+mkdir -p "$work"
+words=rtl/words/m2310p_servo.mem clocks=200000 file='' said=''
+case $mode in
+  --both) file=six_step_axi flaw='s/assign gates_ul_o = .*/assign gates_ul_o = gates_uh_o;/' said='both gates of a leg are on' ;;
+  --dead_time) file=guarded_leg flaw="s/timer <= dead_time_i/timer <= 8'd2/" said='within the dead time' ;;
+  --reset) file=guarded_leg flaw="s/if (rst) begin/if (1'b0) begin/" said='a gate is on in the clock after a reset' ;;
+  --deaf) file=six_step_axi flaw="s/\.pins_fault_i(pins_fault_i)/.pins_fault_i(1'b0)/" said='a gate is on 3 clocks after the fault pin' ;;
+  --latched) file=six_step_axi flaw='s/assign fault_o = .*/assign fault_o = locked_o || gates_uh_o;/' said='a gate is on 4 clocks after the fault was latched|in lock and in fault' ;;
+  --unconfigured) file=six_step_axi flaw='s/assign gates_vl_o = .*/logic on; always_ff @(posedge clk) on <= !rst; assign gates_vl_o = on;/' said='a gate is on, and CONTROL.configured was not written' ;;
+  --taken_away) file=drive_registers flaw='s/assign command_configured_o = .*/logic ever; always_ff @(posedge clk) ever <= !rst \&\& (ever || configured); assign command_configured_o = ever;/' said='after CONTROL.configured was taken away' ;;
+  --dropped) file=six_step_axi flaw='s/assign axi_bvalid_o = .*/assign axi_bvalid_o = axi_bvalid \&\& !axi_arvalid_i;/' said="a write's answer has changed|a write is taken before the last one is answered" ;;
+  --invented | --bound) file=six_step_axi flaw="s/assign axi_rvalid_o = .*/assign axi_rvalid_o = axi_rvalid || axi_bvalid;/" said='an answer without a read' ;;
+  --unlocked) file=word_registers flaw='s/stopped_i && unlocked;/stopped_i;/' said='a keyed register was written behind the closed lock' ;;
+  --read_only) file=six_step_axi flaw="s/assign axi_bresp_o = .*/assign axi_bresp_o = 2'd0;/" said='(keyed|read-only) register was written' ;;
+  --icarus) clocks=40000 ;;
+  *) clocks=$mode ;;
+esac
+mapfile -t files <rtl/six_step_axi.f
+if [ -n "$file" ]; then
+  sed "$flaw" "rtl/$file.sv" >"$work/$file.sv"
+  cmp -s "rtl/$file.sv" "$work/$file.sv" && { echo "properties.sh: the flaw $mode found no place"; exit 2; }
+  files=("${files[@]/rtl\/$file.sv/$work/$file.sv}")
+fi
+top=random_traffic
+bench=(rtl/bench/axi_host.sv rtl/bench/six_step_axi_properties.sv)
+if [ "$mode" = --bound ]; then
+  top=first_start
+  echo 'bind six_step_axi six_step_axi_properties properties (.*);' >"$work/bind.sv"
+  bench+=("$work/bind.sv")
+fi
+bench+=("rtl/bench/$top.sv")
+verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module $top --Mdir "$work/verilated" "${files[@]}" "${bench[@]}" \
+  >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
+"$work/verilated/V$top" "+words=$words" "+clocks=$clocks" >"$work/log" 2>&1 || true
+grep -v -e finish -e Error -e Aborting "$work/log"
+case $mode in
+  --icarus)
+    iverilog -g2012 -o "$work/random_traffic.vvp" -s random_traffic "${files[@]}" "${bench[@]}"
+    vvp -n "$work/random_traffic.vvp" "+words=$words" "+clocks=$clocks" | grep -v -e WARNING -e finish >"$work/icarus"
+    diff <(grep -v finish "$work/log") "$work/icarus" && echo "both say the same" ;;
+  --*) grep -q -E "FAILED: [0-9]*: .*($said)" "$work/log" && echo "noticed" ;;
+esac
