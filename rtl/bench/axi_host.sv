@@ -84,10 +84,17 @@ module axi_host (
   localparam int kWords = 256;
   localparam logic [63:0] kNone = 64'hffff_ffff_ffff_ffff;
   logic [63:0] words[0:kWords-1];
-  task automatic configure(input string file, output int errors, output int count);
-    logic [31:0] value;
+  task automatic load(input string file);
     for (int i = 0; i < kWords; ++i) words[i] = kNone;
     $readmemh(file, words);
+  endtask
+  task automatic configure(input string file, output int errors, output int count);
+    load(file);
+    write_words(errors, count);
+  endtask
+  // What `load` has read; or what is left of it.
+  task automatic write_words(output int errors, output int count);
+    logic [31:0] value;
     errors = 0;
     count = 0;
     read(kStatus, value);

@@ -36,6 +36,7 @@ module motor #(
   localparam real kPi = 3.14159265358979;
 
   real load_nm = 0.0;  // what a bench sets while it runs
+  real pace = 1.0;  // likewise: of time; 2 with a clock of half the rate
   real theta = 0.0, speed = 0.0;  // electrical rad; mechanical rad/s
   real rpm = 0.0;  // mechanical
   real peak_a = 0.0;  // the highest current of a phase so far
@@ -140,7 +141,7 @@ module motor #(
   always @(posedge clk) begin
     clocks <= clocks + 1;
     if (clocks % kStep == 0) begin
-      dt = kStep / clock_hz;
+      dt = pace * kStep / clock_hz;
       step;
     end
   end
