@@ -34,8 +34,8 @@
 //
 // Until then a new step the wanted way is not driven at once: kCoast looks follow each other first, and count for no `still`.
 // A light rotor, fast after its first sector already, tells its direction in that time and is not made faster; to a heavy
-// one it is a moment.  That one takes long to be turned round: `still` begins anew when it is believed to turn the other
-// way, once between two news, since codes that quiver say so at every look.
+// one it is a moment.  That one takes long to be turned round: where a belief turns that had lasted for kLasts looks, `still`
+// begins anew, once between two news, since codes that quiver turn it for ever.
 //
 //     latency      none     registers    those of Belief: 24 bits     multipliers  none
 //
@@ -49,7 +49,7 @@
 namespace steplock {
 
 struct FollowLaw {
-  static constexpr int kCoast = 3;  // looks
+  static constexpr int kCoast = 3, kLasts = 4;  // looks
 
   struct Belief {
     bool looked = false;  // there was a look, and `rest` is its code
@@ -163,7 +163,7 @@ struct FollowLaw {
       }
     }
     const bool turns = now.back != was.back;
-    const bool waits = turns && !was.turned && was.idle >= 4;
+    const bool waits = turns && !was.turned && was.idle >= kLasts;
     const bool stands = !news && !waits && sight.tired;
     now.coast = goes && now.real && !now.back && !turns && !now.sure() ? UInt<2>(kCoast) : turns ? UInt<2>(0) : less(was.coast);
     now.turned = !news && (waits || was.turned);

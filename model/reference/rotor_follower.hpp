@@ -78,7 +78,8 @@ class RotorFollower {
 
  private:
   static constexpr int kSamples = 15;
-  static constexpr int kCoast = 3;  // looks in a row at a rotor that may turn either way
+  static constexpr int kCoast = 3;   // looks in a row at a rotor that may turn either way
+  static constexpr int kLasts = 4;   // looks that a belief has lasted
   enum class Stage { kOff, kLook, kDrive };
 
   void look_from(double t) {
@@ -146,7 +147,7 @@ class RotorFollower {
       }
     }
     // A belief that had lasted and turns gives a heavy rotor time to do so; once, since codes that quiver turn it for ever.
-    const bool turns = belief_ != believed, waits = turns && !turned_ && idle_ >= 4;
+    const bool turns = belief_ != believed, waits = turns && !turned_ && idle_ >= kLasts;
     turned_ = !news && (turned_ || waits);
     coasts_ = loaded_ && real_ && belief_ > 0 && !turns && !sure() ? kCoast : turns ? 0 : std::max(0, coasts_ - 1);
     if (news || waits) idle_ = 0;

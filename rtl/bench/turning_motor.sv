@@ -1,9 +1,10 @@
 // A motor that turns: six_step_axi, its host and motor.sv.  It starts, locks and accelerates.
 //
-//     iverilog -g2012 -o turning_motor.vvp -s turning_motor -c rtl/six_step_axi.f rtl/bench/*.sv
+//     iverilog -g2012 -o turning_motor.vvp -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv \
+//         rtl/bench/motor.sv rtl/bench/turning_motor.sv
 //     vvp -n turning_motor.vvp +words=rtl/words/maxon_ec45_flat.mem [+dump=FILE.vcd]
 //
-//   or verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -f rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/motor.sv \
+//   or verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -f rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/motor.sv \
 //         rtl/bench/turning_motor.sv
 //     obj_dir/Vturning_motor +words=rtl/words/maxon_ec45_flat.mem [+long]
 //
@@ -29,45 +30,13 @@ module turning_motor #(
   logic clk = 1'b0, rst = 1'b1, fault = 1'b0;
   always #20 clk = ~clk;
 
-  wire awvalid, awready, wvalid, wready, bvalid, bready, arvalid, arready, rvalid, rready;
-  wire [11:0] awaddr, araddr;
-  wire [31:0] wdata, rdata;
-  wire [3:0] wstrb;
-  wire [1:0] bresp, rresp;
-  wire uh, ul, vh, vl, wh, wl, interrupt, locked, latched;
-  wire [5:0] gates = {uh, ul, vh, vl, wh, wl};
-
-  six_step_axi #(.WITH_HALL_DECODER(WITH_HALL_DECODER)) dut (
-      .clk(clk), .rst(rst),
-      .pins_comparator_u_i(comparator[0]), .pins_comparator_v_i(comparator[1]), .pins_comparator_w_i(comparator[2]),
-      .pins_limit_i(limit), .pins_fault_i(fault),
-      .pins_hall_u_i(1'b0), .pins_hall_v_i(1'b0), .pins_hall_w_i(1'b0),
-      .axi_awvalid_i(awvalid), .axi_awaddr_i(awaddr), .axi_wvalid_i(wvalid), .axi_wdata_i(wdata), .axi_wstrb_i(wstrb),
-      .axi_bready_i(bready), .axi_arvalid_i(arvalid), .axi_araddr_i(araddr), .axi_rready_i(rready),
-      .gates_uh_o(uh), .gates_ul_o(ul), .gates_vh_o(vh), .gates_vl_o(vl), .gates_wh_o(wh), .gates_wl_o(wl),
-      .interrupt_o(interrupt), .locked_o(locked), .fault_o(latched),
-      .axi_awready_o(awready), .axi_wready_o(wready), .axi_bvalid_o(bvalid), .axi_bresp_o(bresp),
-      .axi_arready_o(arready), .axi_rvalid_o(rvalid), .axi_rdata_o(rdata), .axi_rresp_o(rresp)
+  wire [2:0] high, low, comparator;
+  wire limit, locked, latched;
+  wire [5:0] gates = {high, low};
+  hosted_drive #(.WITH_HALL_DECODER(WITH_HALL_DECODER)) drive (
+      .clk(clk), .rst(rst), .comparator(comparator), .limit(limit), .fault(fault), .high(high), .low(low), .locked(locked), .latched(latched)
   );
-  wire [2:0] comparator;
-  wire limit;
-  motor motor (.clk(clk), .high({wh, vh, uh}), .low({wl, vl, ul}), .comparator(comparator), .limit(limit));
-  axi_host host (
-      .clk(clk), .awvalid(awvalid), .awaddr(awaddr), .awready(awready), .wvalid(wvalid), .wdata(wdata), .wstrb(wstrb),
-      .wready(wready), .bvalid(bvalid), .bresp(bresp), .bready(bready), .arvalid(arvalid), .araddr(araddr),
-      .arready(arready), .rvalid(rvalid), .rdata(rdata), .rresp(rresp), .rready(rready)
-  );
-
-  logic failed = 1'b0;
-  task automatic fail(input string why);
-    if (!failed) $display("FAILED: %s", why);
-    failed = 1'b1;
-    $fatal(1);
-  endtask
-  // Both gates of a leg: never.
-  always @(posedge clk) begin
-    if (!rst && ((uh && ul) || (vh && vl) || (wh && wl))) fail("both gates of a leg are on");
-  end
+  motor motor (.clk(clk), .high(high), .low(low), .comparator(comparator), .limit(limit));
 
   string file;
   int errors, count, clocks = 0;
@@ -78,33 +47,33 @@ module turning_motor #(
       $dumpfile(file);
       $dumpvars(0, turning_motor);
     end
-    if (!$value$plusargs("words=%s", file)) fail("no +words=FILE.mem");
+    if (!$value$plusargs("words=%s", file)) drive.fail("no +words=FILE.mem");
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);
-    host.configure(file, errors, count);
-    if (errors != 0 || count == 0) fail($sformatf("%0d of %0d words are not kept", errors, count));
-    host.write(kControl, 32'd3);  // configured, run
+    drive.host.configure(file, errors, count);
+    if (errors != 0 || count == 0) drive.fail($sformatf("%0d of %0d words are not kept", errors, count));
+    drive.host.write(kControl, 32'd3);  // configured, run
     while (!locked && clocks < LATEST) begin
       @(negedge clk);
       clocks = clocks + 1;
-      if (latched) fail("the drive's fault is latched");
+      if (latched) drive.fail("the drive's fault is latched");
     end
-    if (!locked) fail($sformatf("no lock within %0d clocks", LATEST));
+    if (!locked) drive.fail($sformatf("no lock within %0d clocks", LATEST));
     $display("locked after %0.2f ms at %0.0f r/min, %0.2f A at most", clocks * 1.0e3 / kClockHz, motor.rpm, motor.peak_a);
     locked_rpm = motor.rpm;
     repeat (kAfter) begin
       @(negedge clk);
-      if (!locked || latched) fail("the lock is lost");
+      if (!locked || latched) drive.fail("the lock is lost");
     end
     // The drive's own frequency is the rotor's: six steps a turn and pole pair.
-    host.write(12'h02c, 32'd1);  // SNAPSHOT
-    host.read(12'h030, value);  // TELEMETRY_SPEED
+    drive.host.write(12'h02c, 32'd1);  // SNAPSHOT
+    drive.host.read(12'h030, value);  // TELEMETRY_SPEED
     told_rpm = value * kClockHz / 4294967296.0 * 10.0 / kPolePairs;
     $display("%0.0f r/min %0.1f ms later, %0.0f by the drive", motor.rpm, kAfter * 1.0e3 / kClockHz, told_rpm);
-    if (motor.rpm <= locked_rpm) fail("it does not accelerate");
+    if (motor.rpm <= locked_rpm) drive.fail("it does not accelerate");
     // The set speed rises by 6.6 r/min a millisecond, and the loop's integral takes 1 / 0.16 steps, 5 ms: the drive's speed may be as much behind.
-    if (told_rpm < 0.98 * motor.rpm || told_rpm > 1.02 * motor.rpm) fail("the drive's speed is not the rotor's");
+    if (told_rpm < 0.98 * motor.rpm || told_rpm > 1.02 * motor.rpm) drive.fail("the drive's speed is not the rotor's");
     if ($test$plusargs("long")) long;
     $display("PASSED");
     $finish;
@@ -118,42 +87,42 @@ module turning_motor #(
       repeat (kMs) @(negedge clk);
       ms = ms + 1;
     end
-    if (ms == most_ms) fail(why);
+    if (ms == most_ms) drive.fail(why);
     $display("%0.0f r/min: %0.0f after %0d ms", wanted, motor.rpm, ms);
   endtask
 
   // A load, a reversal, a fault and a start after it, a stop.
   task automatic long;
-    host.write(kTarget, 32'($rtoi(kSetRpm * kPolePairs / 10.0 / kClockHz * 4294967296.0)));
+    drive.host.write(kTarget, 32'($rtoi(kSetRpm * kPolePairs / 10.0 / kClockHz * 4294967296.0)));
     arrives(kSetRpm, 500, "it does not come to its set speed");
     motor.load_nm = kHalfOfRated;
     repeat (200 * kMs) @(negedge clk);
     arrives(kSetRpm, 100, "it does not carry its load");
     motor.load_nm = 0.0;
-    host.write(kSet, kReverse);
+    drive.host.write(kSet, kReverse);
     arrives(-kSetRpm, 2000, "it does not turn round");
     fault = 1'b1;
     repeat (3) @(negedge clk);
-    if (gates != 6'd0) fail("a gate is on 3 clocks after the fault pin");
+    if (gates != 6'd0) drive.fail("a gate is on 3 clocks after the fault pin");
     fault = 1'b0;
     repeat (100) @(negedge clk);
-    if (gates != 6'd0 || !latched) fail("the fault is not latched");
-    host.write(kClear, kRun);
-    host.write(kFault, 32'd1);
+    if (gates != 6'd0 || !latched) drive.fail("the fault is not latched");
+    drive.host.write(kClear, kRun);
+    drive.host.write(kFault, 32'd1);
     repeat (10) @(negedge clk);
-    host.read(kFault, value);
-    if (value[0]) fail("the fault is not cleared");
-    host.write(kSet, kRun);
+    drive.host.read(kFault, value);
+    if (value[0]) drive.fail("the fault is not cleared");
+    drive.host.write(kSet, kRun);
     arrives(-kSetRpm, 2000, "it does not start again");
-    host.write(kSet, kBrake);
-    host.write(kClear, kRun);
+    drive.host.write(kSet, kBrake);
+    drive.host.write(kClear, kRun);
     clocks = 0;
     do begin
       repeat (kMs) @(negedge clk);
       clocks = clocks + 1;
-      host.read(kStatus, value);
+      drive.host.read(kStatus, value);
     end while (!value[11] && clocks < 3000);
-    if (!value[11] || gates != 6'd0) fail("it does not stop");
+    if (!value[11] || gates != 6'd0) drive.fail("it does not stop");
     $display("stopped after %0d ms, at %0.0f r/min", clocks, motor.rpm);
   endtask
 endmodule

@@ -4,15 +4,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
+
+#include "tests/hls/follow_law_look.hpp"
 
 namespace steplock {
 namespace {
 
-constexpr UInt<8> kStill = 20;
-constexpr std::array<int, 6> kCodes = {0b101, 0b100, 0b110, 0b010, 0b011, 0b001};  // of sectors 0 to 5
+using test::kCodes, test::kStill;
 
 struct Bench {
   RotorFollower dut;

@@ -3,6 +3,7 @@
 #   properties.sh CLOCKS WORK         traffic, with the words of a drive
 #   properties.sh --FLAW WORK         one of those below: prints `noticed` if the right promise was found broken
 #   properties.sh --icarus WORK       Icarus and Verilator count the same
+#   properties.sh --map WORK          the registers that they take for keyed or read-only are those of docs/registers.md
 #   properties.sh --bound WORK        bound to the drive of another bench, which has a flaw: they notice
 set -euo pipefail
 mode=$1 work=$2
@@ -23,8 +24,24 @@ case $mode in
   --unlocked) file=word_registers flaw='s/stopped_i && unlocked;/stopped_i;/' said='a keyed register was written behind the closed lock' ;;
   --read_only) file=six_step_axi flaw="s/assign axi_bresp_o = .*/assign axi_bresp_o = 2'd0;/" said='(keyed|read-only) register was written' ;;
   --icarus) clocks=40000 ;;
+  --map) ;;
   *) clocks=$mode ;;
 esac
+if [ "$mode" = --map ]; then
+  # Of each of the map's 64 words what the page says, holes included, and what the properties say in Icarus.
+  sed -n 's/^| \(0x[0-9a-f]*\) | [^|]* | \([^|]*\) | 0x.*/\1 \2/p' docs/registers.md | while read -r address access; do
+    echo "$((address / 4)) $access"
+  done | awk '{ known[$1] = 1; keyed[$1] = /keyed/; ro[$1] = $2 == "ro" }
+    END { for (k = 0; k < 64; k++) print k, keyed[k] + 0, (k in known) ? ro[k] : "-" }' >"$work/page"
+  { echo 'module map; logic [9:0] index;'; grep -E '^  wire (keyed|read_only) = ' rtl/bench/six_step_axi_properties.sv
+    echo 'initial for (int k = 0; k < 64; k++) begin index = 10'"'"'(k); #1 $display("%0d %0d %0d", k, keyed, read_only); end endmodule'; } >"$work/map.sv"
+  iverilog -g2012 -o "$work/map.vvp" "$work/map.sv"
+  vvp -n "$work/map.vvp" >"$work/properties"
+  # What is no register may be either.
+  paste -d' ' "$work/page" "$work/properties" | awk '$2 != $5 || ($3 != "-" && $3 != $6) { print "word " $1 ": page " $2, $3 ", properties " $5, $6; bad = 1 }
+    END { if (NR != 64) bad = 1; if (!bad) print "they are those of the map"; exit bad }'
+  exit
+fi
 mapfile -t files <rtl/six_step_axi.f
 if [ -n "$file" ]; then
   sed "$flaw" "rtl/$file.sv" >"$work/$file.sv"
@@ -36,7 +53,7 @@ bench=(rtl/bench/axi_host.sv rtl/bench/six_step_axi_properties.sv)
 if [ "$mode" = --bound ]; then
   top=first_start
   echo 'bind six_step_axi six_step_axi_properties properties (.*);' >"$work/bind.sv"
-  bench+=("$work/bind.sv")
+  bench+=(rtl/bench/hosted_drive.sv "$work/bind.sv")
 fi
 bench+=("rtl/bench/$top.sv")
 verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module $top --Mdir "$work/verilated" "${files[@]}" "${bench[@]}" \

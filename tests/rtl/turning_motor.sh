@@ -32,11 +32,11 @@ if [ $mode != icarus ]; then
   latest=4800000
   [ $mode != backwards ] || latest=700000
   verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -GLATEST=$latest --Mdir "$work/verilated" -f rtl/six_step_axi.f \
-    rtl/bench/axi_host.sv "$motor" "$bench" >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
+    rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv "$motor" "$bench" >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
   "$work/verilated/Vturning_motor" "+words=rtl/words/$name.mem" +long
   exit
 fi
-iverilog -g2012 -o "$work/turning_motor.vvp" -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv "$motor" "$bench"
+iverilog -g2012 -o "$work/turning_motor.vvp" -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv "$motor" "$bench"
 vvp -n "$work/turning_motor.vvp" "+words=rtl/words/$name.mem" | tee "$work/log"
 locked=$(sed -n 's/^locked after \([0-9.]*\) ms .*/\1/p' "$work/log")
 
