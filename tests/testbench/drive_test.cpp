@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/testbench/own_folder.hpp"
+
 namespace steplock {
 namespace {
 
@@ -50,8 +52,7 @@ TYPED_TEST(EitherDrive, IsFoundByItsSettings) {
 
 TYPED_TEST(EitherDrive, LeavesAPageFiguresSamplesAndAWave) {
   const design::Settings s = scenario<TypeParam>();
-  const fs::path out = fs::path(testing::TempDir()) / ("drive_test_" + std::to_string(static_cast<int>(s.drive.kind)));
-  fs::create_directories(out);
+  const fs::path out = own_folder();
   RunOptions options{.engine = EngineKind::kFixed};
   typename TypeParam::Record record;
   {
@@ -79,7 +80,7 @@ TYPED_TEST(EitherDrive, RunsTheSameWithAWave) {
   design::Settings s = scenario<TypeParam>();
   s.scenario.duration_s = 0.05;
   s.scenario.load_step_s.reset(), s.scenario.load_off_s.reset();
-  const fs::path path = fs::path(testing::TempDir()) / "same.fst";
+  const fs::path path = own_folder() / "same.fst";
   const auto end = [&](TraceWriter* trace) {
     const auto record = TypeParam::run(s, {.engine = EngineKind::kFixed, .angle_deg = 77, .trace = trace});
     return std::pair(record.overview.back().plant.electrical_angle, record.changes.size());

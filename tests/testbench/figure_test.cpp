@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/testbench/own_folder.hpp"
+
 namespace steplock {
 namespace {
 
@@ -26,7 +28,7 @@ std::string read(const std::filesystem::path& path) {
 }
 
 TEST(Figure, ShowsTitleAxisLabelsAndMarks) {
-  const std::filesystem::path here = testing::TempDir();
+  const std::filesystem::path here = own_folder();
   ASSERT_TRUE(draw(example(), here));
   const std::string svg = read(here / "example.svg");
   for (const char* text : {"A rotor's start", "time, s", "speed, rpm", "duty", "locked", "rotor"}) {
@@ -61,7 +63,7 @@ TEST(Figure, ALogarithmicAxisIsLongerThanItsPoints) {
 }
 
 TEST(Figure, TheSameNumbersGiveTheSameBytes) {
-  const std::filesystem::path here = testing::TempDir();
+  const std::filesystem::path here = own_folder();
   ASSERT_TRUE(draw(example(), here));
   const std::string first = read(here / "example.svg");
   ASSERT_TRUE(draw(example(), here));

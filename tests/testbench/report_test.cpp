@@ -7,6 +7,7 @@
 
 #include "testbench/report/csv.hpp"
 #include "testbench/report/page.hpp"
+#include "tests/testbench/own_folder.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {
@@ -26,7 +27,7 @@ TEST(Report, AllFilesAreWrittenAndThePageNeedsNoOther) {
   const RunOptions options{.engine = EngineKind::kFloat};
   const Record record = run_drive(file.settings, options);
   const Summary summary = summarise(file.settings, options, record);
-  const fs::path out = fs::path(testing::TempDir()) / "report_test";
+  const fs::path out = own_folder();
   const ReportFiles files = write_report(out, file.settings, summary, record, false);
   EXPECT_TRUE(files.warnings.empty());
   for (const char* name : {"summary.json", "run.csv", "lock.csv", "steady.csv", "start.svg", "lock.svg",

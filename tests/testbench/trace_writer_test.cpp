@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <map>
 
+#include "tests/testbench/own_folder.hpp"
+
 namespace steplock {
 namespace {
 
@@ -39,7 +41,7 @@ Wave read_wave(const std::string& path) {
 }
 
 TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
-  const std::string path = (std::filesystem::path(testing::TempDir()) / "wave.fst").string();
+  const std::string path = (own_folder() / "wave.fst").string();
   {
     TraceWriter writer(path, SixStepRecording::wave(), 4);
     const SixStepRecording recording(RecorderSettings{});
@@ -68,7 +70,7 @@ TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
 }
 
 TEST(TraceWriter, TheSaveFileNamesOnlySignalsOfTheWave) {
-  const std::string path = (std::filesystem::path(testing::TempDir()) / "names.fst").string();
+  const std::string path = (own_folder() / "names.fst").string();
   { TraceWriter writer(path, SixStepRecording::wave(), 4); SixStepRecording(RecorderSettings{}).trace_logic(writer, Sample{}); }
   const Wave wave = read_wave(path);
   const std::string save = gtkwave_save_file("names.fst", SixStepRecording::wave());

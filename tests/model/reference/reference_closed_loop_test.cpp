@@ -139,9 +139,12 @@ TEST(ReferenceDrive, RunsFromHallSensors) {
 }
 
 // An update per turn is slow to pull in, and to control: the speed's slew is a sixteenth of the other detector's.
+// The run lasts as long as the slew needs for the set speed, and a second for the start and for settling.
 TEST(ReferenceDrive, LocksWithThePapersPhaseDetectorToo) {
-  auto s = servo(2.5);
+  auto s = servo(0);
   s.loop.detector = design::Detector::kOncePerTurn;
+  const double steps_s = s.scenario.speed_rpm / 60 * s.motor.pole_pairs * 6;
+  s.scenario.duration_s = 1 + steps_s / design::design_drive(s).parameters.speed.slew;
   for (const double degrees : {0.0, 30.0, 150.0, 270.0}) {
     const auto v = run(s, degrees);
     EXPECT_TRUE(v.locked) << degrees;
