@@ -166,20 +166,22 @@ module rotor_follower #(
       choice_113_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
       either_121 = {1'b0, either_120} | choice_113_5;  // line 121
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
-      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:156
-      on = sight_on || sight_skipped;  // follow_law.hpp:142
-      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:150
+      news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:157
+      on = sight_on || sight_skipped;  // follow_law.hpp:143
+      goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:151
       judge_choice = belief_real ? sight_legal && !sight_here && on && news : goes_2;  // line 95
       now_back = (sight_contrary || sight_across || (sight_far && belief_far)) && !belief_back;
-      judge_both = sight_contrary && belief_moved;  // follow_law.hpp:158
+      judge_both =  // follow_law.hpp:159
+          sight_contrary && belief_moved &&
+          (belief_edges[1] || belief_back || belief_coast != 2'd0);
       judge_either = on || judge_both;  // line 95
       judge_choice_2 = (sight_legal && !(sight_here || judge_either)) ? now_back : belief_back;
       judge_both_2 = belief_real && judge_choice_2;  // line 95
-      turns = judge_both_2 ^ belief_back;  // follow_law.hpp:165
+      turns = judge_both_2 ^ belief_back;  // follow_law.hpp:166
       waits = turns && !belief_turned && belief_idle[7:2] != 6'd0;
-      judge_either_2 = judge_choice || waits;  // follow_law.hpp:167
-      stands_2 = !judge_either_2 && sight_tired;  // follow_law.hpp:167
-      now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:148
+      judge_either_2 = judge_choice || waits;  // follow_law.hpp:168
+      stands_2 = !judge_either_2 && sight_tired;  // follow_law.hpp:168
+      now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:149
       judge_either_3 = belief_real || now_real;  // line 95
       judge_both_3 = sight_legal && !sight_here;  // line 95
       judge_both_4 = belief_real && judge_both_3;  // line 95
@@ -189,7 +191,7 @@ module rotor_follower #(
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
       choice_4 = at_bits[4] ? now_edges_3 : belief_edges;
       code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 162
-      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:183
+      now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:189
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
       choice_5 = at_bits[4] ? now_rest_3 : belief_rest;
@@ -199,10 +201,10 @@ module rotor_follower #(
           belief_idle;
       choice_6 = at_bits[4] ? now_idle : belief_idle;
       now_coast_both = !(!judge_either_3 || judge_both_2 || turns) && !now_edges_2[1];
-      less_sum = belief_coast - 2'd1;  // follow_law.hpp:180
-      goes_both = !judge_both && !sight_across;  // follow_law.hpp:168
+      less_sum = belief_coast - 2'd1;  // follow_law.hpp:186
+      goes_both = !judge_both && !sight_across;  // follow_law.hpp:169
       goes_3 = belief_real ? sight_legal && !sight_here && (on || goes_both) : goes_2;
-      now_coast =  // follow_law.hpp:168
+      now_coast =  // follow_law.hpp:169
           goes_3 ?
           ((now_coast_both || turns) ? {2{now_coast_both}} :
           (belief_coast == 2'd0) ? 2'd0 :
@@ -281,14 +283,16 @@ module rotor_follower #(
                 out_moves <= belief_moved;
               end else begin
                 if (on) begin
+                  belief_moved <= 1'b1;
                   goes <= 1'b1;
+                  out_moves <= 1'b1;
                 end else begin
                   belief_back <= judge_both ? belief_back : now_back;
+                  belief_moved <= judge_both;
                   goes <= goes_both;
+                  out_moves <= judge_both;
                 end
-                belief_moved <= judge_either;
                 belief_far <= sight_far;
-                out_moves <= judge_either;
               end
             end else begin
               goes <= 1'b0;
@@ -326,7 +330,7 @@ module rotor_follower #(
         logic [2:0] next_step_either;
         logic [2:0] code_of_choice;
         logic [1:0] code_of_choice_2;
-        logic [2:0] code_of;  // follow_law.hpp:125
+        logic [2:0] code_of;  // follow_law.hpp:126
         logic [2:0] see_differ;
         logic [2:0] other;
         logic v_2;
@@ -344,8 +348,8 @@ module rotor_follower #(
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:108
-        code_of_choice_2 =  // follow_law.hpp:125
+        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:109
+        code_of_choice_2 =  // follow_law.hpp:126
             (code_of_choice == 3'd3) ? 2'd2 :
             (code_of_choice == 3'd4) ? 2'd3 :
             2'd1;
@@ -355,11 +359,11 @@ module rotor_follower #(
           3'd2: code_of = 3'd6;
           default: code_of = {1'b0, code_of_choice_2};
         endcase
-        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:125
-        other = see_differ ^ code;  // follow_law.hpp:125
-        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:126
-        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:126
-        u_2 = !(w_2 || v_2);  // follow_law.hpp:126
+        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:126
+        other = see_differ ^ code;  // follow_law.hpp:126
+        v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:127
+        w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:127
+        u_2 = !(w_2 || v_2);  // follow_law.hpp:127
         behind = (v_2 ? 3'd4 : 3'd0) | {1'b0, w_2 ? 2'd2 : 2'd0} | {2'd0, u_2};
         case (step_i)
           3'd0, 3'd3, 3'd1, 3'd4: begin
@@ -371,10 +375,10 @@ module rotor_follower #(
             ahead_choice = 3'd4;
           end
         endcase
-        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:117
-        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:127
-        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:117
-        see_equal = other == ~ahead;  // follow_law.hpp:133
+        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:118
+        behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:128
+        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:118
+        see_equal = other == ~ahead;  // follow_law.hpp:134
         sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_4 != 2'd0);
         sight_clear <= clear;
         sight_rests <= code == choice_5;
@@ -414,7 +418,7 @@ module rotor_follower #(
           logic to_high_choice;
           logic to_high;
           logic to_middle_2;
-          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:188
+          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:194
           three_or_four_2 = step_i[1:0] == 2'd3 || (step_i[2] && !step_i[0]);  // divide_by_n.hpp:27
           to_high_choice = step_i[2] ? step_i[0] : !step_i[1] && !step_i[0];  // divide_by_n.hpp:29
           to_high = step_after_differ ? three_or_four_2 : to_high_choice;  // divide_by_n.hpp:29
@@ -438,7 +442,7 @@ module rotor_follower #(
           end
         end else begin
           logic [2:0] code_2;
-          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:119
+          code_2 = code ^ {3{belief_back}};  // follow_law.hpp:120
           case (code_2)
             3'd2: out_step <= {1'b0, reverse_i ? 2'd2 : 2'd3};
             3'd3: begin

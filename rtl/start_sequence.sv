@@ -155,15 +155,15 @@ module start_sequence #(
   );
 
   wire [2:0] state_either = {1'b0, at_bits[3] ? 2'd3 : at_bits[2:1]} | {at_bits[4], 2'd0};
-  wire [1:0] state_choice = at_bits[6] ? 2'd2 : 2'd0;  // line 257
-  wire [3:0] state_wide =  // line 257
+  wire [1:0] state_choice = at_bits[6] ? 2'd2 : 2'd0;  // line 260
+  wire [3:0] state_wide =  // line 260
       {1'b0,
       state_either | (at_bits[5] ? 3'd5 : 3'd0) | {state_choice[1], state_choice} |
       {3{at_bits[7]}}};
   wire [3:0] state_either_2 = state_wide | {at_bits[8], 3'd0} | (at_bits[9] ? 4'd9 : 4'd0);
   wire follows_rotor = at_bits[5] && words_method_i;
   wire rests = follows_rotor && !follower_drives_i;
-  wire [1:0] present_pattern_choice = (drives && !rests) ? 2'd2 : 2'd0;  // line 273
+  wire [1:0] present_pattern_choice = (drives && !rests) ? 2'd2 : 2'd0;  // line 276
   wire [4:0] present_pattern_wide = {3'd0, present_pattern_choice | {1'b0, !enables || rests}};
 
   wire [15:0] open_loop_duty;
@@ -183,66 +183,68 @@ module start_sequence #(
       .duty_o(open_loop_duty)
   );
 
-  wire reverse_inverse = !reverse;  // line 297
+  wire reverse_inverse = !reverse;  // line 300
   wire to_high = sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0];  // divide_by_n.hpp:29
   wire three_or_four = sector_i[0] ? sector_i[1] : sector_i[2];  // divide_by_n.hpp:27
   wire [2:0] next_step =  // divide_by_n.hpp:30
       (to_high ? 3'd4 : 3'd0) | {1'b0, three_or_four ? 2'd2 : 2'd0} | {2'd0, !sector_i[0]};
-  wire choose_both = command_run_i && !still_i;  // line 117
-  wire differ_105 = counters_turns_reverse ^ reverse;  // line 105
-  wire counts_enough = !(at_bits[1] && slow_i && choose_both && !differ_105) && counters_enough;
-  wire failed_next_either =  // line 197
-      (at_bits[6] && !counts_enough && counters_over) || (at_bits[8:7] != 2'd0 && lost_i);
-  wire arrives = words_method_i ? caught_i : fast_i;  // line 117
-  wire choose_either = !at_bits[5] || arrives;  // line 196
-  wire choose_either_2 = counters_over || blocked_i;  // line 117
+  wire runs_on = command_run_i && !still_i;  // line 212
+  wire is_started_differ = counters_turns_reverse ^ reverse;  // line 219
+  wire turns_on_either = !runs_on || is_started_differ;  // line 215
+  wire both_104 = !(turns_on_either ? !fast_i : slow_i) && counters_enough;  // line 104
+  wire choose_both = turns_on_either && !(words_method_i && runs_on);  // line 116
+  wire enough = (!at_bits[1] || choose_both) ? counters_enough : both_104;
+  wire failed_next_either =  // line 196
+      (at_bits[6] && counters_over && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
+  wire arrives = words_method_i ? caught_i : fast_i;  // line 116
+  wire choose_either = !at_bits[5] || arrives;  // line 195
+  wire choose_either_2 = counters_over || blocked_i;  // line 116
   wire failed_next_either_2 = (!choose_either && choose_either_2) || failed_next_either;
-  wire choose_either_3 = at_bits[10] || !command_configured_i;  // line 189
-  wire brakes_either = command_brake_to_stop_i || still_i;  // line 184
+  wire choose_either_3 = at_bits[10] || !command_configured_i;  // line 188
+  wire brakes_either = command_brake_to_stop_i || still_i;  // line 183
   wire brakes = (!brakes_either || at_bits[8:7] != 2'd0) ? brakes_either : at_bits[2:1] != 2'd0;
-  wire halts = (!choose_both || refused) && !brakes;
-  wire choose_either_4 = choose_either_3 || fatal_i || halts;  // line 189
+  wire halts = (!runs_on || refused) && !brakes;
+  wire choose_either_4 = choose_either_3 || fatal_i || halts;  // line 188
   wire failed_next = !choose_either_4 && failed_next_either_2;
-  wire [9:0] at_bits_next_choice = (failed_next && !counters_tried) ? 10'd512 : 10'd0;  // line 230
+  wire [9:0] at_bits_next_choice = (failed_next && !counters_tried) ? 10'd512 : 10'd0;  // line 233
   wire rearm = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);
   wire trips = command_configured_i && fatal_i;
   wire moves_trips = at_bits[10] ? !rearm : trips;
-  wire choose_differ = command_reverse_i ^ reverse;  // line 117
-  wire choose_either_5 = !choose_both || choose_differ;  // line 117
-  wire braking_next_both = at_bits[8] && !lost_i && choose_either_5 && (counters_over || !fast_i);
-  wire braking_next_choice =  // line 117
-      at_bits[1] ? (counts_enough && (!choose_both || differ_105)) || braking_next_both :
-      braking_next_both;
-  wire braking_next = !choose_either_4 && braking_next_choice;
-  wire [10:0] at_bits_next_choice_2 =  // line 230
+  wire choose_differ = command_reverse_i ^ reverse;  // line 116
+  wire choose_either_5 = !runs_on || choose_differ;  // line 116
+  wire braking_next_both =  // line 193
+      at_bits[1] && (choose_both ? counters_enough : both_104) && turns_on_either;
+  wire braking_next_either =  // line 116
+      braking_next_both || (at_bits[8] && !lost_i && choose_either_5 && (counters_over || !fast_i));
+  wire braking_next = !choose_either_4 && braking_next_either;
+  wire [10:0] at_bits_next_choice_2 =  // line 233
       (moves_trips || (braking_next && counters_braked) || (failed_next && counters_tried)) ?
       11'd1024 : 11'd0;
-  wire moves_tries_both = at_bits[9] && counters_over;  // line 193
-  wire looks_both = OBSERVES && !source_i;  // line 167
-  wire looks_both_2 = looks_both && words_observe_i != 12'd0;  // line 167
-  wire choose_both_2 = at_bits[2] && counters_over;  // line 192
-  wire moves_tries_choice =  // line 117
-      choose_both_2 ? choose_both || looks_both_2 || moves_tries_both : moves_tries_both;
-  wire moves_tries_either = at_bits[0] || moves_tries_choice;  // line 117
+  wire moves_tries_both = at_bits[9] && counters_over;  // line 192
+  wire looks_both = OBSERVES && !source_i;  // line 166
+  wire looks_both_2 = looks_both && words_observe_i != 12'd0;  // line 166
+  wire choose_both_2 = at_bits[2] && counters_over;  // line 191
+  wire moves_tries_choice =  // line 116
+      choose_both_2 ? runs_on || looks_both_2 || moves_tries_both : moves_tries_both;
+  wire moves_tries_either = at_bits[0] || moves_tries_choice;  // line 116
   wire moves_tries = !choose_either_4 && moves_tries_either;
-  wire [3:0] admit_choice =  // line 248
+  wire [3:0] admit_choice =  // line 251
       (!moves_tries || looks_both_2 || source_i || words_method_i) ? 4'd0 : 4'd8;
-  wire [5:0] admit_choice_2 =  // line 249
+  wire [5:0] admit_choice_2 =  // line 252
       (moves_tries && !(looks_both_2 || source_i) && words_method_i) ? 6'd32 : 6'd0;
-  wire [5:0] admit_choice_wide = {2'd0, admit_choice};  // line 248
+  wire [5:0] admit_choice_wide = {2'd0, admit_choice};  // line 251
   wire [1:0] admit_choice_3 = (moves_tries && looks_both && words_observe_i != 12'd0) ? 2'd2 : 2'd0;
   wire moves_stops = choose_either_3 ? !at_bits[10] || rearm : halts && !fatal_i;
-  wire wanted_inverse = !(counts_enough || counters_over);  // line 233
-  wire [1:0] wanted_choice = (OBSERVES && at_bits[1] && wanted_inverse) ? 2'd2 : 2'd0;  // line 233
-  wire missed = at_bits[1] && !counts_enough && counters_over;
-  wire gives_up =
-      choose_both_2 && !choose_both && (!OBSERVES || source_i || words_observe_i == 12'd0);
-  wire [2:0] wanted_choice_2 = (at_bits[2] && !counters_over) ? 3'd4 : 3'd0;  // line 230
-  wire [2:0] wanted_wide = {1'b0, wanted_choice | {1'b0, (missed && !choose_both) || gives_up}};
-  wire begins = missed && choose_both;
-  wire [3:0] wanted_choice_3 =  // line 230
+  wire wanted_inverse = !(enough || counters_over);
+  wire [1:0] wanted_choice = (OBSERVES && at_bits[1] && wanted_inverse) ? 2'd2 : 2'd0;
+  wire missed = at_bits[1] && !enough && counters_over;
+  wire gives_up = choose_both_2 && !runs_on && (!OBSERVES || source_i || words_observe_i == 12'd0);
+  wire [2:0] wanted_choice_2 = (at_bits[2] && !counters_over) ? 3'd4 : 3'd0;  // line 233
+  wire [2:0] wanted_wide = {1'b0, wanted_choice | {1'b0, (missed && !runs_on) || gives_up}};
+  wire begins = missed && runs_on;
+  wire [3:0] wanted_choice_3 =  // line 233
       ((words_method_i || begins) ? !words_method_i : at_bits[3] && !counters_over) ? 4'd8 : 4'd0;
-  wire [4:0] wanted_choice_4 =  // line 230
+  wire [4:0] wanted_choice_4 =  // line 233
       (!words_method_i && (counters_over ? at_bits[3] : at_bits[4])) ? 5'd16 : 5'd0;
   wire [4:0] wanted_wide_2 = {1'b0, {1'b0, wanted_wide | wanted_choice_2} | wanted_choice_3};
   wire wanted_either = choose_either || choose_either_2;
@@ -254,49 +256,49 @@ module start_sequence #(
       (at_bits[4] && counters_over) ? 6'd32 :
       wanted_either ? 6'd0 :
       6'd32;
-  wire [5:0] wanted_wide_3 = {1'b0, wanted_wide_2 | wanted_choice_4};  // line 236
-  wire [6:0] wanted_choice_6 =  // line 239
+  wire [5:0] wanted_wide_3 = {1'b0, wanted_wide_2 | wanted_choice_4};  // line 239
+  wire [6:0] wanted_choice_6 =  // line 242
       ((at_bits[5] && arrives) || (at_bits[6] && wanted_inverse)) ? 7'd64 : 7'd0;
-  wire caught = at_bits[1] && counts_enough && choose_both && !differ_105;
-  wire locks = at_bits[6] && counts_enough;
-  wire wanted_either_2 = caught || locks;  // line 241
-  wire admit_both = choose_both && !choose_differ;  // line 241
+  wire caught = at_bits[1] && enough && runs_on && !is_started_differ;
+  wire locks = at_bits[6] && enough;
+  wire wanted_either_2 = caught || locks;  // line 244
+  wire admit_both = runs_on && !choose_differ;  // line 244
   wire on = at_bits[8:7] != 2'd0 && !lost_i;
-  wire [7:0] wanted_choice_7 =  // line 230
+  wire [7:0] wanted_choice_7 =  // line 233
       ((wanted_either_2 || !on) ? wanted_either_2 : admit_both) ? 8'd128 : 8'd0;
-  wire [8:0] wanted_choice_8 =  // line 242
+  wire [8:0] wanted_choice_8 =  // line 245
       (on && choose_either_5 && (at_bits[7] || (!counters_over && fast_i))) ? 9'd256 : 9'd0;
-  wire [9:0] wanted_choice_9 = (at_bits[9] && !counters_over) ? 10'd512 : 10'd0;  // line 230
-  wire [9:0] wanted_wide_4 =  // line 242
+  wire [9:0] wanted_choice_9 = (at_bits[9] && !counters_over) ? 10'd512 : 10'd0;  // line 233
+  wire [9:0] wanted_wide_4 =  // line 245
       {1'b0,
       {1'b0, {1'b0, {1'b0, wanted_wide_3 | wanted_choice_5} | wanted_choice_6} | wanted_choice_7} |
       wanted_choice_8};
   wire [9:0] wanted = wanted_wide_4 | wanted_choice_9;
-  wire [9:0] admit = (moves_stops || moves_trips) ? 10'd0 : wanted;  // line 244
-  wire [9:0] admit_wide = {8'd0, admit_choice_3 | {1'b0, moves_stops}};  // line 245
-  wire [9:0] admit_2 = admit_wide | admit;  // line 245
+  wire [9:0] admit = (moves_stops || moves_trips) ? 10'd0 : wanted;  // line 247
+  wire [9:0] admit_wide = {8'd0, admit_choice_3 | {1'b0, moves_stops}};  // line 248
+  wire [9:0] admit_2 = admit_wide | admit;  // line 248
   wire [7:0] admit_choice_4 = (moves_tries && !looks_both_2 && source_i) ? 8'd128 : 8'd0;
-  wire [9:0] admit_3 = admit_2 | {2'd0, admit_choice_4};  // line 246
-  wire [9:0] admit_wide_2 = {4'd0, admit_choice_wide | admit_choice_2};  // line 248
-  wire [9:0] admit_4 = admit_wide_2 | admit_3;  // line 248
-  wire [2:0] admit_choice_5 = (braking_next && !counters_braked) ? 3'd4 : 3'd0;  // line 230
-  wire [9:0] admit_5 = admit_4 | {7'd0, admit_choice_5};  // line 249
+  wire [9:0] admit_3 = admit_2 | {2'd0, admit_choice_4};  // line 249
+  wire [9:0] admit_wide_2 = {4'd0, admit_choice_wide | admit_choice_2};  // line 251
+  wire [9:0] admit_4 = admit_wide_2 | admit_3;  // line 251
+  wire [2:0] admit_choice_5 = (braking_next && !counters_braked) ? 3'd4 : 3'd0;  // line 233
+  wire [9:0] admit_5 = admit_4 | {7'd0, admit_choice_5};  // line 252
   wire [10:0] at_bits_next = {1'b0, at_bits_next_choice} | at_bits_next_choice_2 | {1'b0, admit_5};
-  wire boosts_next = admit_4[5] || admit[6];  // line 138
-  wire either_139 = boosts_next || admit_3[7];  // line 139
+  wire boosts_next = admit_4[5] || admit[6];  // line 137
+  wire either_138 = boosts_next || admit_3[7];  // line 138
   wire runs = admit_3[7] || admit[8];
-  wire began_next = moves_tries && at_bits[0];  // line 120
+  wire began_next = moves_tries && at_bits[0];  // line 119
   wire load_step_next_both = at_bits[1] && admit_3[7];
 
   always_ff @(posedge clk) begin
-    at_bits <= at_bits_next;  // line 251
-    drives <= either_139 || admit[8];
-    enables <= either_139 || admit[8] || !(!admit_5[2] && !admit_4[3]) || admit[4];
-    boosts <= boosts_next;  // line 138
+    at_bits <= at_bits_next;  // line 254
+    drives <= either_138 || admit[8];
+    enables <= either_138 || admit[8] || !(!admit_5[2] && !admit_4[3]) || admit[4];
+    boosts <= boosts_next;  // line 137
     sectors <= admit_2[1] || (runs && source_i) || (at_bits[5] && admit_4[5] && words_method_i);
-    holds <= at_bits[6] && (tick_i ? boosted : holds);  // line 144
-    boosted <= at_bits[6] && (tick_i ? words_method_i : boosted);  // line 144
-    tracks <= admit[6] || (runs && !source_i);  // line 149
+    holds <= at_bits[6] && (tick_i ? boosted : holds);  // line 143
+    boosted <= at_bits[6] && (tick_i ? words_method_i : boosted);  // line 143
+    tracks <= admit[6] || (runs && !source_i);  // line 148
     if (began_next) begin
       entered <= 1'b1;
       reason <= Reason_kNone;
@@ -311,22 +313,22 @@ module start_sequence #(
         logic entered_next_either_2;
         logic entered_next_inverse;
         entered_next_choice = (!at_bits[8] || lost_i) ? at_bits[8] : admit_both || !fast_i;
-        entered_next_choice_2 =  // line 198
-            at_bits[7] ? lost_i || !choose_both || choose_differ || entered_next_choice :
+        entered_next_choice_2 =  // line 197
+            at_bits[7] ? lost_i || !runs_on || choose_differ || entered_next_choice :
             entered_next_choice;
-        entered_next_either =  // line 208
+        entered_next_either =  // line 207
             ((arrives || blocked_i) && at_bits[5]) || (words_method_i && at_bits[4:3] != 2'd0);
-        entered_next_either_2 = entered_next_either || entered_next_choice_2;  // line 198
+        entered_next_either_2 = entered_next_either || entered_next_choice_2;  // line 197
         entered_next_inverse = !(!at_bits[0] && (!counters_over || (at_bits & 11'h481) != 11'd0));
         entered <=
             entered_next_inverse ||
-            (counts_enough && (at_bits[6:1] & 6'h21) != 6'd0) || entered_next_either_2;
+            (enough && (at_bits[6:1] & 6'h21) != 6'd0) || entered_next_either_2;
       end
       if (!at_bits[10]) begin
-        logic inverse_117;
-        inverse_117 = !(!command_configured_i || fatal_i || halts);  // line 117
-        if ((inverse_117 && failed_next_either_2) || at_bits_next[10]) begin
-          if (inverse_117 && braking_next_choice) begin
+        logic inverse_116;
+        inverse_116 = !(!command_configured_i || fatal_i || halts);  // line 116
+        if ((inverse_116 && failed_next_either_2) || at_bits_next[10]) begin
+          if (inverse_116 && braking_next_either) begin
             reason <= Reason_kCannotStop;
           end else if (fatal_i || lost_i) begin
             reason <= cause_i;
@@ -336,12 +338,12 @@ module start_sequence #(
             reason <= Reason_kNoLock;
           end
         end
-        if (inverse_117 && moves_tries_either) begin
+        if (inverse_116 && moves_tries_either) begin
           reverse <= command_reverse_i;
         end
       end
     end
-    braking <= braking_next;  // line 117
+    braking <= braking_next;  // line 116
     if (words_method_i) begin
       if (at_bits[5]) begin
         if (admit[6] || !at_bits[1]) begin
@@ -359,10 +361,10 @@ module start_sequence #(
     end else begin
       load_step <= admit_3[7];
     end
-    began <= began_next;  // line 120
-    failed <= failed_next;  // line 117
+    began <= began_next;  // line 119
+    failed <= failed_next;  // line 116
     clear_was <= command_clear_fault_i;
-    refused <= command_run_i && (refused || !command_configured_i);  // line 136
+    refused <= command_run_i && (refused || !command_configured_i);  // line 135
     if (rst) begin
       at_bits <= 11'd1;
       drives <= 1'b0;

@@ -12,7 +12,7 @@
 //                            another one            real; the step is the code's
 //     real                   000, 111; 0            no news
 //       the wanted way       +1                     on: one edge passed
-//                            -1, just passed one    no news: it chatters on that edge
+//                            -1, just passed one    no news: it chatters on that edge, while it coasts or is followed
 //                            -1                     it turns the other way; the opposite step
 //       the other way        -1                     on: one edge passed, backwards
 //                            +1, just passed one    no news
@@ -29,7 +29,8 @@
 // So a rotor that nothing moves gets three steps in a row of the ring, and whatever its angle one of them gives at least
 // 0.87 of the current's torque.  One way or the other: a rotor held opposite to its step needs the step before.
 //
-// "Just passed one": since the belief began.  Two edges on the wanted way in a row: the rotor is followed.  From the
+// "Just passed one": since the belief began.  A drive ends it for a rotor that has passed one edge the wanted way: an offset
+// may have feigned that edge near standstill, and an edge back is a real one then.  Two edges on the wanted way in a row: the rotor is followed.  From the
 // second on `changed` tells that the time since the one before is an interval.
 //
 // Until then a new step the wanted way is not driven at once: kCoast looks follow each other first, and count for no `still`.
@@ -155,7 +156,7 @@ struct FollowLaw {
         now.edges = was.back || was.edges == 3 ? was.edges : wrap<UInt<2>>(was.edges + 1);
         news = was.edges != 0 || was.back;
         goes = true;
-      } else if (!sight.contrary || !was.moved) {
+      } else if (!sight.contrary || !chatters(was)) {
         now.back = (sight.contrary || sight.across || (sight.far && was.far)) && !was.back;
         now.moved = false;
         now.edges = 0;
@@ -177,6 +178,11 @@ struct FollowLaw {
             .blocked = stands && was.stood == 2};
   }
 
+  // The edge just passed may be seen once more.  An offset may have feigned it to a rotor near standstill, and the drive
+  // that followed turned that one back: so no longer than it coasts.
+  static constexpr bool chatters(const Belief& was) {
+    return was.moved && (was.sure() || was.back || was.coast != 0);
+  }
   static constexpr UInt<2> less(UInt<2> looks) { return looks == 0 ? looks : wrap<UInt<2>>(looks - 1); }
 
   // What is not clear is the code of no sector.

@@ -3,7 +3,8 @@
 //     kIdle        gates off, until `run` goes up with valid words and a set speed that is not 0; words that become
 //                  valid under a `run` that is up start nothing
 //     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
-//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Not in time: kSettle
+//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Not in time, or too slow
+//                  for either: kSettle, or kAccelerate
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
 //     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22).
 //                  Both last twice as long after each failed try, three times: a heavy rotor swings
@@ -101,8 +102,7 @@ class StartSequence {
                                           .turns_reverse = in.turns_reverse,
                                           .hopeful = in.moves,
                                           .words = in.words});
-    // A rotor that turns the wanted way, but slower than it may run, is not caught: it is started.
-    if (at_.holds(State::kObserve) && in.slow && turns_on(in, counts)) counts.enough = false;
+    if (at_.holds(State::kObserve) && is_started(in, counts)) counts.enough = false;
     const Duty duty = open_loop_.tick({.state = at_,
                                        .strong = counts.strong,
                                        .follows = follows(in),
@@ -214,6 +214,10 @@ class StartSequence {
   bool turns_round(const In& in) const { return !runs_on(in) || in.command.reverse != reverse_; }
   bool turns_on(const In& in, const Counts& counts) const {
     return runs_on(in) && counts.turns_reverse == reverse_;
+  }
+  // Neither caught, since it turns slower than it may run, nor braked, since a rotor follower turns it round.
+  bool is_started(const In& in, const Counts& counts) const {
+    return turns_on(in, counts) ? in.slow : follows(in) && runs_on(in) && !in.fast;
   }
   static bool looks_again(const In& in) { return runs_on(in) || looks(in); }
 

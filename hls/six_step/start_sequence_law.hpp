@@ -48,8 +48,9 @@ struct StartSequenceLaw {
     if ((!wanted || refused) && !((host.brake_to_stop || in.still) && may_brake)) return go(State::kIdle);
     switch (at) {
       case State::kObserve:
-        // One that turns the wanted way, but slower than it may run, is started, not caught.
-        if (counts.enough && !(in.slow && turns_on)) return turns_on ? go(State::kRun) : brake;
+        // One that turns the wanted way, but slower than it may run, is started; so is one that a follower turns round.
+        if (counts.enough && turns_on && !in.slow) return go(State::kRun);
+        if (counts.enough && !turns_on && (in.fast || !follows || !wanted)) return brake;
         return go(!over ? at : wanted ? first : State::kIdle);
       case State::kBrake: return !over ? go(at) : wanted || looks ? begin : go(State::kIdle);
       case State::kSettle: return go(follows ? first : over ? State::kReset : at);

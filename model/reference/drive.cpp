@@ -78,7 +78,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   const bool hall = p_.source == design::Source::kHall;
   decoder_.update(t, hall ? pins.hall : pins.comparator);
   caught_ = 0;
-  if (sequence_.state() == State::kObserve) observe(t);
+  if (sequence_.state() == State::kObserve) observe(t, follows() && command.run && target_ != 0);
   if (hall && sequence_.locked()) follow_halls(t);
   if (following()) follow_rotor(t, pins);
 
@@ -147,7 +147,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
 }
 
 // A rotor that coasts shows all three back-EMFs: signs are the sector, changes the speed.
-void Drive::observe(double t) {
+void Drive::observe(double t, bool to_be_followed) {
   if (!decoder_.settled()) return;
   const double turns = filter_.frequency() * (t - changed_);
   const int way = decoder_.direction();
@@ -156,8 +156,11 @@ void Drive::observe(double t) {
   way_ = way;
   changed_ = t;
   if (way != 0) filter_.catch_up(turns);
-  if (steady_ < p_.start.good_crossings || filter_.frequency() < p_.start.hand_over / 2) return;
-  caught_ = (way > 0) != sequence_.reverse() ? 1 : -1;
+  // Slower ones are started; so are backward ones below hand-over, which a follower turns round.
+  const bool on = (way > 0) != sequence_.reverse();
+  const double least = on || !to_be_followed ? p_.start.hand_over / 2 : p_.start.hand_over;
+  if (steady_ < p_.start.good_crossings || filter_.frequency() < least) return;
+  caught_ = on ? 1 : -1;
 }
 
 void Drive::follow_halls(double t) {

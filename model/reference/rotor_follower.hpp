@@ -129,6 +129,8 @@ class RotorFollower {
       const bool far = turns == 4, again = far && far_;
       const bool skipped = belief_ > 0 ? turns == 2 && moved_ : again;
       const bool contrary = turns == (belief_ > 0 ? 5 : 1);
+      // The edge just passed may be seen once more; of one the wanted way for as long as the rotor coasts.
+      const bool chatters = moved_ && (sure() || belief_ < 0 || coasted);
       if (turns != 0) far_ = far;
       if (on || skipped) {
         changed_ = on && belief_ > 0 && edges_ >= 1;
@@ -136,7 +138,7 @@ class RotorFollower {
         moved_ = true;
         if (belief_ > 0) ++edges_;
         go(step_for(belief_));
-      } else if (again || (contrary && !moved_)) {
+      } else if (again || (contrary && !chatters)) {
         doubt(-belief_);
         go(step_for(belief_));
       } else if (turns == 3) {

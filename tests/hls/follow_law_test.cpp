@@ -122,6 +122,29 @@ TEST(FollowLaw, BackOverTheEdgeJustPassedIsChatter) {
   EXPECT_EQ(news.belief.edges, UInt<2>(2));
 }
 
+// An offset feigned the edge of a rotor near standstill: after the drive behind it, an edge back is a real one.
+TEST(FollowLaw, OfARotorThatIsNotFollowedItIsChatterOnlyWhileThatCoasts) {
+  for (const int coast : {1, 3}) {
+    const auto news = look(real({.moved = true, .edges = 1, .coast = UInt<2>(coast)}), kCodes[1], 2);
+    EXPECT_FALSE(news.goes || news.belief.back) << coast;
+  }
+  const auto driven = look(real({.moved = true, .edges = 1, .coast = 0}), kCodes[1], 2);
+  EXPECT_TRUE(driven.goes && driven.belief.back);
+  EXPECT_EQ(driven.step, Step(4)) << "sector 1 and three on";
+}
+
+// It must last there: a belief that turned with every code of a rotor at rest would never move that one.
+TEST(FollowLaw, BehindAnEdgeBackwardsItIsChatterHoweverLongItLasts) {
+  Belief b = real({.back = true, .moved = true});
+  for (int k = 0; k + 1 < int(kStill.raw()); ++k) {
+    const auto news = look(b, kCodes[2], 4);  // driven with step 4 for sector 1
+    EXPECT_FALSE(news.goes) << k;
+    EXPECT_TRUE(news.belief.back) << k;
+    b = news.belief;
+  }
+  EXPECT_TRUE(look(b, kCodes[2], 4).stands);
+}
+
 TEST(FollowLaw, ARotorThatGoesOnBackwardsIsFollowedDownwardsAndNeverHandedOver) {
   // Driven with step 4, it is in sector 1; in sector 0 the braking step is 3.
   const auto news = look(real({.back = true}), kCodes[0], 4);

@@ -157,7 +157,7 @@ TEST(StartSequence, CatchesARotorThatTurnsTheWantedWay) {
   }
 }
 
-// In speed control it would end as a stall, attempt by attempt.  One that turns the other way is braked as ever.
+// In speed control it would end as a stall, attempt by attempt.  A ramp needs one that turns the other way braked.
 TEST(StartSequence, StartsARotorThatTurnsTheWantedWaySlowerThanItMayRun) {
   for (const bool backward : {false, true}) {
     Bench bench;
@@ -183,6 +183,28 @@ TEST(StartSequence, BrakesARotorThatTurnsTheOtherWayAndLooksAgain) {
   EXPECT_EQ(out.duty, Duty(500));
   bench.until(State::kObserve);
   bench.until(State::kSettle);
+}
+
+// A follower turns it round with the limit's current; a brake of one duty hardly slows what is slow already.
+TEST(StartSequence, AFollowerTurnsRoundWhatIsSlowerThanHandOverUnlessItIsToStop) {
+  enum { kSlow, kFast, kToStop, kNoSetSpeed };
+  for (const int what : {kSlow, kFast, kToStop, kNoSetSpeed}) {
+    Bench bench;
+    bench.in.command.run = true;
+    bench.in.words.method = Method::kFollow;
+    bench.in.words.observe = 100;
+    bench.until(State::kObserve);
+    bench.in.command.brake_to_stop = what == kToStop;
+    bench.in.command.run = what != kToStop;
+    bench.in.still = what == kNoSetSpeed;
+    bench.in.fast = what == kFast;
+    for (int i = 0; i < 5; ++i) bench.move(true, 5 - i);
+    EXPECT_EQ(bench.clock().state, what == kSlow ? State::kObserve : State::kBrake) << what;
+    if (what == kSlow) {
+      bench.until(State::kAccelerate);
+      EXPECT_TRUE(std::ranges::find(bench.visited, State::kBrake) == bench.visited.end());
+    }
+  }
 }
 
 TEST(StartSequence, ReversesThroughSlowingBrakingAndLooking) {

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "hls/six_step/follow_law.hpp"
+
 namespace steplock::reference {
 namespace {
 
@@ -119,6 +123,57 @@ TEST(ReferenceRotorFollower, HandsOverAtACrossingOfARotorThatIsReady) {
   b.follower.update(b.t + 100e-6, b.in);
   EXPECT_TRUE(b.follower.caught());
   EXPECT_TRUE(b.follower.drives());
+}
+
+// Two programs of one table, the law's in bits and this one in directions: of random codes, clear or not, of rotors that
+// wander, jump and stand, both load the same steps and believe the same, look by look.
+TEST(ReferenceRotorFollower, SaysAtEachLookWhatTheLawSays) {
+  constexpr int kRotors = 300, kLooks = 400;
+  std::mt19937 random(20261127);
+  const auto below = [&](int n) { return int(random() % unsigned(n)); };
+  int looks = 0, flips = 0, followed = 0, stood = 0, gave_up = 0;
+  for (int rotor = 0; rotor < kRotors; ++rotor) {
+    Bench b(rotor % 2 != 0);
+    FollowLaw::Belief belief;
+    const int likely = below(3) - 1, still = 20;
+    int sector = below(6);
+    for (int k = 0; k < kLooks; ++k) {
+      const int mood = likely == 0 && below(5) > 0 ? 0 : below(20);  // most of those that stand do so for long
+      sector = (sector + (mood < 9 ? likely : mood == 9 ? below(6) : mood < 12 ? below(3) - 1 : 0) + 6) % 6;
+      const bool illegal = below(25) == 0, clear = below(8) != 0;
+      std::array<bool, 3> code = illegal ? std::array<bool, 3>{} : kCodes[std::size_t(sector)];
+      while (b.follower.drives()) b.step_once();
+      // A comparator that says otherwise five times of fifteen is not clear, and its bit is the majority's.
+      for (int sample = 0; sample < 15; ++sample) {
+        b.in.comparator = code;
+        b.in.comparator[0] = code[0] != (!clear && sample < 5);
+        b.step_once();
+      }
+      const auto bits = FollowLaw::bits(code[0], code[1], code[2]);
+      const Step step = Step(b.in.step);
+      const auto news = FollowLaw::judge(belief, FollowLaw::see(bits, clear, step, b.in.reverse, belief, still), bits);
+      flips += news.belief.back != belief.back, stood += news.stands, followed += news.changed, gave_up += news.blocked;
+      belief = news.belief;
+      const auto loaded = b.follower.loaded();
+      ASSERT_EQ(loaded.has_value(), news.goes) << rotor << " " << k;
+      if (loaded) {
+        ASSERT_EQ(Step(*loaded), FollowLaw::step_after(news, bits, step, b.in.reverse)) << rotor << " " << k;
+        b.in.step = *loaded;
+      }
+      ASSERT_EQ(b.follower.changed(), news.changed) << rotor << " " << k;
+      ASSERT_EQ(b.follower.blocked(), news.blocked) << rotor << " " << k;
+      ASSERT_EQ(b.follower.sure(), belief.sure()) << rotor << " " << k;
+      ASSERT_EQ(b.follower.moves(), belief.moved) << rotor << " " << k;
+      ASSERT_EQ(b.follower.drives(), belief.coast == 0) << rotor << " " << k;
+      ++looks;
+      if (news.blocked) break;  // the attempt is over
+    }
+  }
+  EXPECT_GT(looks, kRotors * kLooks / 2);
+  EXPECT_GT(flips, 1000);
+  EXPECT_GT(followed, 1000);
+  EXPECT_GT(stood, 100);
+  EXPECT_GT(gave_up, 10);
 }
 
 }  // namespace
