@@ -160,7 +160,7 @@ class FrontEnd {
       const auto named = [&](const LeafPlace& place) { return place.leaf.name == name; };
       return std::find_if(ports.leaves.begin(), ports.leaves.end(), named)->leaf;
     };
-    scheduling::Frame frame{leaf(block.in, "start"), leaf(block.out, "done"),
+    Frame frame{leaf(block.in, "start"), leaf(block.out, "done"),
                             leaf(block.out, "busy"), leaf(block.out, "missed"), {}, {}};
     for (const auto& place : sample.out.leaves) {
       const bool is_early = place.leaf.name.rfind("early.", 0) == 0;
@@ -169,11 +169,6 @@ class FrontEnd {
         const bool is_shown = block.state.leaves[i].leaf.name == "shown_." + place.leaf.name;
         if (is_shown) frame.output_resets.push_back(block.reset[i]);
       }
-    }
-    if (block.budget.program && !block.budget.held) {
-      throw Refusal(sample.source,
-                    "the program of " + sample.cpp_class + " reads its inputs when it needs them",
-                    "hold them from start to done and write .inputs = Inputs::kHeld");
     }
     auto [memories, module, report] = schedule(module_of(sample), block.budget, frame);
     if (report.clocks != block.budget.clocks && !any_clocks_) {

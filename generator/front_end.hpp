@@ -13,7 +13,7 @@
 
 #include "generator/cpp/compile.hpp"
 #include "generator/netlist.hpp"
-#include "generator/schedule/schedule.hpp"
+#include "generator/machine/schedule.hpp"
 
 namespace hlsgen {
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2154  # work
-# To synthesize for iCE40 and count, and to know what need not be measured again.  tools/size and tools/schedules source
+# To synthesize for iCE40 and count, and to know what need not be measured again.  tools/size sources
 # it, in the root of the project and with `work` a scratch folder.
 #
 # A page keeps in a comment at its end a checksum of each thing measured: of all that its figures follow from (the

@@ -60,7 +60,7 @@ std::string module_name(const llvm::DICompositeType* type) {
   return name;
 }
 
-// A schedule is called after what it spreads over clocks, a memory after what it holds.
+// A schedule is called after what it works through, a memory after what it holds.
 std::string module_of(const llvm::DICompositeType* type) {
   if (const auto* contents = contents_of(type)) return module_name(contents);
   const auto scheduled = scheduled_class(type);

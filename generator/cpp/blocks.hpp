@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "generator/cpp/layout.hpp"
-#include "generator/schedule/budget.hpp"
+#include "generator/machine/budget.hpp"
 
 namespace hlsgen {
 
@@ -27,7 +27,7 @@ struct Block {
   llvm::Function* tick = nullptr;
   Layout state, in, out;
   std::vector<llvm::APInt> reset;  // one per leaf of the state, from the constructor
-  // Of a schedule: the block that it spreads over clocks, which has a place in `order` but no module.
+  // Of a schedule: the block that it works through, which has a place in `order` but no module.
   const llvm::DICompositeType* sample = nullptr;
   Budget budget;
   bool has_module = false;

@@ -35,12 +35,10 @@ std::optional<ScheduledClass> scheduled_class(const llvm::DICompositeType* type)
   const auto* value = llvm::dyn_cast<llvm::DITemplateValueParameter>(parameters[1]);
   if (value == nullptr) return std::nullopt;
   auto numbers = numbers_in(value);
-  if (numbers.count("multipliers") == 0) return std::nullopt;
+  if (numbers.count("clocks") == 0) return std::nullopt;
   ScheduledClass found;
   found.sample = class_of(parameters[0]->getType());
-  found.budget = {numbers["multipliers"], numbers["width"],  numbers["second_width"],
-                  numbers["clocks"],      numbers["levels"], numbers["inputs"] != 0,
-                  numbers["form"] != 0,   numbers["early"]};
+  found.budget = {numbers["width"], numbers["second_width"], numbers["clocks"], numbers["early"]};
   return found;
 }
 

@@ -1,7 +1,7 @@
 // Whether a class is a block under a schedule: steplock::Scheduled<Block, Budget{...}>, known by
 // its name and its two template arguments (hls/numeric/scheduled.hpp).
 //
-// Doc: docs/generator.md   Test: tests/generator/schedule_test.cpp
+// Doc: docs/generator.md   Test: tests/generator/machine_test.cpp
 
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "generator/cpp/layout.hpp"
-#include "generator/schedule/budget.hpp"
+#include "generator/machine/budget.hpp"
 
 namespace hlsgen {
 

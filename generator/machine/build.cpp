@@ -14,7 +14,7 @@ namespace {
 
 class Builder {
  public:
-  Builder(const Program& p, const Order& order, const scheduling::Frame& frame)
+  Builder(const Program& p, const Order& order, const Frame& frame)
       : p_(p),
         order_(order),
         frame_(frame),
@@ -246,7 +246,7 @@ class Builder {
 
   const Program& p_;
   const Order& order_;
-  const scheduling::Frame& frame_;
+  const Frame& frame_;
   const Module& sample_;
   Module out_;
   NodeBuilder nodes_;
@@ -261,7 +261,7 @@ class Builder {
 
 }  // namespace
 
-Built build(const Program& program, const Order& order, const scheduling::Frame& frame) {
+Built build(const Program& program, const Order& order, const Frame& frame) {
   return Builder(program, order, frame).run();
 }
 

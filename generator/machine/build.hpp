@@ -14,7 +14,7 @@
 #pragma once
 
 #include "generator/machine/order.hpp"
-#include "generator/schedule/build.hpp"
+#include "generator/machine/schedule.hpp"
 
 namespace hlsgen::machine {
 
@@ -23,6 +23,6 @@ struct Built {
   Module module;
 };
 
-Built build(const Program& program, const Order& order, const scheduling::Frame& frame);
+Built build(const Program& program, const Order& order, const Frame& frame);
 
 }  // namespace hlsgen::machine

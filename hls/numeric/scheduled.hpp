@@ -1,31 +1,26 @@
-// A block whose sample takes several clocks: its arithmetic shares the multipliers of a budget.
+// A block whose sample takes several clocks: its arithmetic is a program on one datapath, with one multiplier, one
+// adder and its numbers in block RAM.
 //
-//     using CurrentLoop = Scheduled<CurrentControl, Budget{.multipliers = 1, .clocks = 24}>;
+//     using Loop = Scheduled<Control, Budget{.width = 24, .second_width = 17, .clocks = 300}>;
 //
-// The block says what one sample does, in one call of its tick; the generator spreads it over
-// `clocks` clocks and prints a module with the block's ports and these:
+// The block says what one sample does, in one call of its tick; the generator makes the program and prints a module
+// with the block's ports and these:
 //
 //     start    begins a sample; ignored while busy
 //     busy     from the clock after the start to the one before done; a start may come with done
 //     done     one clock, `clocks` after the start: the results are new, and stay until the next
 //     missed   one clock, the one after a start that was ignored
 //
-// The class below is what the module does in every clock, bit by bit; it is not how.  `clocks` is
-// not free: hlsgen finds the fewest that the budget allows, and says so if the source says
-// something else.
+// The class below is what the module does in every clock, bit by bit; it is not how.  `clocks` is not free: hlsgen finds
+// the fewest, and says so if the source says something else.
 //
-// Inputs are taken with the start, in registers where they are still needed later.  With
-// Inputs::kHeld the caller holds them from the start to done instead, which costs nothing: outputs
-// of other scheduled blocks, settings.  A caller that does not, gets a sample of old and new
-// numbers.
+// The caller holds the inputs from the start to done: the program reads each when it needs it.  A caller that does not
+// gets a sample of old and new numbers.
 //
-// With Form::kProgram the sample becomes a program on one datapath with its numbers in block RAM: more
-// clocks, far fewer logic cells.  Its inputs have to be held.
+// What a loop waits for need not wait for the rest of its sample: outputs in a member `early` of Out are new `early` clocks
+// after the start, and the program makes them first.
 //
-// What a loop waits for need not wait for the rest of its sample: outputs in a member `early` of a
-// program's Out are new `early` clocks after the start, and the program makes them first.
-//
-// Doc: docs/generator.md   Test: tests/hls/scheduled_test.cpp, tests/generator/schedule_test.cpp
+// Doc: docs/generator.md   Test: tests/hls/scheduled_test.cpp, tests/generator/machine_test.cpp
 
 #pragma once
 
@@ -33,29 +28,19 @@
 
 namespace steplock {
 
-enum class Inputs : std::uint8_t { kTaken, kHeld };
-enum class Form : std::uint8_t { kSpread, kProgram };
-
 struct Budget {
-  int multipliers = 1;
-  int width = 16;         // bits of a multiplier's first factor, signed; wider ones take turns
+  int width = 16;         // bits of the multiplier's first factor, signed; wider ones take turns
   int second_width = 16;  // of its second
   int clocks = 2;         // from start to done
-  int levels = 12;        // look-up tables in a row; 8 bits of a carry count as one
-  Inputs inputs = Inputs::kTaken;
-  Form form = Form::kSpread;
-  int early = 0;          // of a program: from start to the outputs in `early`; 0: it has none
+  int early = 0;          // from start to the outputs in `early`; 0: it has none
 };
 
 template <class Block, Budget budget>
 class Scheduled {
-  static_assert(budget.multipliers >= 1 && budget.multipliers <= 16, "1 to 16 multipliers");
   static_assert(budget.width >= 4 && budget.width <= 64, "factors of 4 to 64 bits");
   static_assert(budget.second_width >= 4 && budget.second_width <= 64, "factors of 4 to 64 bits");
   static_assert(budget.clocks >= 2 && budget.clocks <= 4095, "2 to 4095 clocks");
-  static_assert(budget.early == 0 || budget.form == Form::kProgram, "early outputs of a program");
   static_assert(budget.early >= 0 && budget.early <= budget.clocks, "early, not late");
-  static_assert(budget.levels >= 3 && budget.levels <= 100, "3 to 100 levels");
 
  public:
   struct In : Block::In {
@@ -70,7 +55,6 @@ class Scheduled {
 
   static constexpr int kClocks = budget.clocks;  // from start to done
   static constexpr int kEarly = budget.early;    // from start to the outputs in `early`
-  static constexpr bool kInputsAreHeld = budget.inputs == Inputs::kHeld;
 
   Out tick(const In& in) {
     const Out out = shown_;

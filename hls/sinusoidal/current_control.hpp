@@ -20,15 +20,14 @@
 //     currents, voltages     s0.15 of a full scale each; w: s0.15 of a full scale of the speed
 //     x                      s0.27, so that small gains still integrate
 //     k_p, k_i               u3.12, u0.15;   w L, w K_E per unit: u5.10
-//     latency                one sample; as CurrentLoop the clocks of its budget
-//     multipliers            34 products of 16 x 16 bits: one multiplier, in turn
+//     latency                one sample
+//     multipliers            34 products of 16 x 16 bits
 //
 // Doc: docs/blocks/current_control.md   Test: tests/hls/current_control_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/numeric/scheduled.hpp"
 #include "hls/sinusoidal/sine.hpp"
 
 namespace steplock {
@@ -137,10 +136,5 @@ class CurrentControl {
   Integral integral_gamma_ = 0;  // s0.27, voltage
   Integral integral_delta_ = 0;  // s0.27, voltage
 };
-
-// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
-using CurrentLoop = Scheduled<
-    CurrentControl,
-    Budget{.multipliers = 1, .clocks = 37, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

@@ -16,13 +16,12 @@
 //     decay  R T/L           u0.15;    gain  T/L   u2.13, current per voltage
 //     k_e                    u2.13, voltage per current;  k_theta  u1.14, turns per current
 //     k_speed  T / K_E       u-2.17, turns per voltage
-//     multipliers            34 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers            34 products of 16 x 16 bits
 //
 // Doc: docs/blocks/current_model.md   Test: tests/hls/current_model_test.cpp
 
 #pragma once
 
-#include "hls/numeric/scheduled.hpp"
 #include "hls/sinusoidal/observer.hpp"
 
 namespace steplock {
@@ -75,10 +74,5 @@ class CurrentModel {
   Observer observer_;
   FollowedEmf emf_;
 };
-
-// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
-using CurrentModelLoop = Scheduled<
-    CurrentModel,
-    Budget{.multipliers = 1, .clocks = 42, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

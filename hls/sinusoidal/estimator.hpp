@@ -10,7 +10,7 @@
 // The words stand still while the drive runs.
 //
 //     formats                those of CurrentModel and VoltageModel
-//     multipliers            37 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers            37 products of 16 x 16 bits
 //
 // Doc: docs/blocks/estimator.md   Test: tests/hls/estimator_test.cpp
 
@@ -72,10 +72,5 @@ class Estimator {
   Observer observer_;
   EitherLaw laws_;
 };
-
-// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
-using EstimatorLoop = Scheduled<
-    Estimator,
-    Budget{.multipliers = 1, .clocks = 43, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

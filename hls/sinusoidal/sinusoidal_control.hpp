@@ -19,6 +19,7 @@
 
 #pragma once
 
+#include "hls/numeric/scheduled.hpp"
 #include "hls/sinusoidal/current_control.hpp"
 #include "hls/sinusoidal/space_vector.hpp"
 #include "hls/sinusoidal/words.hpp"
@@ -138,9 +139,7 @@ class SinusoidalControl {
 };
 
 // Whoever gives the inputs holds them.
-using SinusoidalLoop = Scheduled<
-    SinusoidalControl,
-    Budget{.multipliers = 1, .width = 31, .second_width = 16, .clocks = 478,
-           .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 233}>;
+using SinusoidalLoop =
+    Scheduled<SinusoidalControl, Budget{.width = 31, .second_width = 16, .clocks = 478, .early = 233}>;
 
 }  // namespace steplock

@@ -16,14 +16,13 @@
 //
 //     voltages      s0.15, v_dc u0.12 of the full scale;  1 / v_dc  u3.12
 //     clocks        u14.0, inside s.4;  dead  u8.4
-//     multipliers   12 products of 16 x 16 bits, 3 of them for s_k dead: one multiplier, in turn
+//     multipliers   12 products of 16 x 16 bits, 3 of them for s_k dead
 //
 // Doc: docs/blocks/space_vector.md   Test: tests/hls/space_vector_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/numeric/scheduled.hpp"
 #include "hls/sinusoidal/applied_voltage.hpp"
 
 namespace steplock {
@@ -93,10 +92,5 @@ class SpaceVector {
 
   UInt<15> inverse_ = 4096;  // u3.12, 1 / v_dc
 };
-
-// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
-using SpaceVectorLoop = Scheduled<
-    SpaceVector,
-    Budget{.multipliers = 1, .clocks = 16, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

@@ -16,14 +16,13 @@
 //     k_p, k_i             u7.8, u-2.17 per sample: current per speed
 //     speed, integral      s0.27 inside; the error and its part of the integral are rounded, not
 //                          cut: half a place of the error is 0.06 % of 10 r/min in matsui1996
-//     multipliers          8 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers          8 products of 16 x 16 bits
 //
 // Doc: docs/blocks/speed_regulator.md   Test: tests/hls/speed_regulator_test.cpp
 
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/numeric/scheduled.hpp"
 
 namespace steplock {
 
@@ -118,10 +117,5 @@ class SpeedRegulator {
   Int<28> speed_ = 0;      // s0.27
   Int<28> integral_ = 0;   // s0.27, current
 };
-
-// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
-using SpeedRegulatorLoop = Scheduled<
-    SpeedRegulator,
-    Budget{.multipliers = 1, .clocks = 16, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

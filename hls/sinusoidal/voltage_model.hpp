@@ -16,7 +16,7 @@
 //     k_emf    L / K_E        u0.15, turns per current
 //     k_theta  K_SP L         u1.14, turns per current
 //     k_si     K_SI L T       u-8.23, turns per current;  integral: s-4.31
-//     multipliers            33 products of 16 x 16 bits: one multiplier, in turn
+//     multipliers            33 products of 16 x 16 bits
 //
 // Doc: docs/blocks/voltage_model.md   Test: tests/hls/voltage_model_test.cpp
 
@@ -24,7 +24,6 @@
 
 #include <array>
 
-#include "hls/numeric/scheduled.hpp"
 #include "hls/sinusoidal/observer.hpp"
 
 namespace steplock {
@@ -90,10 +89,5 @@ class VoltageModel {
   Observer observer_;
   CorrectedSpeed speed_;
 };
-
-// One multiplier, short enough for 24 MHz on UP5K; whoever gives the inputs holds them.
-using VoltageModelLoop = Scheduled<
-    VoltageModel,
-    Budget{.multipliers = 1, .clocks = 40, .levels = 10, .inputs = Inputs::kHeld}>;
 
 }  // namespace steplock

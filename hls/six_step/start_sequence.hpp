@@ -3,8 +3,7 @@
 //     kIdle        gates off, until `run` goes up with valid words and a set speed that is not 0; words that become
 //                  valid under a `run` that is up start nothing
 //     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
-//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Not in time, or too slow
-//                  for either: kSettle, or kAccelerate
+//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Else, in time: kSettle
 //     kSettle      a step next to the reset position, for a rotor exactly opposite to it
 //     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22).
 //                  Both last twice as long after each failed try, three times: a heavy rotor swings

@@ -2,7 +2,6 @@
 unit_test(backend_print hlsgen_lib)
 unit_test(clocked_print hlsgen_lib)
 unit_test(backend_pass hlsgen_lib)
-unit_test(schedule hlsgen_lib)
 unit_test(machine hlsgen_lib)
 compile_quickly(backend_print clocked_print)
 

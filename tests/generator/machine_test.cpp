@@ -1,6 +1,6 @@
 // Programs: a sample on one datapath with its numbers in a memory gives what the sample gives.
 
-#include "generator/machine/machine.hpp"
+#include "generator/machine/schedule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,12 +28,11 @@ Budget budget_of(unsigned width, unsigned second_width) {
   Budget budget;
   budget.width = width;
   budget.second_width = second_width;
-  budget.held = budget.program = true;
   return budget;
 }
 
 Scheduled compiled(const Module& sample, const Budget& budget, std::vector<bool> early = {}) {
-  scheduling::Frame frame{bit("start"), bit("done"), bit("busy"), bit("missed"), {}, early};
+  Frame frame{bit("start"), bit("done"), bit("busy"), bit("missed"), {}, early};
   for (const Output& o : sample.outputs) frame.output_resets.emplace_back(o.leaf.width, 0);
   return schedule(sample, budget, frame);
 }

@@ -1,6 +1,6 @@
 # Random programs, each group of blocks one top: written, generated, verilated and compiled in the build.
-# A group of 80 takes two CPU minutes, most of them to build: two are written, and one under schedules.
-# -D RANDOM_SEEDS="161;241;1001" adds groups of 80 from these seeds on, -D SCHEDULED_SEEDS="161;241" such under schedules.
+# A group of 80 takes two CPU minutes, most of them to build: two are written, and twelve blocks as programs.
+# -D RANDOM_SEEDS="161;241;1001" adds groups of 80 from these seeds on.
 find_package(verilator REQUIRED HINTS /usr/share/verilator)
 add_library(random_writer STATIC random/program.cpp random/tables.cpp random/statements.cpp random/expressions.cpp)
 add_executable(random_programs random/random_programs.cpp)
@@ -12,16 +12,13 @@ add_library(random_harness OBJECT random/random_test.cpp)
 target_compile_definitions(random_harness PRIVATE HLSGEN_ROOT="${PROJECT_SOURCE_DIR}")
 target_link_libraries(random_harness PUBLIC hlsgen_lib GTest::gtest_main)
 
-# random_test(random|scheduled|compiled <first seed> <count>): hlsgen says how many clocks schedules take, and
+# random_test(random|compiled <first seed> <count>): hlsgen says how many clocks programs take, and
 # their C++ is written again with them.
 function(random_test kind first count)
   set(name ${kind}_${first})
   set(group RandomGroup${first})
   set(pace 1)
-  if(kind STREQUAL scheduled)
-    set(group ScheduledGroup${first})
-    set(pace 6)
-  elseif(kind STREQUAL compiled)
+  if(kind STREQUAL compiled)
     set(group CompiledGroup${first})
     set(pace 40)
   endif()
@@ -84,8 +81,5 @@ endfunction()
 
 foreach(first 1 81 ${RANDOM_SEEDS})
   random_test(random ${first} 80)
-endforeach()
-foreach(first 81 ${SCHEDULED_SEEDS})
-  random_test(scheduled ${first} 80)
 endforeach()
 random_test(compiled 81 12)

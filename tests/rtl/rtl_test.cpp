@@ -25,7 +25,7 @@ constexpr int clocks_of_a_sample() {
   }
 }
 
-// Draws the inputs of a clock.  Under a schedule with held inputs they stand still from the start to
+// Draws the inputs of a clock.  Under a schedule they stand still from the start to
 // done, and starts that will be ignored come at random.
 template <class Block>
 class Drawn {
@@ -38,8 +38,8 @@ class Drawn {
   }
 
   const typename Block::In& next() {
-    if constexpr (requires { Block::kInputsAreHeld; }) {
-      if (Block::kInputsAreHeld && left_ > 0) {
+    if constexpr (clocks_of_a_sample<Block>() > 1) {
+      if (left_ > 0) {
         --left_;
         in_.start = any_.bit(0.5);
         return in_;

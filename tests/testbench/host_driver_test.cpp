@@ -60,7 +60,7 @@ class Bench {
     Vsix_step_axi& rtl = rtl_;
     const double now = double(clock_) / clock_hz_;
     if (now >= plant_.next_event()) plant_.advance_to(now);
-    SixStepAxi::In in{.pins = {}, .axi = axi, .with = {}};
+    SixStepAxi::In in{.with = {}, .pins = {}, .axi = axi};
     put_pins(in.pins, plant_.pins());
     in.pins.fault = fault_pin;
     ports::six_step_axi::drive_ports(rtl, in);

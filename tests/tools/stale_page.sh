@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# stale_page.sh FLAW: checks docs/sizes.md with a flaw (tools/size --check; docs/schedules.md with tools/schedules), and
+# stale_page.sh FLAW: checks docs/sizes.md with a flaw (tools/size --check), and
 # has one small module measured again.  Succeeds if that is refused for what it is.
 #   none         as it is, which must be taken: so what is refused below is the flaw
-#   figure       another figure, as if typed; schedule_figure the same without a schedule
+#   figure       another figure, as if typed
 #   checksum     another checksum, as if of other inputs
 #   missing      a module without a row
 #   measured     measuring gives something else than the page shows, though all checksums agree
@@ -24,9 +24,6 @@ refused() {
 case $1 in
   none) tools/size --check docs/sizes.md apb ;;
   figure) flawed docs/sizes.md 's/^| apb | [0-9]*/&1/'; refused "is stale (apb);" size apb ;;
-  schedule_figure)
-    flawed docs/schedules.md '/^| space_vector /s/[0-9]* | \([0-9.]* | [^|]* | [^|]* |\)$/1 | \1/'
-    refused "is stale (space_vector_without);" schedules space_vector ;;
   checksum) flawed docs/sizes.md 's/^apb .*/apb 0123456789abcdef/'; refused "is stale (apb);" size apb ;;
   missing) flawed docs/sizes.md '/^| apb |/d; /^apb /d'; refused "is stale (apb);" size apb ;;
   measured)

@@ -37,7 +37,7 @@ file(REMOVE_RECURSE ${WORK})
 expect_difference("a changed operator" vco_counter " + " " - ")
 expect_difference("a changed constant" gate_guard "'b1100;" "'b1101;")
 expect_difference("a changed comparison" pwm_generator " < " " <= ")
-expect_difference("a changed factor" speed_regulator ") * $signed(" ") * -$signed(")
+expect_difference("a changed factor" sinusoidal_control ") * $signed(" ") * -$signed(")
 expect_difference("a part that stays with a parameter of 0" telemetry " = COUNTS;" " = 1'b1;")
 
 # A map that makes the same wrong product of both sides would hide such a factor.

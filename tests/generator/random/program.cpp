@@ -259,25 +259,6 @@ std::string group_text(const std::string& name, int first, int count) {
   return group_of(name, "Random", first, count, {}, {});
 }
 
-std::string scheduled_group_text(const std::string& name, int first,
-                                 const std::vector<int>& clocks) {
-  std::string schedules;
-  for (std::size_t i = 0; i < clocks.size(); ++i) {
-    const int seed = first + static_cast<int>(i);
-    const std::string n = std::to_string(seed);
-    Draw any(static_cast<std::uint64_t>(seed) + 2'000'000'000);
-    schedules += cat({"using Scheduled", n, " = Scheduled<Random", n, ", Budget{.multipliers = ",
-                      std::to_string(any.between(1, 3)),
-                      ", .width = ", any.of({"6", "16", "18", "35"}),
-                      ", .second_width = ", any.of({"7", "16", "18", "25"}),
-                      ", .clocks = ", std::to_string(clocks[i]),
-                      ", .levels = ", any.of({"5", "8", "12", "20"}), "}>;\n"});
-  }
-  return schedules + "\n" +
-         group_of(name, "Scheduled", first, static_cast<int>(clocks.size()), {"start"},
-                  {"done", "busy", "missed"});
-}
-
 std::string compiled_group_text(const std::string& name, int first,
                                 const std::vector<int>& clocks) {
   // A program's inputs are to be held from start to done.
@@ -310,8 +291,7 @@ class Held {
     Draw any(static_cast<std::uint64_t>(seed) + 3'000'000'000);
     blocks += cat({"using Compiled", n, " = Held<Scheduled<Random", n, ", Budget{.width = ",
                    any.of({"6", "16", "18", "35"}), ", .second_width = ",
-                   any.of({"7", "16", "18", "25"}), ", .clocks = ", std::to_string(clocks[i]),
-                   ", .inputs = Inputs::kHeld, .form = Form::kProgram}>, Random", n, ">;\n"});
+                   any.of({"7", "16", "18", "25"}), ", .clocks = ", std::to_string(clocks[i]), "}>, Random", n, ">;\n"});
   }
   return blocks + "\n" +
          group_of(name, "Compiled", first, static_cast<int>(clocks.size()), {"start"},

@@ -48,12 +48,8 @@ class Program : private Tables {
 // class <name>, whose members are the blocks Random<first> ...
 std::string group_text(const std::string& name, int first, int count);
 
-// The same with a schedule around each block, Scheduled<first> ..., under a budget drawn from its
-// seed. `clocks` of each come from hlsgen; 2 where they are not known yet.
-std::string scheduled_group_text(const std::string& name, int first,
-                                 const std::vector<int>& clocks);
-
-// The same as programs on a datapath each, Compiled<first> ..., with registers that hold the inputs.
+// The same as programs on a datapath each, Compiled<first> ..., with registers that hold the inputs, and multipliers
+// drawn from the seed.  `clocks` of each come from hlsgen; 2 where they are not known yet.
 std::string compiled_group_text(const std::string& name, int first,
                                 const std::vector<int>& clocks);
 

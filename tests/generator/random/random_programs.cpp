@@ -2,9 +2,8 @@
 //
 //     random_programs 1 80 out/random_1        out/random_1.hpp (blocks) and out/random_1.cpp (top)
 //
-//     random_programs 1 80 out/s_1 scheduled           each under a schedule, of clocks yet unknown
-//     random_programs 1 80 out/s_1 scheduled CLOCKS    of the clocks that hlsgen --schedules found
-//     random_programs 1 80 out/s_1 compiled [CLOCKS]   the same as programs of one datapath each
+//     random_programs 1 80 out/c_1 compiled            as programs of one datapath each, of clocks yet unknown
+//     random_programs 1 80 out/c_1 compiled CLOCKS     of the clocks that hlsgen --schedules found
 //
 // The same seed gives the same text on every machine.
 //
@@ -42,31 +41,26 @@ std::vector<int> clocks_of(const std::string& file, int first, int count) {
 
 int main(int argc, char** argv) {
   using hlsgen::test::Program;
-  if (argc < 4 || argc > 6 || (argc > 4 && std::string(argv[4]) != "scheduled" &&
-                                std::string(argv[4]) != "compiled")) {
-    std::cerr << "usage: random_programs FIRST COUNT STEM [scheduled|compiled [CLOCKS]]\n";
+  if (argc < 4 || argc > 6 || (argc > 4 && std::string(argv[4]) != "compiled")) {
+    std::cerr << "usage: random_programs FIRST COUNT STEM [compiled [CLOCKS]]\n";
     return 1;
   }
   const int first = std::stoi(argv[1]);
   const int count = std::stoi(argv[2]);
   const std::string stem = argv[3];
-  const bool is_scheduled = argc > 4;
-  const bool is_compiled = is_scheduled && std::string(argv[4]) == "compiled";
-  const std::string group =
-      (is_compiled ? "CompiledGroup" : is_scheduled ? "ScheduledGroup" : "RandomGroup") +
-      std::to_string(first);
+  const bool is_compiled = argc > 4;
+  const std::string group = (is_compiled ? "CompiledGroup" : "RandomGroup") + std::to_string(first);
 
   std::ofstream header(stem + ".hpp");
-  header << "#pragma once\n\n#include \"hls/numeric/" << (is_scheduled ? "scheduled" : "bits")
+  header << "#pragma once\n\n#include \"hls/numeric/" << (is_compiled ? "scheduled" : "bits")
          << ".hpp\"\n\n#include <array>\n\nnamespace steplock::test {\n\n";
   for (int i = first; i < first + count; ++i) {
     const std::string name = "Random" + std::to_string(i);
-    header << Program(static_cast<std::uint64_t>(i), name, true, is_scheduled).text();
+    header << Program(static_cast<std::uint64_t>(i), name, true, is_compiled).text();
   }
   const auto clocks = clocks_of(argc > 5 ? argv[5] : "", first, count);
-  header << (is_compiled    ? hlsgen::test::compiled_group_text(group, first, clocks)
-             : is_scheduled ? hlsgen::test::scheduled_group_text(group, first, clocks)
-                            : hlsgen::test::group_text(group, first, count))
+  header << (is_compiled ? hlsgen::test::compiled_group_text(group, first, clocks)
+                         : hlsgen::test::group_text(group, first, count))
          << "}  // namespace steplock::test\n";
 
   std::ofstream source(stem + ".cpp");

@@ -25,7 +25,6 @@ class Refused {  // refused: take 9 clocks, not 3; write .early = 9
   Int<16> sum_ = 0;
 };
 
-template struct Synthesize<Scheduled<
-    Refused, Budget{.clocks = 11, .inputs = Inputs::kHeld, .form = Form::kProgram, .early = 3}>>;
+template struct Synthesize<Scheduled<Refused, Budget{.clocks = 11, .early = 3}>>;
 
 }  // namespace steplock

@@ -25,13 +25,13 @@ class Refused {
   Out tick(const In& in) {
     Schedule::In sample;
     sample.x = in.x;
-    return {wrap<Int<9>>(own_.tick({in.x}).y + spread_.tick(sample).y)};
+    return {wrap<Int<9>>(own_.tick({in.x}).y + scheduled_.tick(sample).y)};
   }
 
  private:
   using Schedule = Scheduled<Twice, Budget{.clocks = 2}>;
   Twice own_;
-  Schedule spread_;
+  Schedule scheduled_;
 };
 
 template struct Synthesize<Refused>;

@@ -3,7 +3,7 @@
 
 namespace steplock {
 
-class Refused {  // refused: takes 3 clocks under its budget, not 5; write .clocks = 3
+class Refused {  // refused: takes 9 clocks under its budget, not 5; write .clocks = 9
  public:
   struct In {
     Int<8> x = 0;

@@ -73,14 +73,11 @@ class Cascade {
   std::int8_t count_ = 100;
 };
 
-using ScheduledFilter =
-    Scheduled<Filter, Budget{.width = 25, .second_width = 16, .clocks = 6}>;
-using ScheduledCascade =
-    Scheduled<Cascade, Budget{.multipliers = 2, .width = 18, .second_width = 18, .clocks = 9}>;
+// With registers that hold the inputs of a sample, and its ports one by one, those of the schedule behind the block's.
+template <class Block, int width, int second_width, int clocks>
+class Held {
+  using Schedule = Scheduled<Block, Budget{.width = width, .second_width = second_width, .clocks = clocks}>;
 
-// Its ports one by one, those of the schedule behind the block's.
-template <class Schedule>
-class Ported {
  public:
   struct In : Schedule::In {
     template <class F>
@@ -97,49 +94,22 @@ class Ported {
     }
   };
   Out tick(const In& in) {
+    typename Schedule::In given;
+    static_cast<typename Block::In&>(given) = sample_;
+    given.start = start_;
     Out out;
-    static_cast<typename Schedule::Out&>(out) = schedule_.tick(in);
+    static_cast<typename Schedule::Out&>(out) = schedule_.tick(given);
+    start_ = in.start && !out.busy && !start_;
+    if (start_) sample_ = in;
     return out;
   }
 
  private:
   Schedule schedule_;
+  typename Block::In sample_;
+  bool start_ = false;
 };
-
-// A schedule within an ordinary block: started every 16 clocks, its outputs read in every clock.
-class Sampled {
- public:
-  struct In {
-    Int<16> x = 0;
-    Int<16> a = 0;
-    template <class F>
-    void each(F f) {
-      f(x), f(a);
-    }
-  };
-  struct Out {
-    Int<17> y = 0;
-    bool late = false;
-    template <class F>
-    void each(F f) {
-      f(y), f(late);
-    }
-  };
-  Out tick(const In& in) {
-    ScheduledFilter::In sample;
-    sample.x = in.x;
-    sample.a = in.a;
-    sample.start = clock_ == 0;
-    const auto out = filter_.tick(sample);
-    if (out.done) results_ = wrap<Int<17>>(results_ + out.y);
-    clock_ = wrap<UInt<4>>(clock_ + 1);
-    return {.y = results_, .late = out.missed};
-  }
-
- private:
-  ScheduledFilter filter_;
-  UInt<4> clock_ = 0;
-  Int<17> results_ = 0;
-};
+using HeldFilter = Held<Filter, 25, 16, 17>;
+using HeldCascade = Held<Cascade, 18, 18, 66>;
 
 }  // namespace steplock::test

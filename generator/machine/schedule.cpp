@@ -1,4 +1,6 @@
-#include "generator/machine/machine.hpp"
+#include "generator/machine/schedule.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -12,8 +14,10 @@
 #include "generator/passes/simplify_muxes.hpp"
 #include "generator/passes/simplify_wiring.hpp"
 
-namespace hlsgen::machine {
+namespace hlsgen {
 namespace {
+
+using namespace machine;
 
 // Those passes that keep numbers in one piece: what is narrower or a slice is no gain here.
 void simplify(Module& sample) {
@@ -25,20 +29,38 @@ void simplify(Module& sample) {
   }
 }
 
+// Nodes that compute: no wiring.
+unsigned count_operations(const Module& module) {
+  return static_cast<unsigned>(std::count_if(module.nodes.begin(), module.nodes.end(), [](const Node& n) {
+    return !n.in.empty() && n.op != Op::kSlice && n.op != Op::kConcat && n.op != Op::kZext && n.op != Op::kSext &&
+           n.op != Op::kNot;
+  }));
+}
+
 }  // namespace
 
-Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame& frame) {
+std::vector<std::string> ScheduleReport::lines() const {
+  const std::string tables = entries == 0 ? "" : fmt::format(", {} entries of tables", entries);
+  return {fmt::format("A sample takes {} clocks, and in no order fewer than {}: {} operations, {} products{}", clocks, bound,
+                      operations, products, tables),
+          fmt::format("as {} instructions on 1 multiplier of {} x {} bits and one adder of {}; {} register bits,", instructions,
+                      budget.width, budget.second_width, sum, registers),
+          fmt::format("{} words of memory of {} bits.", cells, word) +
+              (early == 0 ? "" : fmt::format(" Early outputs are new after {} clocks.", early))};
+}
+
+Scheduled schedule(Module sample, const Budget& budget, const Frame& frame) {
   simplify(sample);
   expand_shifts(sample);
   simplify(sample);
-  Program program = lower(sample, budget.width, budget.second_width);
+  machine::Program program = lower(sample, budget.width, budget.second_width);
   program.early = frame.early;
   program.early.resize(program.outputs.size(), false);
   fuse(program);
   legalise(program);
-  const Order placed = order(program);
+  const machine::Order placed = machine::order(program);
   program.measure();
-  Built built = build(program, placed, frame);
+  Built built = machine::build(program, placed, frame);
 
   Scheduled result;
   result.memories = std::move(built.memories);
@@ -64,4 +86,4 @@ Scheduled schedule(Module sample, const Budget& budget, const scheduling::Frame&
   return result;
 }
 
-}  // namespace hlsgen::machine
+}  // namespace hlsgen

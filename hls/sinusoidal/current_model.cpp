@@ -1,5 +1,0 @@
-#include "hls/sinusoidal/current_model.hpp"
-
-#include "hls/numeric/block.hpp"
-
-template struct steplock::Synthesize<steplock::CurrentModelLoop>;

@@ -1,1 +1,0 @@
-rtl/current_model.sv

@@ -1,1 +1,0 @@
-rtl/estimator.sv

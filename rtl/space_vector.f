@@ -1,1 +1,0 @@
-rtl/space_vector.sv

@@ -1,1 +1,0 @@
-rtl/speed_regulator.sv

@@ -1,1 +1,0 @@
-rtl/voltage_model.sv
