@@ -7,6 +7,7 @@
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
+#include "testbench/drive/drive.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 
@@ -21,7 +22,10 @@ struct Arguments {
 
 int compare(const Arguments& arguments) {
   const DriveFile file = open_drive_file(arguments.file);
-  require_kind(file, design::DriveKind::kSixStep, "compare");
+  with_drive(file.settings, [&](auto drive) {
+    decltype(drive)::check(file, EngineKind::kFixed);
+    return 0;
+  });
   Comparison result;
   bool interrupted = false;
   {

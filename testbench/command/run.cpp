@@ -106,9 +106,6 @@ int replay(const Arguments& arguments, DriveFile file) {
 
 template <class Drive>
 int run(const Arguments& arguments, const DriveFile& file) {
-  if (constexpr bool kCompared = requires { Drive::shadow; }; arguments.compare && !kCompared) {
-    refuse(file, "a sinusoidal drive is not compared yet; leave out --compare");
-  }
   const fs::path out = make_folder(arguments);
   RunOptions options{.engine = arguments.engine,
                      .angle_deg = arguments.angle_deg.value_or(file.settings.scenario.start_angle_deg),
@@ -126,14 +123,12 @@ int run(const Arguments& arguments, const DriveFile& file) {
     };
     record = Drive::run(file.settings, options);
     summary = Drive::summarise(file.settings, options, record);
-    if constexpr (requires { Drive::shadow; }) {
-      if (arguments.compare && !summary.interrupted) {
-        summary.float_errors = Drive::shadow(file.settings, summary, [&](double done) {
-          bar.show(done, "fixed against float");
-          return !interrupt.asked();
-        });
-        summary.interrupted = interrupt.asked();
-      }
+    if (arguments.compare && !summary.interrupted) {
+      summary.float_errors = Drive::shadow(file.settings, summary, [&](double done) {
+        bar.show(done, "fixed against float");
+        return !interrupt.asked();
+      });
+      summary.interrupted = interrupt.asked();
     }
   }
   trace.reset();

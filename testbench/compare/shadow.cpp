@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/design/budget.hpp"
+#include "testbench/compare/differences.hpp"
 #include "testbench/compare/shadow_engine.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/drive_loop.hpp"
@@ -11,25 +12,6 @@
 
 namespace steplock {
 namespace {
-
-// Collects differences of one signal.
-class Differences {
- public:
-  void add(double d) {
-    ++count_;
-    sum_ += d;
-    squares_ += d * d;
-    greatest_ = std::max(greatest_, std::abs(d));
-  }
-  SignalError beside(const design::BudgetRow& budget) const {
-    const double n = std::max(1.0, static_cast<double>(count_));
-    return {budget, sum_ / n, std::sqrt(squares_ / n), greatest_};
-  }
-
- private:
-  std::size_t count_ = 0;
-  double sum_ = 0, squares_ = 0, greatest_ = 0;
-};
 
 struct Pair {
   StepChange fixed, reference;
@@ -100,7 +82,7 @@ FloatErrors shadow_errors(const design::Settings& s, const Summary& blocks,
   run_with(engine, part, {.angle_deg = blocks.angle_deg, .progress = progress});
 
   const auto all = pairs(engine, result.from_s, result.to_s);
-  result.commutations = all.size();
+  result.count = all.size();
   result.signals = errors(
       all, design::error_budget(s, designed, words, result.to_s - join_s), s.motor.pole_pairs);
   return result;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "testbench/compare/estimator_shadow.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/run.hpp"
@@ -15,6 +16,7 @@ namespace steplock {
 struct SinusoidalDrive {
   using Record = sinusoidal::Record;
   using Summary = sinusoidal::Result;
+  using Parameters = design::sinusoidal::Parameters;
   static constexpr bool kDisturbed = false;
 
   // The words may not hold what the reference in doubles can do.
@@ -28,6 +30,11 @@ struct SinusoidalDrive {
   static ReportFiles report(const std::filesystem::path& directory, const design::Settings& s,
                             const Summary& summary, const Record& record, bool traced) {
     return sinusoidal::write_report(directory, s, summary, record, traced);
+  }
+  static FloatErrors shadow(const design::Settings& s, const Summary& summary,
+                            const std::function<bool(double done)>& progress,
+                            const std::optional<design::sinusoidal::Parameters>& reference = {}) {
+    return sinusoidal::shadow_errors(s, summary, progress, reference);
   }
   static const WaveTable& wave() { return sinusoidal::Recording::wave(); }
   static void record_into(SimulateOptions& options, Record& record) { options.sinusoidal_record = &record; }

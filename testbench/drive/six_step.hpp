@@ -16,6 +16,7 @@ namespace steplock {
 struct SixStepDrive {
   using Record = steplock::Record;
   using Summary = steplock::Summary;
+  using Parameters = design::Parameters;
   static constexpr bool kDisturbed = true;  // the sweep's disturbance matrix serves it
 
   static void check(const DriveFile&, EngineKind) {}
@@ -28,8 +29,9 @@ struct SixStepDrive {
     return write_report(directory, s, summary, record, traced);
   }
   static FloatErrors shadow(const design::Settings& s, const Summary& summary,
-                            const std::function<bool(double done)>& progress) {
-    return shadow_errors(s, summary, progress);
+                            const std::function<bool(double done)>& progress,
+                            const std::optional<design::Parameters>& reference = {}) {
+    return shadow_errors(s, summary, progress, reference);
   }
   static const WaveTable& wave() { return SixStepRecording::wave(); }
   static void record_into(SimulateOptions& options, Record& record) { options.record = &record; }

@@ -56,10 +56,10 @@ std::string all_numbers(const nlohmann::ordered_json& json) {
 
 std::string float_errors(const FloatErrors& e) {
   std::string t = fmt::format(
-      "<h2>Fixed point against floating point</h2>\n<p>On the same pins, {} commutations from "
+      "<h2>Fixed point against floating point</h2>\n<p>On the same pins, {} {} from "
       "{:.3f} to {:.3f} s.</p>\n<div class=\"box\"><table>\n<tr><th>signal</th><th>mean</th>"
       "<th>rms</th><th>budget</th><th>worst</th><th>budget</th><th></th></tr>\n",
-      e.commutations, e.from_s, e.to_s);
+      e.count, e.compared, e.from_s, e.to_s);
   for (const SignalError& s : e.signals) {
     t += fmt::format("<tr><td>{}, {}</td><td>{:.2e}</td><td>{:.2e}</td><td>{:.2e}</td>"
                      "<td>{:.2e}</td><td>{:.2e}</td><td>{}</td></tr>\n",

@@ -19,7 +19,7 @@ bool FloatErrors::within() const {
 nlohmann::ordered_json to_json(const FloatErrors& e) {
   nlohmann::ordered_json j;
   j["within"] = e.within();
-  j["commutations"] = e.commutations;
+  j[e.compared] = e.count;
   j["from_s"] = number(e.from_s);
   j["to_s"] = number(e.to_s);
   j["signals"] = nlohmann::ordered_json::array();
@@ -36,9 +36,9 @@ nlohmann::ordered_json to_json(const FloatErrors& e) {
 
 std::string to_text(const FloatErrors& e) {
   std::string t = fmt::format(
-      "  fixed against float on the same pins, {} commutations from {:.3f} to {:.3f} s\n"
+      "  fixed against float on the same pins, {} {} from {:.3f} to {:.3f} s\n"
       "  {:<20}{:<5}{:>11}{:>11}{:>11}{:>11}{:>11}\n",
-      e.commutations, e.from_s, e.to_s, "", "", "mean", "rms", "budget", "worst", "budget");
+      e.count, e.compared, e.from_s, e.to_s, "", "", "mean", "rms", "budget", "worst", "budget");
   for (const SignalError& s : e.signals) {
     t += fmt::format("  {:<20}{:<5}{:>11.2e}{:>11.2e}{:>11.2e}{:>11.2e}{:>11.2e}{}\n", s.budget.name,
                      s.budget.unit, s.mean, s.rms, s.budget.rms_allowed(), s.greatest,

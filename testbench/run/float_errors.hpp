@@ -20,7 +20,8 @@ struct SignalError {
 };
 
 struct FloatErrors {
-  std::size_t commutations = 0;      // compared
+  std::string compared = "commutations";  // what
+  std::size_t count = 0;             // of them
   double from_s = 0, to_s = 0;       // the span
   std::vector<SignalError> signals;  // none if the two never ran in step
   bool within() const;

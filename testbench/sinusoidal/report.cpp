@@ -36,7 +36,7 @@ PageContent page_content(const design::Settings& s, const Result& r, const Recor
                    .failures = r.failures(),
                    .cards = {},
                    .changes = {},
-                   .float_errors = {},
+                   .float_errors = r.float_errors,
                    .numbers = to_json(r)};
   page.cards = {{r.lock_time_s ? fmt::format("{:.3f} s", *r.lock_time_s) : "never", "first lock"},
                 {fmt::format("{:.1f}°", r.backward_deg), "turned backward, electrical"},

@@ -107,6 +107,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
   const double steady_end = std::min(timeline(s).steady_end_s, record.simulated_s);
   if (const auto from = reached(samples, r.set_speed_rpm); from && *from < steady_end) {
     r.locked = true;
+    r.speed_time_s = from;
     judge_steady(r, samples, *from, steady_end);
   }
   judge_load(r, s, samples);
@@ -129,6 +130,7 @@ std::vector<std::string> Result::failures() const {
     all.push_back(fmt::format("still turning at {:.1f} rpm after the stop", *stopped_rpm));
   }
   if (lockstep && !lockstep->equal()) all.push_back("the RTL is not its C++");
+  if (float_errors && !float_errors->within()) all.push_back("fixed point is beyond its error budget");
   if (peak_current_a > current_bound_a) {
     all.push_back(fmt::format("phase current: {:.2f} A, beyond its bound of {:.2f} A", peak_current_a, current_bound_a));
   }
@@ -175,6 +177,7 @@ nlohmann::ordered_json to_json(const Result& r) {
   put("wall_s", r.wall_s);
   put("cpu_s", r.cpu_s);
   put("energy_residual", r.energy_residual);
+  j["fixed_against_float"] = r.float_errors ? to_json(*r.float_errors) : nlohmann::ordered_json(nullptr);
   j["rtl_equals_fixed"] = r.lockstep ? to_json(*r.lockstep) : nlohmann::ordered_json(nullptr);
   j["interrupted"] = r.interrupted;
   return j;
@@ -210,6 +213,7 @@ std::string to_text(const Result& r) {
   line("simulation", fmt::format("{:.3g} s in {:.2f} s; energy residual {:.1e}", r.simulated_s, r.wall_s,
                                  r.energy_residual));
   if (r.lockstep) line("rtl = fixed", to_text(*r.lockstep));
+  if (r.float_errors) t += to_text(*r.float_errors);
   for (const std::string& f : r.failures()) line("FAILED", f);
   return t;
 }

@@ -64,7 +64,7 @@ struct Result {
   std::string drive, engine, estimator, start_by;
   double angle_deg = 0;
   bool locked = false;
-  std::optional<double> lock_time_s;
+  std::optional<double> lock_time_s, speed_time_s;  // in lock; and within 1 % of the set speed
   double backward_deg = 0;               // electrical, farthest against the wanted direction
   std::optional<double> position_error_deg;  // of the pilot pulses, electrical
   std::string fault = "none";
@@ -79,6 +79,7 @@ struct Result {
   double simulated_s = 0, wall_s = 0, cpu_s = 0, energy_residual = 0;
   bool interrupted = false;
   std::optional<Lockstep> lockstep;      // rtl = fixed, if asked for
+  std::optional<FloatErrors> float_errors;  // fixed against float, likewise
 
   std::vector<std::string> failures() const;
 };

@@ -1,0 +1,221 @@
+#include "testbench/compare/estimator_shadow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/design/sinusoidal/words.hpp"
+#include "model/reference/sinusoidal/current_model.hpp"
+#include "testbench/compare/differences.hpp"
+#include "testbench/run/drive_loop.hpp"
+#include "testbench/sinusoidal/fixed_engine.hpp"
+
+namespace steplock::sinusoidal {
+namespace {
+
+namespace exact = reference::sinusoidal;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+// What a sample showed, in turns; Delta i's sources in full scales.
+struct Compared {
+  double time, angle, step;         // fixed less float
+  double turns;                     // per sample, in doubles
+  double voltage, current;          // lengths, of a phase's peak
+};
+
+// The blocks drive.  Orders are those under which a sample is taken: what the sequence said when the one before came.
+class ShadowedEngine {
+ public:
+  ShadowedEngine(const design::Settings& s, const design::sinusoidal::Parameters& p)
+      : fixed_(s, adc_parameters(s)),
+        adc_(adc_parameters(s)),
+        p_(p),
+        clock_hz_(s.control.clock_hz),
+        period_clocks_(design::sinusoidal::quantise(s).words.bridge.period),
+        applied_(p.applied),
+        current_model_(p.motor, p.current_model, p.pwm.period),
+        voltage_model_(p.motor, p.voltage_model, p.pwm.period) {}
+
+  void set_pins(const plant::Pins&) {}
+  void set_command(const HostCommand& c) {
+    fixed_.set_command(c);
+    way_ = c.reverse ? -1 : 1;
+  }
+  void set_reading(const plant::State& s) {
+    fixed_.set_reading(s);
+    const plant::AdcCodes codes = adc_.sample(s, samples_++);
+    for (std::size_t k = 0; k < 2; ++k) codes_[k] = codes.current[k];
+    v_dc_ = codes.bus * adc_.voltage_lsb();
+    ordered_ = next_orders_;
+    next_orders_ = fixed_.watch().state();
+  }
+  void tick() { run(1); }
+  std::uint64_t run(std::uint64_t most) {
+    const std::uint64_t taken = fixed_.run(most);
+    clock_ += taken;
+    const auto& out = fixed_.output();
+    if (out.sample) ended_ = running_, running_ = {on(out.on_u), on(out.on_v), on(out.on_w)};
+    if (out.done && !done_) take(out);
+    done_ = out.done;
+    return taken;
+  }
+  Watch watch() const { return fixed_.watch(); }
+  View view() const { return fixed_.view(); }
+
+  const std::vector<Compared>& compared() const { return compared_; }
+
+ private:
+  double on(LegClocks clocks) const { return static_cast<double>(clocks.raw()) / period_clocks_; }
+  const exact::Estimate& estimate() const {
+    return p_.estimator == design::Estimator::kCurrent ? current_model_.estimate() : voltage_model_.estimate();
+  }
+
+  // A sample is worked through: its angle is new.
+  void take(const SinusoidalTop::Out& out) {
+    if (ordered_ == State::kCalibrate) {
+      if (calibrated_ < kOffsets) {
+        for (std::size_t k = 0; k < 2; ++k) offset_[k] += codes_[k] / static_cast<double>(kOffsets);
+        ++calibrated_;
+      }
+    } else {
+      calibrated_ = 0;
+    }
+    if (ordered_ != State::kCalibrate && next_orders_ == State::kCalibrate) offset_ = {};
+    const double u = (codes_[0] - offset_[0]) * adc_.current_lsb(), v = (codes_[1] - offset_[1]) * adc_.current_lsb();
+    const exact::Phases now{u, v, -u - v};
+    const bool estimates = ordered_ == State::kStarting || ordered_ == State::kRun || ordered_ == State::kSlowDown;
+    const double angle = static_cast<double>(out.angle.raw()) / (1 << 24);
+    if (estimates) {
+      follow(out, angle, now);
+    } else {
+      estimated_ = false;
+    }
+    angle_ = angle, before_ = now, v_dc_before_ = v_dc_;
+  }
+
+  void follow(const SinusoidalTop::Out& out, double angle, const exact::Phases& now) {
+    if (!estimated_) {
+      const double initial = kTurn * static_cast<double>(out.initial.raw()) / (1 << 24);
+      current_model_.start(initial, 0);
+      voltage_model_.start(initial, 0);
+    }
+    exact::Phases mean;
+    for (std::size_t k = 0; k < 3; ++k) mean[k] = 0.5 * (before_[k] + now[k]);
+    const exact::Interval interval{.voltage = exact::clarke(applied_(ended_, mean, 0.5 * (v_dc_ + v_dc_before_))),
+                                   .before = exact::clarke(before_),
+                                   .current = exact::clarke(now)};
+    const double edge = ordered_ == State::kStarting ? -way_ * p_.start.lock_speed : 0;
+    const double step_before = estimate().speed * p_.pwm.period / kTurn;
+    current_model_.set_edge(edge), voltage_model_.set_edge(edge);
+    current_model_.update(interval), voltage_model_.update(interval);
+    // The blocks' step shows in the next angle.
+    if (estimated_ && ordered_ == State::kRun) {
+      compared_.push_back({.time = static_cast<double>(clock_) / clock_hz_,
+                           .angle = std::remainder(angle - estimate().angle / kTurn, 1),
+                           .step = std::remainder(angle - angle_, 1) - step_before,
+                           .turns = std::abs(step_before),
+                           .voltage = interval.voltage.length() / std::sqrt(1.5),
+                           .current = interval.current.length() / std::sqrt(1.5)});
+    }
+    estimated_ = true;
+  }
+
+  static constexpr int kOffsets = 16;  // samples of a calibration, in the blocks
+
+  FixedEngine fixed_;
+  plant::Adc adc_;
+  design::sinusoidal::Parameters p_;
+  double clock_hz_, period_clocks_;
+  exact::AppliedVoltage applied_;
+  exact::CurrentModelEstimator current_model_;
+  exact::VoltageModelEstimator voltage_model_;
+  std::int64_t samples_ = 0;
+  std::uint64_t clock_ = 0;
+  std::array<int, 2> codes_ = {};
+  std::array<double, 2> offset_ = {};
+  double v_dc_ = 0, v_dc_before_ = 0;
+  State ordered_ = State::kIdle, next_orders_ = State::kIdle;
+  exact::Phases ended_ = {}, running_ = {}, before_ = {};
+  int calibrated_ = 0, way_ = 1;
+  bool done_ = false, estimated_ = false;
+  double angle_ = 0;  // turns, at the sample before
+  std::vector<Compared> compared_;
+};
+
+// Relative error of a word.
+double rounded(const std::vector<design::WordRow>& rows, const std::string& name) {
+  const auto row = std::ranges::find(rows, name, &design::WordRow::name);
+  return row == rows.end() || row->wanted == 0 ? 0 : std::abs(row->error() / row->wanted);
+}
+
+// What word lengths put into a step, in turns: what lasts and what scatters; estimator_shadow.hpp has the equations.
+struct StepError {
+  double bias, scatter;
+};
+StepError step_error(const design::Settings& s, const std::vector<Compared>& all) {
+  const auto q = design::sinusoidal::quantise(s);
+  const auto& w = q.words.estimator;
+  const auto& bridge = q.words.bridge;
+  const double gain = std::ldexp(w.gain, -13), decay = std::ldexp(w.decay, -15), k_theta = std::ldexp(w.k_theta, -14);
+  const double dc = s.inverter.bus_v / design::sinusoidal::voltage_range(s);
+  double voltage = 0, current = 0, turns = 0;
+  for (const Compared& c : all) {
+    voltage = std::max(voltage, c.voltage / design::sinusoidal::voltage_range(s));
+    current = std::max(current, c.current / design::sinusoidal::current_range(s));
+    turns = std::max(turns, c.turns);
+  }
+  constexpr double kUniform = 0.29;                      // standard deviation, of its width
+  const double sixteenth = 65536 * dc / (16 * bridge.period);  // of a clock, in places of 2^-16
+  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, bridge.lost / 64);
+  const double moved = std::hypot(gain * std::hypot(legs, 2 * kUniform), kUniform * std::sqrt(6)) / 65536;
+  const double per_clock = bridge.inverse * dc;  // the whole number that the blocks have for the volts in a clock
+  const double moved_wrongly = gain * voltage * (rounded(q.rows, "estimator.gain") + rounded(q.rows, "bridge.inverse") + 0.5 / per_clock) +
+                               decay * current * rounded(q.rows, "estimator.decay");
+  const double by_emf = w.voltage ? std::ldexp(w.k_emf, -15) : std::ldexp(w.k_speed, -17) / gain;
+  return {moved_wrongly * (k_theta + by_emf) + turns * rounded(q.rows, w.voltage ? "estimator.k_emf" : "estimator.k_speed"),
+          moved * (k_theta + by_emf)};
+}
+
+}  // namespace
+
+FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const std::function<bool(double done)>& progress,
+                          const std::optional<design::sinusoidal::Parameters>& reference) {
+  FloatErrors result;
+  result.compared = "samples";
+  if (!blocks.locked || !blocks.speed_time_s) return result;
+  const auto& n = s.scenario;
+  result.from_s = *blocks.speed_time_s;
+  result.to_s = std::min({n.load_off_s.value_or(n.duration_s), n.reverse_s.value_or(n.duration_s),
+                          n.stop_s.value_or(n.duration_s)});
+  if (result.from_s >= result.to_s) return result;
+  design::Settings part = s;  // the same run, as far as it is needed
+  part.scenario.duration_s = result.to_s;
+  design::sinusoidal::Parameters parameters = reference.value_or(design::sinusoidal::design_drive(s).parameters);
+  // What the bridge does is the blocks': their gate guard has a floor.
+  parameters.applied.dead_time =
+      std::max(parameters.applied.dead_time, design::sinusoidal::kDeadTimeFloor / s.control.clock_hz);
+  ShadowedEngine engine(s, parameters);
+  run_recorded<ShadowedEngine, Recorder>(engine, part, {.angle_deg = blocks.angle_deg, .progress = progress});
+
+  std::vector<Compared> all = engine.compared();
+  std::erase_if(all, [&](const Compared& c) { return c.time < result.from_s; });
+  result.count = all.size();
+  if (all.empty()) return result;
+  const double slowest = std::ranges::min(all, {}, &Compared::turns).turns;
+  const double taken_away = 2 * kTurn * slowest;  // of an angle's error, per sample
+  const StepError step = step_error(s, all);
+  const double rpm_of_turns = 60 / s.motor.pole_pairs * s.control.pwm_hz;
+  Differences angle, speed;
+  for (const Compared& c : all) angle.add(360 * c.angle), speed.add(rpm_of_turns * c.step);
+  const auto row = [](const char* name, const char* unit, double bias, double scatter) {
+    return design::BudgetRow{.name = name, .unit = unit, .rms = scatter, .bound = bias + 6 * scatter, .bias = bias};
+  };
+  constexpr double kCut = 1.0 / 131072;  // turns: sine and cosine are those of 16 bits of the angle, cut
+  result.signals = {angle.beside(row("estimated angle", "deg", 360 * (step.bias / taken_away + kCut),
+                                     360 * step.scatter / std::sqrt(2 * taken_away))),
+                    speed.beside(row("momentary speed", "rpm", rpm_of_turns * step.bias, rpm_of_turns * step.scatter))};
+  return result;
+}
+
+}  // namespace steplock::sinusoidal
