@@ -49,6 +49,9 @@ struct Point {
   bool held = false;           // locked to the end, within 20 %
   double error_percent = 0;    // of the mean speed
   double delta_deg = 0;        // mean
+  double least_rpm = 0, greatest_rpm = 0, rms_rpm = 0;       // true speed in that time; rms about its mean
+  double delta_rms_deg = 0, delta_greatest_deg = 0;          // of delta theta, greatest of either sign
+  double swing_percent() const { return 100 * (greatest_rpm - least_rpm) / rpm; }  // peak to peak
 };
 
 // One start, then each torque in turn: settled, and measured over whole electrical turns.
@@ -65,6 +68,7 @@ Claim rtl_point(const design::Settings&, const Case& fixed, const std::string& w
                 const PaperOptions&, std::vector<std::string>& failures);
 bool all_held(const std::vector<Point>&);
 double worst_error(const std::vector<Point>&);  // percent, without sign
+const Point& most_swinging(const std::vector<Point>&);
 
 struct Start {
   sinusoidal::Result result;
@@ -76,6 +80,7 @@ Start start_from(design::Settings, EngineKind, design::StartBy, double angle_deg
 struct Found {
   // By design::Estimator: from this speed on, within this of it.
   double slowest[2] = {}, error_percent[2] = {};
+  double swing_percent[2] = {};  // of the true speed there, peak to peak
   double position_deg = 0;  // worst, of a salient rotor at standstill
   double loop_khz = 0;      // the fastest with every point within its aim
 };

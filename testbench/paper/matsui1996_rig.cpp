@@ -93,16 +93,26 @@ std::vector<Point> measure(const design::Settings& believed, const design::Setti
     rig->run_until(rig->time() + settle);
     const double from = rig->time(), angle = rig->state().angle;
     const sinusoidal::Totals before = rig->totals();
-    rig->run_until(from + span);
+    Point p{.rpm = c.rpm, .torque = torque, .least_rpm = 1e9, .greatest_rpm = -1e9};
+    double sum = 0, squares = 0;
+    const double period = 1 / believed.control.pwm_hz;
+    const auto periods = static_cast<int>(std::round(span / period));
+    for (int n = 1; n <= periods; ++n) {
+      rig->run_until(n < periods ? from + n * period : from + span);
+      const double now = rpm(rig->state().speed);
+      p.least_rpm = std::min(p.least_rpm, now), p.greatest_rpm = std::max(p.greatest_rpm, now);
+      p.delta_greatest_deg = std::max(p.delta_greatest_deg, std::abs(rig->delta_deg()));
+      sum += now, squares += now * now;
+    }
+    p.rms_rpm = std::sqrt(std::max(0.0, squares / periods - sum / periods * sum / periods));
     const double mean = rpm((rig->state().angle - angle) / (rig->time() - from));
     const sinusoidal::Totals after = rig->totals();
     const double samples = std::max(1.0, double(after.angles - before.angles));
-    const double error = 100 * (mean / c.rpm - 1);
-    all.push_back({.rpm = c.rpm,
-                   .torque = torque,
-                   .held = rig->locked() && std::abs(error) < 20,
-                   .error_percent = error,
-                   .delta_deg = (after.angle_deg - before.angle_deg) / samples});
+    p.error_percent = 100 * (mean / c.rpm - 1);
+    p.held = rig->locked() && std::abs(p.error_percent) < 20;
+    p.delta_deg = (after.angle_deg - before.angle_deg) / samples;
+    p.delta_rms_deg = std::sqrt((after.angle_squared - before.angle_squared) / samples);
+    all.push_back(p);
   }
   return all;
 }
@@ -126,6 +136,10 @@ Claim rtl_point(const design::Settings& drive, const Case& fixed, const std::str
 
 bool all_held(const std::vector<Point>& points) {
   return std::ranges::all_of(points, &Point::held);
+}
+
+const Point& most_swinging(const std::vector<Point>& points) {
+  return *std::ranges::max_element(points, {}, &Point::swing_percent);
 }
 
 double worst_error(const std::vector<Point>& points) {
