@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "testbench/run/float_errors.hpp"
+#include "testbench/run/ripple.hpp"
 #include "testbench/run/run_drive.hpp"
 
 namespace steplock {
@@ -38,6 +39,7 @@ struct Summary {
   std::optional<double> start_time_s;      // from `run` to set speed
   double set_speed_rpm = 0;
   SpeedResult steady;
+  Ripple ripple;                           // of the true speed, steady
   double phase_error_rms_deg = 0;          // phase detector, steady
   double commutation_error_mean_deg = 0, commutation_error_rms_deg = 0;  // true angle, steady
   double peak_current_a = 0, rms_current_a = 0, current_bound_a = 0;

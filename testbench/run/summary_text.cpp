@@ -49,6 +49,7 @@ Json to_json(const Summary& s) {
   j["set_speed_rpm"] = number(s.set_speed_rpm);
   j["mean_speed_rpm"] = number(s.steady.mean_rpm);
   j["speed_error_percent"] = number(s.steady.error_percent);
+  to_json(j, s.ripple);
   j["steady_from_s"] = number(s.steady.from_s);
   j["steady_to_s"] = number(s.steady.to_s);
   j["phase_error_rms_deg"] = number(s.phase_error_rms_deg);
@@ -88,6 +89,7 @@ std::string to_text(const Summary& s) {
   line("at set speed", seconds(s.start_time_s) + " after run");
   line("speed", fmt::format("{:.2f} rpm, set {:g} rpm, error {:+.4f} %", s.steady.mean_rpm,
                             s.set_speed_rpm, s.steady.error_percent));
+  line("speed ripple", to_text(s.ripple));
   line("phase error", fmt::format("{:.2f} deg rms (detector)", s.phase_error_rms_deg));
   line("commutation", fmt::format("{:+.2f} deg late on average, {:.2f} deg rms (true angle)",
                                   s.commutation_error_mean_deg, s.commutation_error_rms_deg));

@@ -35,6 +35,10 @@ void judge_steady(Result& r, const std::vector<Sample>& samples, double from, do
   if (!b && !samples.empty()) b = &samples.back();
   if (!a || !b || b->time <= a->time) return;
   r.mean_rpm = mean_rpm(*a, *b);
+  r.ripple = ripple(samples, a->time, b->time);
+  for (const Sample& x : samples) {
+    if (x.time >= a->time && x.time <= b->time) r.delta_theta_worst_deg = std::max(r.delta_theta_worst_deg, std::abs(x.delta_theta_deg));
+  }
   r.speed_error_percent = 100 * (r.mean_rpm - r.set_speed_rpm) / std::abs(r.set_speed_rpm);
   r.rms_current_a = std::sqrt((b->totals.current_squared - a->totals.current_squared) /
                               (b->time - a->time));
@@ -161,8 +165,10 @@ nlohmann::ordered_json to_json(const Result& r) {
   put("set_speed_rpm", r.set_speed_rpm);
   put("mean_rpm", r.mean_rpm);
   put("speed_error_percent", r.speed_error_percent);
+  to_json(j, r.ripple);
   put("delta_theta_mean_deg", r.delta_theta_mean_deg);
   put("delta_theta_rms_deg", r.delta_theta_rms_deg);
+  put("delta_theta_worst_deg", r.delta_theta_worst_deg);
   put("rms_current_a", r.rms_current_a);
   put("peak_current_a", r.peak_current_a);
   put("current_bound_a", r.current_bound_a);
@@ -197,8 +203,9 @@ std::string to_text(const Result& r) {
                              : "never");
   line("speed", fmt::format("{:.2f} rpm of {:g}, error {:+.4f} %", r.mean_rpm, r.set_speed_rpm,
                             r.speed_error_percent));
-  line("delta theta", fmt::format("mean {:+.2f}, rms {:.2f} degrees", r.delta_theta_mean_deg,
-                                  r.delta_theta_rms_deg));
+  line("speed ripple", to_text(r.ripple));
+  line("delta theta", fmt::format("mean {:+.2f}, rms {:.2f}, at most {:.2f} degrees", r.delta_theta_mean_deg,
+                                  r.delta_theta_rms_deg, r.delta_theta_worst_deg));
   line("current", fmt::format("{:.2f} A rms, peak {:.2f} A of at most {:.2f} A", r.rms_current_a, r.peak_current_a,
                               r.current_bound_a));
   if (r.load_dip_percent) {

@@ -57,6 +57,18 @@ TEST(Summary, FiguresFollowFromTheRecord) {
   EXPECT_TRUE(s.failures().empty()) << why(s);
 }
 
+// The mean of a rotor that swings says nothing of it.
+TEST(Summary, ASpeedThatSwingsHasARippleAndTheSameMean) {
+  Record r = record_at(3000);
+  for (std::size_t i = 0; i < r.overview.size(); ++i) r.overview[i].plant.speed *= i % 2 == 0 ? 1.1 : 0.9;
+  const Summary s = summarise(steady_only(), {}, r);
+  EXPECT_NEAR(s.steady.mean_rpm, 3000, 1e-6) << "from the angle";
+  EXPECT_NEAR(s.ripple.least_rpm, 2700, 1e-6);
+  EXPECT_NEAR(s.ripple.greatest_rpm, 3300, 1e-6);
+  EXPECT_NEAR(s.ripple.rms_rpm, 300, 3);
+  EXPECT_NE(to_text(s).find("2700.00 to 3300.00 rpm"), std::string::npos);
+}
+
 TEST(Summary, ASpeedErrorBeyondHalfAPercentFails) {
   EXPECT_EQ(summarise(steady_only(), {}, record_at(3014)).failures().size(), 0u);
   const auto failures = summarise(steady_only(), {}, record_at(3016)).failures();
@@ -124,7 +136,7 @@ TEST(Summary, TheJsonHasEveryKeyThatUsersRelyOn) {
   const auto j = to_json(summarise(short_drive(), {}, record_at(3000)));
   for (const char* key :
        {"engine", "locked", "step_outs", "fault", "start_time_s", "lock_time_s", "set_speed_rpm",
-        "mean_speed_rpm", "speed_error_percent", "phase_error_rms_deg", "peak_current_a", "current_bound_a",
+        "mean_speed_rpm", "speed_error_percent", "speed_least_rpm", "speed_greatest_rpm", "speed_ripple_rms_rpm", "phase_error_rms_deg", "peak_current_a", "current_bound_a",
         "rms_current_a", "clocks", "simulated_s", "wall_s", "commutation_error_rms_deg", "retries",
         "load_dip_percent", "reversed"}) {
     EXPECT_TRUE(j.contains(key)) << key;
