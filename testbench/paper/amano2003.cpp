@@ -15,7 +15,19 @@ PaperPage amano2003_page(const design::Settings& file, const PaperOptions& optio
           "Printed by `steplock paper amano2003` with engine `{}`; the test `pages_are_current_amano2003` fails when this "
           "page is stale. Motor and fan: [amano2003.toml](../../drives/amano2003.toml), which says how the "
           "paper's inconsistent units are read. Speeds and lost steps are judged from the plant's true "
-          "angle.", name_of(options.engine))};
+          "angle.", name_of(options.engine)),
+      .departures = {
+          {"phase detector", "compares the divided VCO with the back-EMF of one winding: once a turn (Figs. 2, 3, N = 6)",
+           "compares all three windings, at each of the six steps of a turn (`loop.detector = \"every_step\"`); with one crossing a "
+           "turn the paper's filter is unstable at hand-over, [below](#fig-6-bode-plot-of-the-open-loop)"},
+          {"inertias", "printed in kg cm^2", "read in kg m^2"},
+          {"winding of Figs. 8, 11 and 12", "that of Table 1, by which its speeds cannot be reached", "fewer turns, as each section says"},
+          {"dry friction, the fan's drag, the limit's current", "not printed", "assumed, as the drive file says"},
+          {"start", "reset, acceleration, speed control",
+           "the same here (`start.method = \"ramp\"`), after a look for a turning rotor and one position pattern more; the default of other "
+           "drives follows the rotor"},
+          {"speed control", "its law is not printed", "PI"},
+          {"Hall sensors of Fig. 13", "their placement is not printed", "several, and the nearest"}}};
   const auto sections = {start_sequence, loop_response, locked_state, steady_state, current_control,
                          varied_load,    high_speed,    against_hall, light_rotor};
   options.check_sections(1, static_cast<int>(sections.size()));

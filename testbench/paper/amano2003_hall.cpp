@@ -72,11 +72,11 @@ PaperSection against_hall(const design::Settings& drive, const PaperOptions& opt
           name_of(options.engine), told(like->placement_deg)),
       .claims = {
           {"sensorless: smaller amplitude by", "%", kSmaller, "",
-           -percent(ours.wave.amplitude, like->wave.amplitude), "nearest of the placements above"},
+           -percent(ours.wave.amplitude, like->wave.amplitude), "nearest of the placements above", Verdict::kFitted},
           {"Hall drive: rise time / fall time", "", kRiseOverFall, "",
            slow_rise->wave.rise_s / slow_rise->wave.fall_s,
            fmt::format("nearest of the placements: {}; from 10 to 90 % of a pulse's mean height (how the "
-                       "paper read its times is not said)", told(slow_rise->placement_deg))},
+                       "paper read its times is not said)", told(slow_rise->placement_deg)), Verdict::kFitted},
           {"the same placement: torque ripple above ours by", "%", {}, "\"increased\"",
            percent(slow_rise->wave.torque_ripple, ours.wave.torque_ripple), "uneven steps"},
           {"sensorless: rise time / fall time", "", {}, "not printed",

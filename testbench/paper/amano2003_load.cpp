@@ -50,9 +50,9 @@ PaperSection varied_load(const design::Settings& drive, const PaperOptions& opti
           drive.motor.inertia_kgm2 + drive.load.inertia_kgm2, drive.motor.inertia_kgm2,
           with.load.fan_nms2, drive.load.fan_nms2, kHertz),
       .claims = {
-          {"frequency without fan", "Hz", kHertz, "", electrical_hz(bare), "set speed"},
+          {"frequency without fan", "Hz", kHertz, "", electrical_hz(bare), "set speed", Verdict::kInput},
           {"difference to the one with fan", "Hz", kDifference, "", difference,
-           "speed control here has an integral; the paper's seems to have none"},
+           "speed control here has an integral; whether the paper's has one is not printed"},
           {"the same, relative", "%", kPercent, "", 100 * difference / electrical_hz(bare), ""},
           {"current without fan", "A rms", {}, "smaller", bare.summary.rms_current_a, ""},
           {"current with fan", "A rms", {}, "greater", fan.summary.rms_current_a, ""},
@@ -92,10 +92,10 @@ PaperSection high_speed(const design::Settings& drive, const PaperOptions& optio
           "printed winding, and no fan, whose drag would take {:.0f} kW at {:.0f} r/min. The loop filter "
           "is designed again, by Eqs. (15)-(17) with f_m = {} Hz, the electrical frequency of that speed.",
           kVolts, no_load_rpm(at_full_voltage), kTurns, drag_kw, kFast, kMeanHz),
-      .claims = {{"speed", "r/min", kFast, "", fast.summary.steady.mean_rpm, "set speed"},
+      .claims = {{"speed", "r/min", kFast, "", fast.summary.steady.mean_rpm, "set speed", Verdict::kInput},
                  {"commutation against the ideal, mean", "deg", {}, "not printed",
                   fast.summary.commutation_error_mean_deg, "true angle"},
-                 {"speed", "r/min", kSlow, "", slow.summary.steady.mean_rpm, "set speed"},
+                 {"speed", "r/min", kSlow, "", slow.summary.steady.mean_rpm, "set speed", Verdict::kInput},
                  {"steps lost, both", "", 0, "",
                   double(fast.summary.step_outs + slow.summary.step_outs), ""}}};
   if (!kept(fast)) section.failures.push_back("the lock at 21,000 r/min");

@@ -61,6 +61,10 @@ Figure bode_figure(const design::PerSecond& filter, double tick, double interval
   return f;
 }
 
+double margin_per_turn(const design::PerSecond& filter, double tick, double turn) {
+  return design::margins(design::open_loop_sampled(filter, tick, turn), 1, 500).phase_deg;
+}
+
 }  // namespace
 
 PaperSection loop_response(const design::Settings& drive, const PaperOptions& options) {
@@ -85,14 +89,19 @@ PaperSection loop_response(const design::Settings& drive, const PaperOptions& op
           measured.size(), e.tone_deg, e.rpm),
       .claims = {
           {"crossover by Eqs. (13)-(17)", "rad/s", {}, "not printed", d.components.omega_g(), ""},
-          {"crossover, measured", "rad/s", d.components.omega_g(), "", seen.omega,
-           "against the equations above"},
+          {"crossover, measured", "rad/s", {}, "not printed", seen.omega,
+           fmt::format("{:+.1f} % of the equations above", 100 * (seen.omega / d.components.omega_g() - 1))},
           {"phase lead at 0 dB by Eqs. (1)-(4)", "deg", kPhaseLead, "", d.continuous.phase_deg, ""},
           {"phase margin as sampled, computed", "deg", kPhaseLead, "", sampled.phase_deg,
            "the error is held from crossing to crossing, half an interval late on average, and the "
            "filter runs once per tick"},
-          {"phase margin, measured", "deg", sampled.phase_deg, "", seen.margin_deg,
-           "against the sampled computation"},
+          {"phase margin, measured", "deg", {}, "not printed", seen.margin_deg,
+           fmt::format("{:+.1f} deg of the sampled computation", seen.margin_deg - sampled.phase_deg)},
+          {fmt::format("the same with one crossing a turn, at {:.0f} r/min, computed", e.rpm), "deg", {}, "not printed",
+           margin_per_turn(filter, tick, 6 * interval),
+           "the paper's detector: six times as long from error to error"},
+          {fmt::format("and at hand-over, {:.0f} r/min", d.hand_over_rpm), "deg", {}, "not printed",
+           margin_per_turn(filter, tick, 6 * interval * e.rpm / d.hand_over_rpm), "below 0 the loop is unstable"},
       },
       .figures = {bode_figure(filter, tick, interval, measured)}};
 }

@@ -93,7 +93,7 @@ PaperSection steady_state(const design::Settings& drive, const PaperOptions& opt
           "at half of that. Table 1's back-EMF constant allows {:.0f} r/min at {} V, so this run "
           "has {} times the turns of the printed winding, and no fan.", no_load_rpm(drive),
           drive.inverter.bus_v, kTurns),
-      .claims = {{"electrical frequency", "Hz", kHertz, "", electrical_hz(t), "set speed"},
+      .claims = {{"electrical frequency", "Hz", kHertz, "", electrical_hz(t), "set speed", Verdict::kInput},
                  {"speed", "r/min", 10158, "", t.summary.steady.mean_rpm,
                   "the paper's own pole pairs make it half"},
                  {"phase error of the detector", "deg rms", {}, "not printed",
@@ -139,7 +139,7 @@ PaperSection current_control(const design::Settings& drive, const PaperOptions& 
           "the one nearest to the paper's six pulses is run and drawn: {:.2f} A.{}", s.inverter.bus_v, crest,
           s.sensors.limit_a, table),
       .claims = {{"limit pulses per period of phase current", "", kHits, "", hits_per_turn(t),
-                  "mean over the steady span, at the nearest threshold of the table"},
+                  "mean over the steady span, at the nearest threshold of the table", Verdict::kFitted},
                  {"peak of the shunt current", "A", {}, "not printed", shunt_crest(t), ""},
                  {"steps lost", "", 0, "", double(t.summary.step_outs), ""}}};
   check(section, t, "Fig. 9");

@@ -48,7 +48,7 @@ PaperSection start_sequence(const design::Settings& drive, const PaperOptions& o
            design::reset_time(kKappa, kInertia, kGamma),
            "the paper contradicts itself: its gamma, J and kappa do not give its t_r"},
           {"reset time as used", "s", kResetTime, "", accelerate - reset,
-           "the printed value is an input"},
+           "the printed value is an input", Verdict::kInput},
           {"K_v that Eq. (23) needs for the printed t_a", "", {}, "not printed",
            kAccelerationTime * kBemf / (kXi * kInertia), "Eq. (23) solved for K_v"},
           {"acceleration time t_a", "s", kAccelerationTime, "", pull_in - accelerate,

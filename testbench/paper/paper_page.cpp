@@ -19,24 +19,41 @@ std::string with_unit(const std::string& value, const std::string& unit) {
   return unit.empty() ? value : value + " " + unit;
 }
 
+std::string verdict(const Claim& c) {
+  switch (c.verdict) {
+    case Verdict::kInput: return "input";
+    case Verdict::kFitted: return "fitted";
+    case Verdict::kReached: return "reached";
+    case Verdict::kByNumbers: break;
+  }
+  if (!c.paper) return "";
+  return std::abs(c.ours - *c.paper) <= std::abs(*c.paper) / 20 ? "reproduced" : "**not reproduced**";
+}
+
 std::string row(const Claim& c) {
   const std::string paper = c.paper ? with_unit(number(*c.paper), c.unit) : c.shown;
   std::string difference = "";
   if (c.paper && *c.paper != 0) {
     difference = fmt::format("{:+.1f} %", 100 * (c.ours - *c.paper) / std::abs(*c.paper));
   }
-  return fmt::format("| {} | {} | {} | {} | {} |\n", c.quantity, paper,
-                     with_unit(number(c.ours), c.unit), difference, c.reason);
+  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", c.quantity, paper, with_unit(number(c.ours), c.unit), difference,
+                     verdict(c), c.reason);
 }
 
 }  // namespace
 
 std::string to_markdown(const PaperPage& page) {
   std::string text = fmt::format("# {}\n\n{}\n", page.title, page.introduction);
+  if (!page.departures.empty()) {
+    text += "\nWhere the drive of this page is another one than the paper's:\n\n| what | the paper | here |\n|---|---|---|\n";
+    for (const Departure& d : page.departures) text += fmt::format("| {} | {} | {} |\n", d.what, d.paper, d.here);
+  }
+  text += "\n*Reproduced* is a number within a twentieth of the paper's. An *input* was given to the run, and says nothing; *fitted* is what comes out since "
+          "something that the paper does not print was chosen so; *reached* is a limit that is kept.\n";
   for (const PaperSection& s : page.sections) {
     text += fmt::format("\n## {}\n\n{}\n", s.title, s.text);
     if (!s.claims.empty()) {
-      text += "\n| quantity | paper | here | difference | why |\n|---|---|---|---:|---|\n";
+      text += "\n| quantity | paper | here | difference | verdict | why |\n|---|---|---|---:|---|---|\n";
       for (const Claim& c : s.claims) text += row(c);
     }
     for (const std::string& f : s.failures) text += fmt::format("\n**Does not hold:** {}\n", f);

@@ -13,6 +13,14 @@
 
 namespace steplock {
 
+// What became of a number of the paper.
+enum class Verdict {
+  kByNumbers,  // reproduced if ours is within a twentieth of the paper's, else not; none where the paper has no number
+  kInput,      // it was given to the run, so that it says nothing
+  kFitted,     // something that the paper does not print was chosen so that it comes out
+  kReached     // a limit that ours had to keep, and does
+};
+
 // One number of the paper.  Where it prints none, `shown` says in words what can be seen.
 struct Claim {
   std::string quantity, unit;
@@ -20,6 +28,12 @@ struct Claim {
   std::string shown = {};
   double ours = 0;
   std::string reason = {};  // of the difference
+  Verdict verdict = Verdict::kByNumbers;
+};
+
+// Where the drive of a page is another one than the paper's.
+struct Departure {
+  std::string what, paper, here;
 };
 
 struct PaperSection {
@@ -33,6 +47,7 @@ struct PaperSection {
 struct PaperPage {
   std::string name;        // of the page and of its folder of figures
   std::string title, introduction;
+  std::vector<Departure> departures = {};
   std::vector<PaperSection> sections = {};
 };
 

@@ -18,17 +18,33 @@ PaperPage page_with(const Claim& claim) {
 
 TEST(PaperPage, ShowsThePapersNumberOursAndTheDifference) {
   EXPECT_THAT(to_markdown(page_with({"speed", "r/min", 200, "", 210, "why not"})),
-              HasSubstr("| speed | 200 r/min | 210 r/min | +5.0 % | why not |"));
+              HasSubstr("| speed | 200 r/min | 210 r/min | +5.0 % | reproduced | why not |"));
 }
 
 TEST(PaperPage, PrintsLargeNumbersInFull) {
   EXPECT_THAT(to_markdown(page_with({"speed", "r/min", 21000, "", 20987.4, ""})),
-              HasSubstr("| speed | 21000 r/min | 20987 r/min | -0.1 % |  |"));
+              HasSubstr("| speed | 21000 r/min | 20987 r/min | -0.1 % | reproduced |  |"));
 }
 
 TEST(PaperPage, SaysInWordsWhereThePaperHasNoNumber) {
   EXPECT_THAT(to_markdown(page_with({"current", "A", {}, "smaller", 2.5, ""})),
-              HasSubstr("| current | smaller | 2.5 A |  |  |"));
+              HasSubstr("| current | smaller | 2.5 A |  |  |  |"));
+}
+
+// A twentieth is the bound; what was given to a run, or chosen so that it comes out, is said to be.
+TEST(PaperPage, SaysWhatBecameOfEachNumber) {
+  EXPECT_THAT(to_markdown(page_with({"t", "s", 1, "", 1.06, ""})), HasSubstr("| +6.0 % | **not reproduced** |"));
+  EXPECT_THAT(to_markdown(page_with({"lost", "", 0, "", 0, ""})), HasSubstr("| 0 | 0 |  | reproduced |"));
+  EXPECT_THAT(to_markdown(page_with({"lost", "", 0, "", 1, ""})), HasSubstr("| 0 | 1 |  | **not reproduced** |"));
+  EXPECT_THAT(to_markdown(page_with({"t", "s", 1, "", 1, "", Verdict::kInput})), HasSubstr("| input |"));
+  EXPECT_THAT(to_markdown(page_with({"t", "s", 1, "", 1, "", Verdict::kFitted})), HasSubstr("| fitted |"));
+  EXPECT_THAT(to_markdown(page_with({"t", "s", 1, "", 0.5, "", Verdict::kReached})), HasSubstr("| reached |"));
+}
+
+TEST(PaperPage, NamesWhereItsDriveIsAnotherOneThanThePapers) {
+  PaperPage page = page_with({"speed", "", 1, "", 1, ""});
+  page.departures = {{"detector", "one winding", "three"}};
+  EXPECT_THAT(to_markdown(page), HasSubstr("| detector | one winding | three |"));
 }
 
 TEST(PaperPage, ShowsWhatDoesNotHold) {
