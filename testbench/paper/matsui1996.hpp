@@ -60,6 +60,7 @@ struct Case {
   design::Estimator estimator = design::Estimator::kCurrent;
   double rpm = 0, i_gamma = 0;
   std::vector<double> torques = {};
+  bool slowly = false;  // each torque is raised over a second, not put on at once
 };
 std::vector<Point> measure(const design::Settings& believed, const design::Settings& real,
                            const Case&, const PaperOptions&, const std::string& what);

@@ -89,6 +89,12 @@ std::vector<Point> measure(const design::Settings& believed, const design::Setti
         !options.progress(what, double(all.size()) / double(c.torques.size()))) {
       throw Stopped();
     }
+    constexpr int kParts = 50;
+    const double was = all.empty() ? 0 : all.back().torque;
+    for (int n = 1; c.slowly && n < kParts; ++n) {
+      rig->set_torque((was + (torque - was) * n / kParts) * rated_torque(real));
+      rig->run_until(rig->time() + 1.0 / kParts);
+    }
     rig->set_torque(torque * rated_torque(real));
     rig->run_until(rig->time() + settle);
     const double from = rig->time(), angle = rig->state().angle;
