@@ -47,7 +47,7 @@ std::string write(const fs::path& path, const std::string& text) {
 
 TEST(Command, HelpOfEverySubCommandHasAnExample) {
   EXPECT_EQ(steplock("--help").exit_code, 0);
-  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys", "motors", "registers"}) {
+  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys", "new", "motors", "registers"}) {
     const Result r = steplock(std::string(name) + " --help");
     EXPECT_EQ(r.exit_code, 0) << name;
     EXPECT_NE(r.output.find("Example: steplock " + std::string(name)), r.output.npos) << r.output;
@@ -69,6 +69,33 @@ TEST(Command, ABadDriveFileIsExitCodeTwoAndLeavesNothingBehind) {
   EXPECT_NE(r.output.find(file + ":2: motor.resistence_ohm is an unknown key"), r.output.npos)
       << r.output;
   EXPECT_FALSE(fs::exists(here / "out"));
+}
+
+TEST(Command, NewWritesADriveFileOfASheetAndNothingOfOneThatContradictsItself) {
+  const fs::path here = fresh("new");
+  const std::string file = (here / "flat.toml").string();
+  const std::string sheet = "new flat --bus 24 --poles 14 --kv 179 --resistance-line 0.307 --inductance-line 0.188e-3 --rated-current 5.5 --out " + file;
+  const Result wrong = steplock(sheet + " --torque-constant 0.1");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.output.find("by --torque-constant and"), wrong.output.npos) << wrong.output;
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(steplock(sheet).exit_code, 0);
+  EXPECT_EQ(steplock("design " + file).exit_code, 0);
+  const Result again = steplock(sheet);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.output.find("is there already"), again.output.npos) << again.output;
+  EXPECT_EQ(steplock(sheet + " --force").exit_code, 0);
+  EXPECT_EQ(steplock("new ../flat --bus 24").exit_code, 2);
+}
+
+// A line for each entry; an answer that is no number is asked for again.
+TEST(Command, NewAsksWhenItIsToldNothing) {
+  const fs::path here = fresh("asked");
+  const std::string answers = write(here / "answers", "24\n14\n\n179 rpm\n179\n\n\n\n0.307\n\n0.188e-3\n\n\n5.5\n\n\n\n");
+  const Result r = steplock("new asked --out " + (here / "asked.toml").string() + " < " + answers);
+  EXPECT_EQ(r.exit_code, 0) << r.output;
+  EXPECT_NE(r.output.find("'179 rpm' is no number"), r.output.npos) << r.output;
+  EXPECT_EQ(steplock("design " + (here / "asked.toml").string()).exit_code, 0);
 }
 
 TEST(Command, APartOfAPageThatIsNotThereIsRefused) {
