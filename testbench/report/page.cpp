@@ -114,6 +114,7 @@ PageContent page_content(const design::Settings& s, const Summary& sum, const Re
       {fmt::format("{:.2f} A", sum.peak_current_a), "peak phase current"},
       {fmt::format("{}", sum.step_outs), "steps slipped"},
       {fmt::format("{:.1f} M/s", sum.clocks_per_cpu_second / 1e6), "clocks simulated"}};
+  for (const std::string& line : sum.advice) page.failures.push_back("advice: " + line);
   for (const StateChange& c : record.changes) {
     page.changes.push_back({c.time, name_of(c.state), c.reason == Reason::kNone ? "" : name_of(c.reason)});
   }

@@ -8,6 +8,7 @@
 #include "model/design/bounds.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
+#include "testbench/run/advice.hpp"
 
 namespace steplock {
 namespace {
@@ -170,6 +171,7 @@ Summary summarise(const design::Settings& s, const RunOptions& options, const Re
   sum.energy_residual = record.energy_residual;
   sum.interrupted = record.interrupted;
   sum.lockstep = record.lockstep;
+  sum.advice = advice(s, sum, record);
   return sum;
 }
 

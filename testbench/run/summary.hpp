@@ -52,6 +52,7 @@ struct Summary {
   bool interrupted = false;
   std::optional<Lockstep> lockstep;         // rtl = fixed, if asked for
   std::optional<FloatErrors> float_errors;  // if asked for
+  std::vector<std::string> advice;          // what to change, if it failed and the cause can be told (advice.hpp)
 
   std::vector<std::string> failures() const;  // why it does not pass; empty if it does
 };

@@ -38,6 +38,7 @@ Json to_json(const Summary& s) {
   j["start_angle_deg"] = number(s.angle_deg);
   j["passed"] = s.failures().empty();
   j["failures"] = s.failures();
+  j["advice"] = s.advice;
   j["locked"] = s.locked;
   j["step_outs"] = s.step_outs;
   j["lost_locks"] = s.lost_locks;
@@ -115,6 +116,7 @@ std::string to_text(const Summary& s) {
   if (s.lockstep) line("rtl = fixed", to_text(*s.lockstep));
   if (s.float_errors) t += to_text(*s.float_errors);
   for (const std::string& why : s.failures()) t += fmt::format("  FAILED: {}\n", why);
+  for (const std::string& line : s.advice) t += fmt::format("  advice: {}\n", line);
   return t;
 }
 

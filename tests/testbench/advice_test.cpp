@@ -1,0 +1,108 @@
+// Advice after a run that failed: it names a key and a value, and the run passes with them.
+#include "testbench/run/advice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/design/design.hpp"
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock {
+namespace {
+
+using testing::HasSubstr;
+
+// The keys that a drive file must have, and nothing else: no friction, and the chopping that is the default.
+constexpr const char* kRequired = R"(
+[drive]
+name = "required keys alone"
+source = "tests/testbench/advice_test.cpp"
+[motor]
+resistance_ohm = 0.38
+inductance_h = 0.2e-3
+flux_vs = 6.37e-3
+pole_pairs = 4
+inertia_kgm2 = 7.06e-6
+rated_current_a = 5
+[inverter]
+bus_v = 24
+[sensors]
+limit_a = 15
+[control]
+clock_hz = 12e6
+pwm_hz = 30e3
+[scenario]
+speed_rpm = 3000
+duration_s = 0.8
+)";
+
+design::Settings required() { return parse_drive_file(kRequired, "required.toml").settings; }
+
+Summary run_of(const design::Settings& s) { return run_short(s, EngineKind::kFixed); }
+
+// The number behind a key in a line of advice.
+double value_behind(const std::string& line, const std::string& key) {
+  const auto at = line.find(key);
+  EXPECT_NE(at, line.npos) << line;
+  return std::stod(line.substr(at + key.size()));
+}
+
+TEST(Advice, ARunThatPassesGetsNone) {
+  design::Settings s = required();
+  s.motor.coulomb_nm = 3e-3;
+  const Summary passed = run_of(s);
+  EXPECT_TRUE(passed.failures().empty()) << why(passed);
+  EXPECT_TRUE(passed.advice.empty());
+}
+
+TEST(Advice, ARotorThatNothingBrakesIsToldToUseTheOtherChopping) {
+  design::Settings s = required();
+  const Summary failed = run_of(s);
+  EXPECT_FALSE(failed.failures().empty());
+  ASSERT_EQ(failed.advice.size(), 1u);
+  EXPECT_THAT(failed.advice[0], HasSubstr("control.chopping"));
+  EXPECT_THAT(failed.advice[0], HasSubstr("\"complementary\""));
+  EXPECT_THAT(to_text(failed), HasSubstr("advice: with control.chopping"));
+  s.control.chopping = design::Chopping::kComplementary;
+  const Summary followed = run_of(s);
+  EXPECT_TRUE(followed.failures().empty()) << why(followed);
+}
+
+TEST(Advice, ALoadThatTheLimitCannotMoveIsToldWhichLimitCan) {
+  design::Settings s = required();
+  s.control.chopping = design::Chopping::kComplementary;
+  s.motor.coulomb_nm = 0.2, s.motor.rated_current_a = 2, s.sensors.limit_a = 4;  // which move 0.18
+  s.scenario.speed_rpm = 1500, s.scenario.duration_s = 8;
+  const Summary failed = run_of(s);
+  EXPECT_FALSE(failed.lock_time_s);
+  ASSERT_EQ(failed.advice.size(), 1u);
+  s.sensors.limit_a = value_behind(failed.advice[0], "raise sensors.limit_a to ");
+  s.scenario.duration_s = 2;
+  const Summary followed = run_of(s);
+  EXPECT_TRUE(followed.failures().empty()) << why(followed);
+}
+
+TEST(Advice, ALoadThatNoCurrentOfThisBusCanMoveIsToldHowMuchCanBe) {
+  design::Settings s = required();
+  s.motor.coulomb_nm = 2;
+  s.scenario.duration_s = 8;
+  const Summary failed = run_of(s);
+  ASSERT_EQ(failed.advice.size(), 1u);
+  EXPECT_THAT(failed.advice[0], HasSubstr("and this bus is good for"));
+}
+
+TEST(Advice, ASpeedThatTheBusDoesNotGiveIsToldWhichItDoes) {
+  design::Settings s = required();
+  s.control.chopping = design::Chopping::kComplementary;
+  s.motor.coulomb_nm = 0.3;
+  s.scenario.speed_rpm = 4200, s.scenario.duration_s = 2;
+  const Summary failed = run_of(s);
+  EXPECT_FALSE(failed.failures().empty());
+  ASSERT_EQ(failed.advice.size(), 1u) << to_text(failed);
+  s.scenario.speed_rpm = value_behind(failed.advice[0], "lower scenario.speed_rpm to ");
+  const Summary followed = run_of(s);
+  EXPECT_TRUE(followed.failures().empty()) << why(followed);
+}
+
+}  // namespace
+}  // namespace steplock
