@@ -29,9 +29,9 @@
 // So a rotor that nothing moves gets three steps in a row of the ring, and whatever its angle one of them gives at least
 // 0.87 of the current's torque.  One way or the other: a rotor held opposite to its step needs the step before.
 //
-// "Just passed one": since the belief began.  A drive ends it for a rotor that has passed one edge the wanted way: an offset
-// may have feigned that edge near standstill, and an edge back is a real one then.  Two edges on the wanted way in a row: the rotor is followed.  From the
-// second on `changed` tells that the time since the one before is an interval.
+// "Just passed one": since the belief began.  A drive ends it for a rotor that has passed one edge the wanted way: near standstill
+// an offset may have feigned that one, and an edge back is a real one then.  Two edges on the wanted way in a row: the rotor is
+// followed.  From the second on `changed` tells that the time since the one before is an interval.
 //
 // Until then a new step the wanted way is not driven at once: kCoast looks follow each other first, and count for no `still`.
 // A light rotor, fast after its first sector already, tells its direction in that time and is not made faster; to a heavy

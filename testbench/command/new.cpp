@@ -87,7 +87,8 @@ void add_new_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("NAME", arguments->sheet.name, "of the motor and of the file: letters, digits and _")->required();
   for (const SheetEntry& e : sheet_entries()) {
-    command->add_option(e.option, arguments->sheet.*e.value, fmt::format("{}: {}", e.question, e.mistake))->check(CLI::Range(e.least, e.most));
+    command->add_option(e.option, arguments->sheet.*e.value, fmt::format("{}: {}", e.question, e.mistake))
+        ->check(CLI::Range(e.least, e.most));
   }
   command->add_flag("--trapezoidal", arguments->sheet.trapezoidal, "its back-EMF has flat tops (default: sinusoidal)");
   command->add_option("--clock-mhz", arguments->sheet.clock_mhz, "of the FPGA")->check(CLI::Range(1, 400))->capture_default_str();

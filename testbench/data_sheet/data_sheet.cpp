@@ -32,8 +32,8 @@ class Reader {
       if (first == nullptr) first = &*way;
       const double ratio = way->value / first->value;
       if (std::abs(ratio - 1) > kAgree) {
-        say(fmt::format("{} is {:.4g} by {} and {:.4g} by {}; they must agree within {:g} %, leave the wrong one out", what, first->value,
-                        first->by, way->value, way->by, 100 * kAgree));
+        say(fmt::format("{} is {:.4g} by {} and {:.4g} by {}; they must agree within {:g} %, leave the wrong one out", what,
+                        first->value, first->by, way->value, way->by, 100 * kAgree));
       }
     }
     if (first == nullptr) say(fmt::format("{} is missing; give {}", what, mend));
@@ -71,16 +71,25 @@ const std::vector<SheetEntry>& sheet_entries() {
       {"--bus", "dc bus, V", "of the battery or supply under load, not of a charged one", &DataSheet::bus_v, 1, 1000},
       {"--poles", "magnet poles", "poles, not pairs: what `12N14P` calls 14P", &DataSheet::poles, 2, 200},
       {"--pole-pairs", "pole pairs", "half of the poles", &DataSheet::pole_pairs, 1, 100},
-      {"--kv", "KV, r/min per V", "of the peak between two terminals; makers of propeller motors round it", &DataSheet::kv_rpm_per_v, 0.1, 1e5},
-      {"--torque-constant", "torque constant, N m/A", "of the dc current with six steps, not of a phase's rms", &DataSheet::torque_constant_nm_a, 1e-6, 100},
-      {"--no-load-speed", "speed without load on that bus, r/min", "at the same voltage as --bus", &DataSheet::no_load_speed_rpm, 1, 1e6},
-      {"--no-load-current", "current without load, A", "of the dc bus; it is friction and iron, and no start depends on it", &DataSheet::no_load_current_a, 0, 1000},
-      {"--resistance-line", "resistance between two terminals, ohm", "what an ohmmeter shows, without the leads", &DataSheet::resistance_line_ohm, 1e-5, 1e4},
-      {"--resistance-phase", "resistance of a phase, ohm", "half of what is measured between two terminals", &DataSheet::resistance_phase_ohm, 1e-5, 1e4},
-      {"--inductance-line", "inductance between two terminals, H", "at 1 kHz or more; 100 uH is 100e-6", &DataSheet::inductance_line_h, 1e-8, 10},
-      {"--inductance-phase", "inductance of a phase, H", "half of what is measured between two terminals", &DataSheet::inductance_phase_h, 1e-8, 10},
+      {"--kv", "KV, r/min per V", "of the peak between two terminals; makers of propeller motors round it",
+       &DataSheet::kv_rpm_per_v, 0.1, 1e5},
+      {"--torque-constant", "torque constant, N m/A", "of the dc current with six steps, not of a phase's rms",
+       &DataSheet::torque_constant_nm_a, 1e-6, 100},
+      {"--no-load-speed", "speed without load on that bus, r/min", "at the same voltage as --bus",
+       &DataSheet::no_load_speed_rpm, 1, 1e6},
+      {"--no-load-current", "current without load, A", "of the dc bus; it is friction and iron, and no start depends on it",
+       &DataSheet::no_load_current_a, 0, 1000},
+      {"--resistance-line", "resistance between two terminals, ohm", "what an ohmmeter shows, without the leads",
+       &DataSheet::resistance_line_ohm, 1e-5, 1e4},
+      {"--resistance-phase", "resistance of a phase, ohm", "half of what is measured between two terminals",
+       &DataSheet::resistance_phase_ohm, 1e-5, 1e4},
+      {"--inductance-line", "inductance between two terminals, H", "at 1 kHz or more; 100 uH is 100e-6",
+       &DataSheet::inductance_line_h, 1e-8, 10},
+      {"--inductance-phase", "inductance of a phase, H", "half of what is measured between two terminals",
+       &DataSheet::inductance_phase_h, 1e-8, 10},
       {"--inertia-gcm2", "rotor's inertia, g cm^2", "1 kg m^2 is 1e7 of them", &DataSheet::inertia_gcm2, 1e-4, 1e9},
-      {"--rated-current", "rated current, A", "continuous, of the dc current with six steps", &DataSheet::rated_current_a, 1e-3, 1e4},
+      {"--rated-current", "rated current, A", "continuous, of the dc current with six steps",
+       &DataSheet::rated_current_a, 1e-3, 1e4},
       {"--rated-torque", "rated torque, N m", "continuous", &DataSheet::rated_torque_nm, 1e-7, 1e5},
       {"--limit", "limit of the current, A", "of the drive, in any phase", &DataSheet::limit_a, 1e-3, 1e4},
       {"--speed", "set speed, r/min", "of the shaft, not electrical", &DataSheet::speed_rpm, 1, 1e6}};
@@ -107,7 +116,8 @@ std::string drive_file_of(const DataSheet& sheet) {
   const double k_e = read.one_of("the back-EMF constant in V s/rad",
                                  {told("--torque-constant", sheet.torque_constant_nm_a, [](double k) { return k; }),
                                   told("--kv", sheet.kv_rpm_per_v, [](double kv) { return 1 / (kv * kRpm); }),
-                                  told("--no-load-speed", sheet.no_load_speed_rpm, [&](double n) { return (bus - idle_drop) / (n * kRpm); })},
+                                  told("--no-load-speed", sheet.no_load_speed_rpm,
+                                       [&](double n) { return (bus - idle_drop) / (n * kRpm); })},
                                  "--kv, --torque-constant or --no-load-speed");
   const double rated = read.one_of("the rated current",
                                    {told("--rated-current", sheet.rated_current_a, [](double i) { return i; }),
@@ -184,9 +194,11 @@ chopping = "complementary"   # the low side takes over: a motor without load doe
 speed_rpm = {:g}
 duration_s = 3
 )",
-                     sheet.name, assumed, line / 2, line, inductance / 2, k_e / ((sheet.trapezoidal ? 2 : std::numbers::sqrt3) * pairs), k_e,
-                     1 / (k_e * kRpm), k_e, pairs, sheet.trapezoidal ? "trapezoidal" : "sinusoidal", inertia, friction, rated, inertia, bus,
-                     std::min(10.0, line / 20), std::min(10.0, line / 40), 4e-4 * bus, -4e-4 * bus, 2e-4 * bus, 2e-4 * bus, limit, sheet.clock_mhz, sheet.pwm_khz, speed);
+                     sheet.name, assumed, line / 2, line, inductance / 2,
+                     k_e / ((sheet.trapezoidal ? 2 : std::numbers::sqrt3) * pairs), k_e, 1 / (k_e * kRpm), k_e, pairs,
+                     sheet.trapezoidal ? "trapezoidal" : "sinusoidal", inertia, friction, rated, inertia, bus,
+                     std::min(10.0, line / 20), std::min(10.0, line / 40), 4e-4 * bus, -4e-4 * bus, 2e-4 * bus, 2e-4 * bus, limit,
+                     sheet.clock_mhz, sheet.pwm_khz, speed);
 }
 
 }  // namespace steplock

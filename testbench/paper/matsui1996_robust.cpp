@@ -82,7 +82,11 @@ PaperSection wrong_parameters(const design::Settings& drive, const PaperOptions&
           cells, lost, at_once, kSwings, motor.k_e * design::sinusoidal::speed_of(drive, 100), 0.1 * motor.resistance * rated, map)};
   const Wrong shown{"K_E x 1.25", 1, 1, 1.25};
   const auto points = measure(drive, plant_of(drive, shown),
-                              {.engine = EngineKind::kFixed, .estimator = Estimator::kCurrent, .rpm = 1200, .i_gamma = 0.8, .torques = {0, 1}},
+                              {.engine = EngineKind::kFixed,
+                               .estimator = Estimator::kCurrent,
+                               .rpm = 1200,
+                               .i_gamma = 0.8,
+                               .torques = {0, 1}},
                               options, shown.name);
   s.claims.push_back({"current model, K_E x 1.25, 1200 r/min, torque 0, 100 %: worst error of the mean", "%", {}, "good agreement",
                       worst_error(points), all_held(points) ? "held" : "**lost**"});

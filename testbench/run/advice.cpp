@@ -30,9 +30,8 @@ std::string held_at_rest(const design::Settings& s) {
 
 // One that brakes by nothing but friction keeps the speed that it has.
 std::string runs_on(const design::Settings& s, const Summary& sum) {
-  if (s.control.chopping != design::Chopping::kHighSide || sum.steady.error_percent * (sum.set_speed_rpm < 0 ? -1 : 1) < kSpeedTolerancePercent) {
-    return {};
-  }
+  const double too_fast = sum.steady.error_percent * (sum.set_speed_rpm < 0 ? -1 : 1);
+  if (s.control.chopping != design::Chopping::kHighSide || too_fast < kSpeedTolerancePercent) return {};
   return "with control.chopping = \"high_side\" nothing but friction brakes a rotor, and this one has little: write \"complementary\", or the "
          "friction that it has as motor.coulomb_nm";
 }

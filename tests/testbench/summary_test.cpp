@@ -136,7 +136,8 @@ TEST(Summary, TheJsonHasEveryKeyThatUsersRelyOn) {
   const auto j = to_json(summarise(short_drive(), {}, record_at(3000)));
   for (const char* key :
        {"engine", "locked", "step_outs", "fault", "start_time_s", "lock_time_s", "set_speed_rpm",
-        "mean_speed_rpm", "speed_error_percent", "speed_least_rpm", "speed_greatest_rpm", "speed_ripple_rms_rpm", "phase_error_rms_deg", "peak_current_a", "current_bound_a",
+        "mean_speed_rpm", "speed_error_percent", "speed_least_rpm", "speed_greatest_rpm", "speed_ripple_rms_rpm",
+        "phase_error_rms_deg", "peak_current_a", "current_bound_a",
         "rms_current_a", "clocks", "simulated_s", "wall_s", "commutation_error_rms_deg", "retries",
         "load_dip_percent", "reversed"}) {
     EXPECT_TRUE(j.contains(key)) << key;
