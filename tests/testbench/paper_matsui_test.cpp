@@ -38,17 +38,18 @@ TEST(Matsui1996, TableThreeHasThePapersNumbersAndMarksAMiss) {
     return to_markdown(
         {.name = "p", .title = "P", .introduction = "i", .sections = {comparison(drive(), found)}});
   };
-  const Found good{.slowest = {50, 10}, .error_percent = {0.3, 0.1}, .loop_khz = 50};
+  const Found good{.slowest = {50, 10}, .error_percent = {0.3, 0.1}, .swing_percent = {24, 248}, .loop_khz = 50};
   EXPECT_THAT(page(good),
-              HasSubstr("| voltage model: minimum speed | 100 r/min | 50 r/min | -50.0 % | with"));
-  EXPECT_THAT(page(good), HasSubstr("| current model: accuracy | 0.4 % | 0.1 % | -75.0 % |"));
+              HasSubstr("| voltage model: minimum speed | 100 r/min | 50 r/min | -50.0 % | reached | by its mean, with"));
+  EXPECT_THAT(page(good), HasSubstr("| current model: accuracy | 0.4 % | 0.1 % | -75.0 % | reached |"));
   const Found slow{.slowest = {100, 35}, .error_percent = {0.3, 0.1}};
   EXPECT_THAT(
       page(slow),
       HasSubstr(
-          "| current model: minimum speed | 35 r/min | 35 r/min | +0.0 % | **missed** (10 r/min)"));
-  EXPECT_THAT(page(good), HasSubstr("| 5 kHz | 50 kHz | +900.0 % | below; at 24 MHz"));
+          "| current model: minimum speed | 35 r/min | 35 r/min | +0.0 % | reached | **missed** (10 r/min)"));
+  EXPECT_THAT(page(good), HasSubstr("| 5 kHz | 50 kHz | +900.0 % | reached | below; at 24 MHz"));
   EXPECT_THAT(page(slow), HasSubstr("| **missed** (20 and 50 kHz)"));
+  EXPECT_THAT(page(good), HasSubstr("swings by 2.5e+02 % there"));
 }
 
 }  // namespace
