@@ -22,10 +22,7 @@ struct Arguments {
 
 int compare(const Arguments& arguments) {
   const DriveFile file = open_drive_file(arguments.file);
-  with_drive(file.settings, [&](auto drive) {
-    decltype(drive)::check(file, EngineKind::kFixed);
-    return 0;
-  });
+  with_drive(file.settings, [&](auto drive) { decltype(drive)::check(file, EngineKind::kFixed); });
   Comparison result;
   bool interrupted = false;
   {

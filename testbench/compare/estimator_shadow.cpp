@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "model/design/sinusoidal/words.hpp"
 #include "model/reference/sinusoidal/current_model.hpp"
@@ -73,15 +74,12 @@ class ShadowedEngine {
 
   // A sample is worked through: its angle is new.
   void take(const SinusoidalTop::Out& out) {
-    if (ordered_ == State::kCalibrate) {
-      if (calibrated_ < kOffsets) {
-        for (std::size_t k = 0; k < 2; ++k) offset_[k] += codes_[k] / static_cast<double>(kOffsets);
-        ++calibrated_;
-      }
-    } else {
+    if (ordered_ != State::kCalibrate) {
       calibrated_ = 0;
+    } else if (calibrated_ < kOffsets) {
+      if (calibrated_++ == 0) offset_ = {};
+      for (std::size_t k = 0; k < 2; ++k) offset_[k] += codes_[k] / static_cast<double>(kOffsets);
     }
-    if (ordered_ != State::kCalibrate && next_orders_ == State::kCalibrate) offset_ = {};
     const double u = (codes_[0] - offset_[0]) * adc_.current_lsb(), v = (codes_[1] - offset_[1]) * adc_.current_lsb();
     const exact::Phases now{u, v, -u - v};
     const bool estimates = ordered_ == State::kStarting || ordered_ == State::kRun || ordered_ == State::kSlowDown;
@@ -146,7 +144,8 @@ class ShadowedEngine {
 // Relative error of a word.
 double rounded(const std::vector<design::WordRow>& rows, const std::string& name) {
   const auto row = std::ranges::find(rows, name, &design::WordRow::name);
-  return row == rows.end() || row->wanted == 0 ? 0 : std::abs(row->error() / row->wanted);
+  if (row == rows.end()) throw std::logic_error("no word " + name);
+  return row->wanted == 0 ? 0 : std::abs(row->error() / row->wanted);
 }
 
 // What word lengths put into a step, in turns: what lasts and what scatters; estimator_shadow.hpp has the equations.
@@ -167,7 +166,7 @@ StepError step_error(const design::Settings& s, const std::vector<Compared>& all
   }
   constexpr double kUniform = 0.29;                      // standard deviation, of its width
   const double sixteenth = 65536 * dc / (16 * bridge.period);  // of a clock, in places of 2^-16
-  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, bridge.lost / 64);
+  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, bridge.lost / 64.0);
   const double moved = std::hypot(gain * std::hypot(legs, 2 * kUniform), kUniform * std::sqrt(6)) / 65536;
   const double per_clock = bridge.inverse * dc;  // the whole number that the blocks have for the volts in a clock
   const double moved_wrongly = gain * voltage * (rounded(q.rows, "estimator.gain") + rounded(q.rows, "bridge.inverse") + 0.5 / per_clock) +
@@ -205,16 +204,16 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   const double slowest = std::ranges::min(all, {}, &Compared::turns).turns;
   const double taken_away = 2 * kTurn * slowest;  // of an angle's error, per sample
   const StepError step = step_error(s, all);
-  const double rpm_of_turns = 60 / s.motor.pole_pairs * s.control.pwm_hz;
+  const double rpm = rpm_of_steps(6 * s.control.pwm_hz, s.motor.pole_pairs);  // of a turn per sample
   Differences angle, speed;
-  for (const Compared& c : all) angle.add(360 * c.angle), speed.add(rpm_of_turns * c.step);
+  for (const Compared& c : all) angle.add(360 * c.angle), speed.add(rpm * c.step);
   const auto row = [](const char* name, const char* unit, double bias, double scatter) {
     return design::BudgetRow{.name = name, .unit = unit, .rms = scatter, .bound = bias + 6 * scatter, .bias = bias};
   };
   constexpr double kCut = 1.0 / 131072;  // turns: sine and cosine are those of 16 bits of the angle, cut
   result.signals = {angle.beside(row("estimated angle", "deg", 360 * (step.bias / taken_away + kCut),
                                      360 * step.scatter / std::sqrt(2 * taken_away))),
-                    speed.beside(row("momentary speed", "rpm", rpm_of_turns * step.bias, rpm_of_turns * step.scatter))};
+                    speed.beside(row("momentary speed", "rpm", rpm * step.bias, rpm * step.scatter))};
   return result;
 }
 

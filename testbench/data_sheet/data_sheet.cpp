@@ -23,8 +23,6 @@ struct Told {
 
 class Reader {
  public:
-  explicit Reader(const DataSheet& sheet) : sheet_(sheet) {}
-
   double one_of(const std::string& what, const std::vector<std::optional<Told>>& ways, const std::string& mend) {
     const Told* first = nullptr;
     for (const auto& way : ways) {
@@ -54,7 +52,6 @@ class Reader {
   void assume(const std::string& key, const std::string& why) { assumed_.push_back(fmt::format("{}: {}", key, why)); }
 
  private:
-  const DataSheet& sheet_;
   std::vector<std::string> problems_, assumed_;
 };
 
@@ -97,7 +94,7 @@ const std::vector<SheetEntry>& sheet_entries() {
 }
 
 std::string drive_file_of(const DataSheet& sheet) {
-  Reader read(sheet);
+  Reader read;
   const double bus = read.one_of("the bus voltage", {told("--bus", sheet.bus_v, [](double v) { return v; })}, "--bus");
   const double pairs = read.one_of("the number of pole pairs",
                                    {told("--poles", sheet.poles, [](double n) { return n / 2; }),
@@ -143,7 +140,7 @@ std::string drive_file_of(const DataSheet& sheet) {
   }
   read.check();
   const double inertia = 1e-7 * read.or_assumed(sheet.inertia_gcm2, 1e7 * 15e-3 * k_e * k_e / line, "motor.inertia_kgm2",
-                                                "a mechanical time constant of 15 ms; no time of the start depends on it");
+                                                "a mechanical time constant of 15 ms; the gains of the speed control follow from it");
   const double friction = sheet.no_load_current_a ? *sheet.no_load_current_a * k_e : 0.02 * k_e * rated;
   read.assume("motor.coulomb_nm", sheet.no_load_current_a ? "all of the current without load is dry friction" : "2 % of the rated torque");
   read.assume("inverter.on_resistance_ohm", "a twentieth of a phase's resistance, 10 ohm at most");

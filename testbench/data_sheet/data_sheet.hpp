@@ -5,8 +5,8 @@
 //     flux    k_e / (sqrt 3 pole_pairs) of a sinusoidal motor, k_e / (2 pole_pairs) of a trapezoidal one
 //     R, L    of a phase: half of what is measured between two terminals
 //
-// What says the same thing twice has to agree within 10 %.  What is not given and no start depends on is estimated, and
-// the file says so in `assumed`.
+// What says the same thing twice has to agree within 10 %.  What is not given and can be estimated is, and the file
+// says so in `assumed`.
 //
 // Doc: docs/first_motor.md   Test: tests/testbench/data_sheet_test.cpp
 #pragma once

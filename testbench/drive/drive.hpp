@@ -6,7 +6,7 @@
 //     Record, Summary          what a run leaves, and what it amounts to
 //     check(file, engine)      throws BadInput where an engine cannot play this file
 //     run, summarise, report   as run_drive.hpp, summary.hpp and report.hpp say
-//     Parameters, shadow       what its reference in doubles is set to; fixed against float on the same pins
+//     shadow                   fixed against float on the same pins
 //     wave()                   the signals of its wave
 //     record_into(options, r)  where a drawn run of a sweep puts its record
 //

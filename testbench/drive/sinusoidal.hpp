@@ -16,7 +16,6 @@ namespace steplock {
 struct SinusoidalDrive {
   using Record = sinusoidal::Record;
   using Summary = sinusoidal::Result;
-  using Parameters = design::sinusoidal::Parameters;
   static constexpr bool kDisturbed = false;
 
   // The words may not hold what the reference in doubles can do.

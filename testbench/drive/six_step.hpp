@@ -16,7 +16,6 @@ namespace steplock {
 struct SixStepDrive {
   using Record = steplock::Record;
   using Summary = steplock::Summary;
-  using Parameters = design::Parameters;
   static constexpr bool kDisturbed = true;  // the sweep's disturbance matrix serves it
 
   static void check(const DriveFile&, EngineKind) {}

@@ -71,7 +71,8 @@ PaperPage matsui1996_page(const design::Settings& drive, const design::Settings&
           {"Eqs. (19), (20)", "without the sign of the speed; a factor T too many", "with the sign; without the factor"},
           {"voltage drop of the switches", "not compensated", "the diode's drop is taken with the dead time"},
           {"low speed", "gamma current held at zero", "0.8 A where it is said, which the paper did not try"},
-          {"salient motor of Table II", "another one than that of Figs. 4 to 7", "[ipm_2k2.toml](../../drives/ipm_2k2.toml)"}}};
+          {"salient motor", "2.2 kW; its constants are not printed",
+           "another one of 2.2 kW, whose constants are: [ipm_2k2.toml](../../drives/ipm_2k2.toml)"}}};
   Found found;
   const std::vector<std::function<PaperSection()>> figures = {
       [&] { return voltage_model(drive, options, found); },

@@ -60,7 +60,6 @@ Swept sweep(const design::Settings& drive, design::Estimator estimator,
   all.panel.label = "speed error, %";
   all.panel.extra = "set yrange [-1:1]\n";
   all.swing.label = "least, greatest, %";
-  all.swing.extra = "set yrange [-25:25]\n";
   Curve fixed{"engine fixed", palette::kW, {}}, exact{"float", palette::kQuiet, {}};
   Curve least{"speed at its least", palette::kU, {}}, greatest{"at its greatest", palette::kV, {}};
   least.dots = greatest.dots = true;

@@ -108,7 +108,7 @@ Figure whole_run(const design::Settings& s, const Record& record) {
 Figure lock(const design::Settings& s, const Summary& sum, const Record& record) {
   const double origin = record.lock.front().time;
   Figure f{.name = "lock", .title = "Hand-over and lock", .axis = "time after hand-over, ms",
-           .caption = "From the open-loop ramp to the closed phase-locked loop. Commutation errors are "
+           .caption = "From the last steps of the start to the closed phase-locked loop. Commutation errors are "
                       "judged from the plant's true angle, once the drive claims a lock."};
   f.panels.push_back(speeds(record.lock, s.motor.pole_pairs, 1e3, origin));
   f.panels.push_back(currents(record.lock, 1e3, origin));

@@ -65,8 +65,7 @@ constexpr auto kCurrent = design::Estimator::kCurrent, kVoltage = design::Estima
 
 class ASinusoidalReference : public testing::TestWithParam<Spoilt> {};
 
-// What a wrong word would do is beyond the budget, in one signal at least.  The percentages are those from which on it is
-// noticed, of 1, 2, 5, 10, 20 and 50; docs/report.md names them, and what is never noticed.
+// What a wrong word would do is beyond the budget, in one signal at least.  docs/report.md names the percentages.
 TEST_P(ASinusoidalReference, ThatDiffersFromTheDesignIsFound) {
   design::Settings s = loaded();
   s.sinusoidal.estimator = GetParam().estimator;
