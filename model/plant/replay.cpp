@@ -31,7 +31,7 @@ void replay(const Parameters& parameters, const InitialState& initial,
     plant.advance_to(time);
     const State s = plant.state();
     take({time, s.current[0], s.current[1], s.current[2], s.voltage[0], s.voltage[1], s.voltage[2],
-          s.speed, s.angle});
+          s.speed, s.angle, s.neutral, s.bus_voltage, s.source_current, s.torque});
   }
 }
 

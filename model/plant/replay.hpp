@@ -27,6 +27,10 @@ struct Sample {
   double vu, vv, vw;   // V, terminals against ground
   double speed_rad_s;  // mechanical
   double angle_rad;    // mechanical rotor angle, unwrapped
+  double neutral_v;    // star point
+  double bus_v;        // at the bridge
+  double source_a;     // out of the source
+  double torque_nm;    // electromagnetic
 };
 
 // Throws std::invalid_argument on unordered or negative times, dt <= 0 or duration < 0.

@@ -27,12 +27,12 @@ int replay_gates(const Arguments& arguments) {
   const std::vector<plant::GateEvent> events = read_gate_events(in, arguments.gates);
   const double duration = arguments.duration.value_or(events.back().time);
 
-  std::string csv = "time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad\n";
+  std::string csv = "time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad,neutral_v,bus_v,source_a,torque_nm\n";
   plant::replay(plant_parameters(file.settings), initial_state(file.settings, arguments.angle_deg),
                 events, arguments.dt, duration, [&](const plant::Sample& s) {
-                  csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.12g}\n",
+                  csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.12g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
                                      s.time, s.iu, s.iv, s.iw, s.vu, s.vv, s.vw, s.speed_rad_s,
-                                     s.angle_rad);
+                                     s.angle_rad, s.neutral_v, s.bus_v, s.source_a, s.torque_nm);
                 });
   // Only when all of it is known: a failure leaves no half a file.
   write_file(arguments.out, csv);
@@ -52,7 +52,7 @@ void add_plant_command(CLI::App& app, int& exit_code) {
       ->required();
   command
       ->add_option("--out", arguments->out,
-                   "CSV to write: time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad")
+                   "CSV to write: time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad,neutral_v,bus_v,source_a,torque_nm")
       ->required();
   command->add_option("--dt", arguments->dt, "seconds between samples (default 1e-5)")
       ->check(CLI::Range(1e-9, 10.0));

@@ -239,7 +239,7 @@ TEST(Command, PlantReplaysGatesOntoTheGrid) {
   std::ifstream in(out);
   std::string line;
   std::getline(in, line);
-  EXPECT_EQ(line, "time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad");
+  EXPECT_EQ(line, "time_s,iu,iv,iw,vu,vv,vw,speed_rad_s,angle_rad,neutral_v,bus_v,source_a,torque_nm");
   int rows = 0;
   double t = 0, iu = 0, iv = 0;
   while (std::getline(in, line)) {

@@ -113,7 +113,7 @@ TEST(Figures, ThePageShowsWhatThePlantMeasures) {
   text << std::ifstream(path).rdbuf();
   std::string page = text.str();
   const std::string begin = "<!-- printed by figures_test -->\n", end = "<!-- end -->";
-  const auto from = page.find(begin), to = page.find(end);
+  const auto from = page.find(begin), to = page.find(end, from);
   ASSERT_TRUE(from != std::string::npos && to != std::string::npos) << path;
   const std::string block = "\n" + facts() + "\n" + accuracy() + "\n";
   const auto start = from + begin.size();
