@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "model/design/design.hpp"
+#include "model/design/sinusoidal/design.hpp"
 #include "testbench/run/units.hpp"
 
 namespace steplock {
@@ -47,12 +50,61 @@ std::string bus_gives_no_more(const Summary& sum, const Record& record) {
                      0.95 * reached);
 }
 
+// N m, at any angle, of the drive's most current and of the motor's rated one.
+struct Torque {
+  double most = 0, rated = 0;
+};
+Torque torque_of(const design::Settings& s) {
+  if (s.drive.kind == design::DriveKind::kSixStep) {
+    const double k_e = design::motor_constants(s).k_e;
+    return {k_e * s.sensors.limit_a, k_e * s.motor.rated_current_a};
+  }
+  const double k_t = 1.5 * s.motor.pole_pairs * s.motor.flux_vs;
+  return {k_t * design::sinusoidal::design_drive(s).parameters.speed.limit, k_t * s.motor.rated_current_a};
+}
+
 }  // namespace
+
+std::string ends_too_soon(const design::Settings& s, const Gaining& g) {
+  const double missing = s.scenario.speed_rpm * (1 - 0.01 * kSpeedTolerancePercent) - g.to_rpm;
+  const double gains = (g.to_rpm - g.from_rpm) / (g.to_s - g.from_s);
+  // As much as it lacks within the time that it had: else it is something else that holds it.
+  if (!(g.to_s > g.from_s) || missing <= 0 || !(gains * g.to_s > missing)) return {};
+  const auto& n = s.scenario;
+  std::string key = "duration_s";
+  double first = n.duration_s;
+  for (const auto& [name, at] : {std::pair{"load_step_s", n.load_step_s}, {"inertia_step_s", n.inertia_step_s}, {"reverse_s", n.reverse_s},
+                                 {"stop_s", n.stop_s}}) {
+    if (at && *at < first) key = name, first = *at;
+  }
+  // A swing about the end of the ramp, and as long again for the mean that is judged.
+  const double until = g.to_s + 2 * missing / gains + 0.5 * g.to_s;
+  return fmt::format("the rotor still gains {:.3g} r/min a second and is at {:.0f} of {:.0f}: raise scenario.{} to {:.2g}{}", gains, g.to_rpm, n.speed_rpm, key,
+                     until, key == "duration_s" ? "" : ", and what follows by as much");
+}
+
+std::string load_step_beyond(const design::Settings& s) {
+  if (!s.scenario.load_step_s) return {};
+  const double speed = s.scenario.speed_rpm * std::numbers::pi / 30;
+  const double own = s.motor.coulomb_nm + s.motor.viscous_nms * speed + s.load.opposing_nm + s.load.fan_nms2 * speed * speed;
+  const auto [most, rated] = torque_of(s);
+  const double step = design::load_step_torque(s);
+  if (step + own <= most) return {};
+  // What is left would do for a load that comes slowly; a step stops a light rotor before speed control sees it.
+  return fmt::format("the load step asks for {:.3g} N m beside {:.3g} of friction and load, and the limit's current gives {:.3g}: lower "
+                     "scenario.load_step_nm to {:.2g}, or raise sensors.limit_a", step, own, most,
+                     std::min(0.8 * std::max(0.0, most - own), rated / 2));
+}
 
 std::vector<std::string> advice(const design::Settings& s, const Summary& sum, const Record& record) {
   std::vector<std::string> all;
   if (sum.interrupted || sum.failures().empty()) return all;
-  for (const std::string& line : {sum.lock_time_s ? std::string() : held_at_rest(s), runs_on(s, sum), bus_gives_no_more(sum, record)}) {
+  const double lock = sum.lock_time_s.value_or(0);
+  const std::string bus = bus_gives_no_more(sum, record);
+  const bool under_way = sum.lock_time_s && sum.lost_locks == 0 && bus.empty();
+  for (const std::string& line :
+       {sum.lock_time_s ? std::string() : held_at_rest(s), runs_on(s, sum), bus,
+        under_way ? ends_too_soon(s, gaining(record.overview, lock, sum.steady.to_s, sum.set_speed_rpm)) : std::string(), load_step_beyond(s)}) {
     if (!line.empty()) all.push_back(line);
   }
   return all;

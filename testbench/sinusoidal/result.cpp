@@ -8,6 +8,7 @@
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
+#include "testbench/run/advice.hpp"
 #include "testbench/sinusoidal/run.hpp"
 
 namespace steplock::sinusoidal {
@@ -116,6 +117,12 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
   }
   judge_load(r, s, samples);
   if (s.scenario.stop_s) r.stopped_rpm = rpm(samples.back().plant.speed);
+  if (r.interrupted || r.failures().empty()) return r;
+  const bool under_way = r.lock_time_s && r.reasons.empty() && !r.speed_time_s;
+  const std::string late = under_way ? ends_too_soon(s, gaining(samples, *r.lock_time_s, steady_end, r.set_speed_rpm)) : std::string();
+  for (const std::string& line : {late, load_step_beyond(s)}) {
+    if (!line.empty()) r.advice.push_back(line);
+  }
   return r;
 }
 
@@ -152,6 +159,7 @@ nlohmann::ordered_json to_json(const Result& r) {
   j["angle_deg"] = r.angle_deg;
   j["passed"] = r.failures().empty();
   j["failures"] = r.failures();
+  j["advice"] = r.advice;
   const auto put = [&](const char* name, const std::optional<double>& x) {
     if (x) j[name] = number(*x);
     else j[name] = nullptr;
@@ -222,6 +230,7 @@ std::string to_text(const Result& r) {
   if (r.lockstep) line("rtl = fixed", to_text(*r.lockstep));
   if (r.float_errors) t += to_text(*r.float_errors);
   for (const std::string& f : r.failures()) line("FAILED", f);
+  for (const std::string& a : r.advice) line("advice", a);
   return t;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "model/design/design.hpp"
+#include "testbench/sinusoidal/run.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {
@@ -102,6 +103,65 @@ TEST(Advice, ASpeedThatTheBusDoesNotGiveIsToldWhichItDoes) {
   s.scenario.speed_rpm = value_behind(failed.advice[0], "lower scenario.speed_rpm to ");
   const Summary followed = run_of(s);
   EXPECT_TRUE(followed.failures().empty()) << why(followed);
+}
+
+TEST(Advice, ARunThatEndsWhileTheRotorStillGainsIsToldHowLongItTakes) {
+  design::Settings s = required();
+  s.control.chopping = design::Chopping::kComplementary;
+  s.motor.coulomb_nm = 3e-3;
+  s.scenario.duration_s = 0.25;
+  for (const bool loaded : {false, true}) {
+    const std::string key = loaded ? "load_step_s" : "duration_s";
+    if (loaded) s.scenario.load_step_s = 0.25, s.scenario.load_off_s = 0.3, s.scenario.duration_s = 0.5;
+    const Summary failed = run_of(s);
+    EXPECT_FALSE(failed.failures().empty()) << key;
+    ASSERT_EQ(failed.advice.size(), 1u) << to_text(failed);
+    const double until = value_behind(failed.advice[0], "raise scenario." + key + " to ");
+    design::Settings longer = s;
+    longer.scenario.duration_s += until - 0.25;
+    if (loaded) *longer.scenario.load_step_s = until, *longer.scenario.load_off_s = until + 0.3, longer.scenario.duration_s = until + 0.8;
+    const Summary followed = run_of(longer);
+    EXPECT_TRUE(followed.failures().empty()) << key << ": " << why(followed);
+  }
+}
+
+TEST(Advice, ALoadStepThatTheLimitDoesNotCarryIsToldWhichItDoes) {
+  design::Settings s = required();
+  s.control.chopping = design::Chopping::kComplementary;
+  s.motor.coulomb_nm = 3e-3;
+  s.scenario.duration_s = 2.5, s.scenario.load_step_s = 1, s.scenario.load_off_s = 1.6, s.scenario.load_step_nm = 1;
+  const Summary failed = run_of(s);
+  EXPECT_FALSE(failed.failures().empty());
+  ASSERT_EQ(failed.advice.size(), 1u) << to_text(failed);
+  s.scenario.load_step_nm = value_behind(failed.advice[0], "lower scenario.load_step_nm to ");
+  const Summary followed = run_of(s);
+  EXPECT_TRUE(followed.failures().empty()) << why(followed);
+}
+
+// The sinusoidal drive gets the same of both.
+TEST(Advice, ASinusoidalDriveIsToldHowLongItTakesAndWhichLoadItCarries) {
+  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
+  s.scenario.stop_s.reset();
+  const auto run = [](const design::Settings& x) {
+    const RunOptions options{.engine = EngineKind::kFixed, .angle_deg = 0};
+    return sinusoidal::summarise(x, options, sinusoidal::run(x, options));
+  };
+  design::Settings soon = s;
+  soon.scenario.load_step_s.reset(), soon.scenario.load_off_s.reset(), soon.scenario.load_step_nm.reset();
+  soon.scenario.duration_s = 0.25;
+  const auto failed = run(soon);
+  ASSERT_EQ(failed.advice.size(), 1u) << to_text(failed);
+  EXPECT_THAT(to_text(failed), HasSubstr("advice"));
+  soon.scenario.duration_s = value_behind(failed.advice[0], "raise scenario.duration_s to ");
+  const auto longer = run(soon);
+  EXPECT_TRUE(longer.failures().empty()) << to_text(longer);
+
+  s.scenario.load_step_nm = 2;
+  const auto heavy = run(s);
+  ASSERT_EQ(heavy.advice.size(), 1u) << to_text(heavy);
+  s.scenario.load_step_nm = value_behind(heavy.advice[0], "lower scenario.load_step_nm to ");
+  const auto lighter = run(s);
+  EXPECT_TRUE(lighter.failures().empty()) << to_text(lighter);
 }
 
 }  // namespace
