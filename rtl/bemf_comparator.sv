@@ -88,19 +88,19 @@ module bemf_comparator (
               floating_rises) begin
             case (count)
               4'd0, 4'd1: begin
-                logic [15:0] choice;
-                choice = before_seen ? freewheel : phase_i;
+                logic [15:0] before_seen_choice;
+                before_seen_choice = before_seen ? freewheel : phase_i;
                 case (count)
                   4'd0: begin
                     before_seen <= 1'b1;
                     before_ <= phase_i;
-                    freewheel <= choice;
+                    freewheel <= before_seen_choice;
                   end
                   default: begin  // 4'd1
                     count <= count - 4'd1;
                     before_seen <= 1'b1;
                     before_ <= phase_i;
-                    freewheel <= choice;
+                    freewheel <= before_seen_choice;
                   end
                 endcase
               end
@@ -124,17 +124,17 @@ module bemf_comparator (
                 crossing <= before_seen;
               end
               default: begin
-                logic both_139;
-                both_139 = before_seen && last_either;  // line 139
+                logic before_seen_both;
+                before_seen_both = before_seen && last_either;  // line 139
                 case (count)
                   4'd0: begin
-                    found <= both_139;
-                    crossing <= both_139;
+                    found <= before_seen_both;
+                    crossing <= before_seen_both;
                     place <= place_next_sum[16:1];
                   end
                   default: begin
-                    found <= both_139;
-                    crossing <= both_139;
+                    found <= before_seen_both;
+                    crossing <= before_seen_both;
                   end
                 endcase
               end

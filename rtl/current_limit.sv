@@ -24,7 +24,7 @@ module current_limit (
   wire heard = on_i && none;
   wire cut_ends = cut && due;
   wire hit_next = heard && comparator_i && words_off_time_i != 12'd0;
-  wire either_51 = released || !comparator_i;  // line 51
+  wire released_either = released || !comparator_i;  // line 51
 
   always_ff @(posedge clk) begin
     if (hit_next) begin
@@ -45,10 +45,10 @@ module current_limit (
       none <= words_blanking_i == 8'd0;
     end
     cut <= hit_next || (cut && !due);
-    released <= cut && either_51;
+    released <= cut && released_either;
     hit <= hit_next;
     if (cut_ends) begin
-      if (either_51) begin
+      if (released_either) begin
         stuck <= 4'd0;
       end else begin
         logic [4:0] stuck_next_sum;

@@ -29,17 +29,17 @@ module divide_by_n (
   wire [1:0] last_choice = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};  // line 58
   wire [2:0] last_choice_wide = {1'b0, last_choice};  // line 58
   wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : last_choice_wide;
-  wire below_58 = sub < last;  // line 58
+  wire sub_below = sub < last;  // line 58
   wire [2:0] step_next =
       load_i ? step_i :
-      (pulse_i && !(below_58 || hold_i)) ? turned :
+      (pulse_i && !(sub_below || hold_i)) ? turned :
       step;
   wire [3:0] sub_next_sum = {1'b0, last} + 4'd1;  // line 61
-  wire at_most = last <= sub;
-  wire elapsed = !load_i && pulse_i && at_most;
+  wire last_at_most = last <= sub;
+  wire elapsed = !load_i && pulse_i && last_at_most;
   wire [2:0] sub_next =
       load_i ? (half_i ? sub_next_sum[3:1] : 3'd0) :
-      pulse_i ? ((at_most && !load_i) ? 3'd0 : sub + 3'd1) :
+      pulse_i ? ((last_at_most && !load_i) ? 3'd0 : sub + 3'd1) :
       sub;
   wire [18:0] phase_shifted = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 78
 
@@ -56,7 +56,7 @@ module divide_by_n (
   assign phase_o = phase_shifted[15:0];
   assign commutate_o = load_i || (elapsed && !hold_i);
   assign elapsed_o = elapsed;
-  assign turned_o = (!pulse_i || below_58 || hold_i) ? step : turned;
+  assign turned_o = (!pulse_i || sub_below || hold_i) ? step : turned;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, sub_next_sum[0], phase_shifted[18:16]};

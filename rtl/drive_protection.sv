@@ -92,11 +92,11 @@ module drive_protection (
         end
         lost <= 4'd0;
       end else if (period_i && awaited) begin
-        logic [4:0] sum_65;
-        sum_65 = {1'b0, lost} + 5'd1;  // line 65
-        if (words_lost_samples_i == 4'd0 || sum_65 < {1'b0, words_lost_samples_i}) begin
-          if (!(sum_65[4] && sum_65[3:0] != 4'd15)) begin
-            lost <= sum_65[3:0];
+        logic [4:0] lost_sum;
+        lost_sum = {1'b0, lost} + 5'd1;  // line 65
+        if (words_lost_samples_i == 4'd0 || lost_sum < {1'b0, words_lost_samples_i}) begin
+          if (!(lost_sum[4] && lost_sum[3:0] != 4'd15)) begin
+            lost <= lost_sum[3:0];
           end
         end else begin
           fatal <= SinusoidalReason_kLostSample;

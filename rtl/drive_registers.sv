@@ -167,7 +167,7 @@ module drive_registers (
   wire on_2 = locks && starting;
   wire [4:0] events = {1'b0, events_wide | events_choice} | (on_2 ? 5'd16 : 5'd0);
   wire [8:0] byte_mask_inverse = ~byte_mask;  // line 112
-  wire [11:0] either_113 = ones | (period & {{3{byte_mask_inverse[8]}}, byte_mask_inverse});
+  wire [11:0] ones_either = ones | (period & {{3{byte_mask_inverse[8]}}, byte_mask_inverse});
 
   always_ff @(posedge clk) begin
     if (writes) begin
@@ -193,7 +193,7 @@ module drive_registers (
       end
       clear <= request_index_i == 10'd5 && ones[0];
       if (request_index_i == 10'd9) begin
-        period <= either_113;
+        period <= ones_either;
       end
       write_error <= 1'b0;
     end else begin
@@ -213,7 +213,7 @@ module drive_registers (
     watchdog_fault <= bites || watchdog_fault_next_choice;  // line 115
     interrupts <= (interrupts & kept) | events;  // line 102
     if (writes && request_index_i == 10'd9) begin
-      left <= either_113;
+      left <= ones_either;
     end else if (beats || watch_either) begin
       left <= period;
     end else if (tick_i && !(tick_i && left == 12'd0)) begin

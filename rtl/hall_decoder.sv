@@ -31,7 +31,7 @@ module hall_decoder #(
   logic changed;  // one clock: either
 
   wire [2:0] other = code ^ last;
-  wire [2:0] sum_62 = other - 3'd1;  // line 62
+  wire [2:0] other_sum = other - 3'd1;  // line 62
 
   always_ff @(posedge clk) begin
     if (DECODES) begin
@@ -64,31 +64,31 @@ module hall_decoder #(
               default: sector <= 3'd2;
             endcase
             if (legal) begin
-              logic either;
-              either = other == 3'd4 || sum_62[2:1] == 2'd0;
-              if (either) begin
+              logic other_either;
+              other_either = other == 3'd4 || other_sum[2:1] == 2'd0;
+              if (other_either) begin
                 logic down;
                 logic turns;
-                logic differ_64;
+                logic turns_differ;
                 down =
                     (other == 3'd4) ? code[2] == code[1] :
                     (other == 3'd2) ? code[1] ^ code[2] :
                     code[0] == code[2];
                 turns = sure && (down ^ reverse);
-                differ_64 = turns ^ back;  // line 64
-                moved <= !differ_64;
-                if (!differ_64) begin
+                turns_differ = turns ^ back;  // line 64
+                moved <= !turns_differ;
+                if (!turns_differ) begin
                   reverse <= down;
                 end
                 back <= turns && !back;
-                changed <= !differ_64;
+                changed <= !turns_differ;
               end else begin
                 moved <= 1'b0;
                 back <= 1'b0;
                 changed <= 1'b1;
               end
-              sure <= either;
-              jumped <= !either;
+              sure <= other_either;
+              jumped <= !other_either;
             end else begin
               moved <= 1'b0;
               sure <= 1'b0;
@@ -150,5 +150,5 @@ module hall_decoder #(
   assign changed_o = changed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sum_62[0]};
+  wire unused = &{1'b0, other_sum[0]};
 endmodule

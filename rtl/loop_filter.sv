@@ -116,12 +116,12 @@ module loop_filter (
     end else begin
       logic ticks;
       logic begins;
-      logic either;
+      logic bounds_either;
       logic goes;
       ticks = loop == Loop_kRamp || (loop == Loop_kTrack && !bandwidth_i);
       begins = ticks ? tick_i : update_i;
-      either = at_bits[10:7] != 4'd0 || multiplier_done;
-      goes = at_bits[0] ? begins : either;
+      bounds_either = at_bits[10:7] != 4'd0 || multiplier_done;
+      goes = at_bits[0] ? begins : bounds_either;
       if (goes) begin
         if (!at_bits[3] || loop == Loop_kTrack) begin
           at_bits <= {at_bits[9:0], at_bits[10]};
@@ -129,7 +129,7 @@ module loop_filter (
           at_bits <= 11'd128;
         end
       end
-      starts <= at_bits[0] || either;
+      starts <= at_bits[0] || bounds_either;
       if (at_bits[10]) begin
         y <= work[29:0];
         slow <= below;

@@ -70,14 +70,14 @@ module phase_detector (
               update <= 1'b0;
               missed <= 1'b0;
             end else begin
-              logic either_2;
-              either_2 = commutate_i || crossing_i;
-              if (either_2) begin
+              logic commutate_either;
+              commutate_either = commutate_i || crossing_i;
+              if (commutate_either) begin
                 error <= error_next_difference;
                 hid <= !place_either;
                 hurries <= !place_either && (hid || (!error[17] && error[16:12] != 5'd0));
               end
-              update <= either_2;
+              update <= commutate_either;
               missed <= commutate_i;
             end
             if (commutate_i) begin
@@ -88,16 +88,16 @@ module phase_detector (
             turned <= 1'b0;
           end
           default: begin  // Evidence_kSectors
-            logic either;
-            either = found_both || changed_i;
-            if (either) begin
+            logic elapsed_either;
+            elapsed_either = found_both || changed_i;
+            if (elapsed_either) begin
               error <= error_next_difference;
             end
-            update <= either;
+            update <= elapsed_either;
             missed <= found_both;
             answered <= 1'b1;
-            hid <= !either && hid;
-            hurries <= !either && hurries;
+            hid <= !elapsed_either && hid;
+            hurries <= !elapsed_either && hurries;
             turned <= !commutate_i && (turned ^ elapsed_i);
           end
         endcase

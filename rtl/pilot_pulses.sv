@@ -104,66 +104,67 @@ module pilot_pulses (
       logic [4:0] next_short_sum;
       logic next_short_equal;
       logic turn;
-      logic [2:0] choice;
+      logic [2:0] phase_choice;
       logic along;
       logic judge_either;
-      logic both_89;
-      logic both_87;
-      logic both_84;
-      logic [2:0] choice_2;
+      logic seen_from_both;
+      logic sampled_both;
+      logic sampled_both_2;
+      logic [2:0] sampled_choice;
       logic follow_both;
-      logic [3:0] choice_3;
-      logic both_92;
-      logic both;
-      logic either;
+      logic [3:0] sampled_choice_2;
+      logic quiet_both;
+      logic sampled_both_3;
+      logic sampled_either;
       logic quiet_next_either;
-      logic both_2;
-      logic choice_4;
+      logic sampled_both_4;
+      logic sampled_choice_3;
       next_short_sum = round + 5'd1;  // line 146
       next_short_equal = next_short_sum == words_rounds_i;  // line 150
       turn = reversed && winding == 2'd2;
-      choice =
+      phase_choice =
           (phase == Phase_kShort) ?
           (turn ? (next_short_equal ? Phase_kSearch : phase) : Phase_kShort) :
           (round == 5'd1) ? Phase_kJudge :
           phase;
       along = $signed({1'b0, words_polarity_i}) < $signed(a);
       judge_either = along || against_sum[16];  // line 182
-      both_89 = phase == Phase_kJudge && ready;  // line 89
-      both_87 = sampled_i && phase == Phase_kSearch;  // line 87
-      both_84 = sampled_i && due;  // line 84
-      choice_2 =
-          both_84 ? choice :
-          both_87 ? ((step[11:1] == 11'd0) ? Phase_kLong : Phase_kSearch) :
-          (both_89 && judge_either) ? Phase_kFound :
+      seen_from_both = phase == Phase_kJudge && ready;  // line 89
+      sampled_both = sampled_i && phase == Phase_kSearch;  // line 87
+      sampled_both_2 = sampled_i && due;  // line 84
+      sampled_choice =
+          sampled_both_2 ? phase_choice :
+          sampled_both ? ((step[11:1] == 11'd0) ? Phase_kLong : Phase_kSearch) :
+          (seen_from_both && judge_either) ? Phase_kFound :
           phase;
       follow_both = !taken_i && peak;  // line 125
-      choice_3 =
-          both_84 ? failed :
-          both_87 ?
+      sampled_choice_2 =
+          sampled_both_2 ? failed :
+          sampled_both ?
           ((step[11:1] == 11'd0 && $signed(i_gamma_i) < $signed({1'b0, words_saliency_i})) ?
           SinusoidalReason_kNoSaliency : failed) :
-          (both_89 && !judge_either) ? SinusoidalReason_kNoPolarity :
+          (seen_from_both && !judge_either) ? SinusoidalReason_kNoPolarity :
           failed;
-      both_92 = quiet && !over_i;  // line 92
-      both = sampled_i && idle;
-      either = both_84 || both_87;
-      quiet_next_either = both_84 || both_87 || both_89;
-      both_2 = sampled_i && !(peak || due);
-      choice_4 = either ? ready : both_89 || (both_2 ? both_92 : ready);
-      phase <= choice_2;
+      quiet_both = quiet && !over_i;  // line 92
+      sampled_both_3 = sampled_i && idle;
+      sampled_either = sampled_both_2 || sampled_both;
+      quiet_next_either = sampled_both_2 || sampled_both || seen_from_both;
+      sampled_both_4 = sampled_i && !(peak || due);
+      sampled_choice_3 =
+          sampled_either ? ready : seen_from_both || (sampled_both_4 ? quiet_both : ready);
+      phase <= sampled_choice;
       if (period_i && follow_both) begin
         failed <= SinusoidalReason_kLostSample;
         peak <= 1'b1;
       end else begin
-        failed <= choice_3;
+        failed <= sampled_choice_2;
         if (period_i && pulsing) begin
           peak <= left[5:1] == 5'd0 || follow_both;
         end else begin
           peak <= follow_both;
         end
       end
-      if (both_84) begin
+      if (sampled_both_2) begin
         logic [15:0] sum;
         sum = a + i_gamma_i;
         if (phase == Phase_kShort) begin
@@ -241,8 +242,8 @@ module pilot_pulses (
             left <= left - 6'd1;
           end
           pulsing <= left[5:1] != 5'd0;
-          if (!either) begin
-            ready <= both_89 || ready;
+          if (!sampled_either) begin
+            ready <= seen_from_both || ready;
           end
         end else begin
           if (phase == Phase_kShort) begin
@@ -251,22 +252,22 @@ module pilot_pulses (
             left <= words_long_periods_i;
           end
           pulsing <=
-              choice_4 && choice_2 != Phase_kFound &&
-              !follow_both && choice_3 == SinusoidalReason_kNone;
+              sampled_choice_3 && sampled_choice != Phase_kFound &&
+              !follow_both && sampled_choice_2 == SinusoidalReason_kNone;
           ready <= 1'b0;
         end
-      end else if (!either) begin
-        ready <= both_89 || (both ? both_92 : ready);
+      end else if (!sampled_either) begin
+        ready <= seen_from_both || (sampled_both_3 ? quiet_both : ready);
       end
       due <= (taken_i && peak) || (!sampled_i && due);
       if (period_i && !pulsing) begin
-        logic choice_5;
-        choice_5 =
+        logic sampled_choice_4;
+        sampled_choice_4 =
             quiet_next_either ? quiet :
-            both_2 ? !over_i :
+            sampled_both_4 ? !over_i :
             quiet;
-        quiet <= !choice_4 && choice_5;
-      end else if (!quiet_next_either && both) begin
+        quiet <= !sampled_choice_3 && sampled_choice_4;
+      end else if (!quiet_next_either && sampled_both_3) begin
         quiet <= !over_i;
       end
     end

@@ -33,17 +33,17 @@ module pwm_generator (
     left <= (left & {{12{left_next_inverse[1]}}, left_next_inverse}) + left_next_choice;  // line 65
     if (left[13:1] == 13'd0) begin
       logic [14:0] rest;
-      logic at_most_70;
+      logic minimum_at_most;
       rest = {1'b0, period_i} - {1'b0, on_clocks_i};
-      at_most_70 = minimum_i <= on_clocks_i;  // line 70
+      minimum_at_most = minimum_i <= on_clocks_i;  // line 70
       if (centred_i) begin
         lead <= rest[13:1];
       end else begin
         lead <= 13'd0;
       end
       pulse <= on_clocks_i;
-      waiting <= at_most_70;
-      always_ <= at_most_70 && $signed(rest) < $signed({1'b0, minimum_i});
+      waiting <= minimum_at_most;
+      always_ <= minimum_at_most && $signed(rest) < $signed({1'b0, minimum_i});
     end else begin
       if (rise) begin
         pulse <= pulse - 14'd1;

@@ -80,12 +80,12 @@ module rotor_follower #(
   logic out_moves;  // it passed an edge, the way that is believed
   logic out_blocked;  // strobe: three steps in a row moved nothing
 
-  wire both_103 = at_bits[6] && belief_coast == 2'd0;  // line 103
-  wire both_126 = on_i && FOLLOWS;  // line 126
+  wire at_bits_both = at_bits[6] && belief_coast == 2'd0;  // line 103
+  wire on_both = on_i && FOLLOWS;  // line 126
   wire loads = at_bits[5] && goes;
 
   always_ff @(posedge clk) begin
-    if (both_126) begin
+    if (on_both) begin
       logic crossed;
       logic ready;
       logic caught;
@@ -95,17 +95,17 @@ module rotor_follower #(
       logic over;
       logic ends;
       logic coasts;
-      logic [1:0] choice_113;
-      logic [1:0] choice_116;
-      logic [2:0] choice_113_2;
-      logic [2:0] choice_113_wide;
-      logic [3:0] choice_113_3;
-      logic [4:0] wide_117;
-      logic [7:0] choice_113_4;
-      logic [7:0] wide_120;
-      logic [7:0] either_120;
-      logic [8:0] choice_113_5;
-      logic [8:0] either_121;
+      logic [1:0] ends_choice;
+      logic [1:0] over_choice;
+      logic [2:0] over_choice_2;
+      logic [2:0] ends_choice_wide;
+      logic [3:0] at_bits_choice;
+      logic [4:0] ends_wide;
+      logic [7:0] at_bits_choice_2;
+      logic [7:0] ends_wide_2;
+      logic [7:0] ends_either_3;
+      logic [8:0] at_bits_choice_3;
+      logic [8:0] ends_either_4;
       logic [7:0] count_choice;
       logic news;
       logic on;
@@ -127,21 +127,21 @@ module rotor_follower #(
       logic [1:0] now_edges;
       logic [1:0] now_edges_2;
       logic [1:0] now_edges_3;
-      logic [1:0] choice_4;
+      logic [1:0] at_bits_choice_7;
       logic [2:0] code;
       logic [2:0] now_rest;
       logic [2:0] now_rest_2;
       logic [2:0] now_rest_3;
-      logic [2:0] choice_5;
+      logic [2:0] at_bits_choice_8;
       logic [7:0] now_idle;
-      logic [7:0] choice_6;
+      logic [7:0] at_bits_choice_9;
       logic now_coast_both;
       logic [1:0] less_sum;
       logic goes_both;
       logic goes_3;
       logic [1:0] now_coast;
       logic [1:0] now_coast_2;
-      logic [1:0] choice_7;
+      logic [1:0] at_bits_choice_10;
       logic to_middle;
       crossed = at_bits[8] && crossing_i && belief_real && !belief_back;
       ready = (!good || fast_i) ? good : steady_i && !slow_i;
@@ -152,19 +152,21 @@ module rotor_follower #(
       over = strobe && none;
       ends = (ends_either_2 || !over) ? ends_either ^ ends_either_2 : !timed && at_bits[8];
       coasts = at_bits[6] && belief_coast != 2'd0;
-      choice_113 = (ends || (at_bits[1] && !over) || at_bits[0] || coasts) ? 2'd2 : 2'd0;
-      choice_116 = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 116
-      choice_113_2 = (choice_116 == 2'd0) ? 3'd0 : 3'd4;  // line 113
-      choice_113_wide = {1'b0, choice_113};  // line 115
-      choice_113_3 = (at_bits[2] && over) ? 4'd8 : 4'd0;  // line 113
-      wide_117 = {1'b0, {1'b0, choice_113_wide | choice_113_2} | choice_113_3};  // line 117
-      choice_113_4 = ((both_103 || !at_bits[7]) ? both_103 : !(over || ends)) ? 8'd128 : 8'd0;
-      wide_120 =  // line 120
+      ends_choice = (ends || (at_bits[1] && !over) || at_bits[0] || coasts) ? 2'd2 : 2'd0;
+      over_choice = over ? {1'b0, at_bits[1]} : {at_bits[2], 1'b0};  // line 116
+      over_choice_2 = (over_choice == 2'd0) ? 3'd0 : 3'd4;  // line 113
+      ends_choice_wide = {1'b0, ends_choice};  // line 115
+      at_bits_choice = (at_bits[2] && over) ? 4'd8 : 4'd0;  // line 113
+      ends_wide = {1'b0, {1'b0, ends_choice_wide | over_choice_2} | at_bits_choice};  // line 117
+      at_bits_choice_2 =  // line 113
+          ((at_bits_both || !at_bits[7]) ? at_bits_both : !(over || ends)) ? 8'd128 : 8'd0;
+      ends_wide_2 =  // line 120
           {1'b0,
-          {1'b0, {1'b0, wide_117 | {at_bits[3], 4'd0}} | {at_bits[4], 5'd0}} | {at_bits[5], 6'd0}};
-      either_120 = wide_120 | choice_113_4;  // line 120
-      choice_113_5 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
-      either_121 = {1'b0, either_120} | choice_113_5;  // line 121
+          {1'b0, {1'b0, ends_wide | {at_bits[3], 4'd0}} | {at_bits[4], 5'd0}} |
+          {at_bits[5], 6'd0}};
+      ends_either_3 = ends_wide_2 | at_bits_choice_2;  // line 120
+      at_bits_choice_3 = (!(!at_bits[7] || !over || ends) || (at_bits[8] && !ends)) ? 9'd256 : 9'd0;
+      ends_either_4 = {1'b0, ends_either_3} | at_bits_choice_3;  // line 121
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
       news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:157
       on = sight_on || sight_skipped;  // follow_law.hpp:143
@@ -189,17 +191,17 @@ module rotor_follower #(
       now_edges_2 =
           judge_both_4 ? (on ? now_edges : judge_both ? belief_edges : 2'd0) : belief_edges;
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
-      choice_4 = at_bits[4] ? now_edges_3 : belief_edges;
+      at_bits_choice_7 = at_bits[4] ? now_edges_3 : belief_edges;
       code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 162
       now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:189
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
-      choice_5 = at_bits[4] ? now_rest_3 : belief_rest;
+      at_bits_choice_8 = at_bits[4] ? now_rest_3 : belief_rest;
       now_idle =
           (judge_either_2 || sight_tired) ? 8'd0 :
           (belief_coast == 2'd0) ? belief_idle + 8'd1 :
           belief_idle;
-      choice_6 = at_bits[4] ? now_idle : belief_idle;
+      at_bits_choice_9 = at_bits[4] ? now_idle : belief_idle;
       now_coast_both = !(!judge_either_3 || judge_both_2 || turns) && !now_edges_2[1];
       less_sum = belief_coast - 2'd1;  // follow_law.hpp:186
       goes_both = !judge_both && !sight_across;  // follow_law.hpp:169
@@ -212,9 +214,9 @@ module rotor_follower #(
           (turns || belief_coast == 2'd0) ? 2'd0 :
           less_sum;
       now_coast_2 = stands_2 ? 2'd0 : now_coast;
-      choice_7 = at_bits[4] ? now_coast_2 : belief_coast;
+      at_bits_choice_10 = at_bits[4] ? now_coast_2 : belief_coast;
       to_middle = (step_i[1] ^ step_i[0]) && !step_i[2];  // divide_by_n.hpp:28
-      at_bits <= either_121;
+      at_bits <= ends_either_4;
       prescale <= count_choice;
       strobe <= count_choice[7:1] == 7'd0;
       if (ends) begin
@@ -319,12 +321,12 @@ module rotor_follower #(
         out_moves <= belief_moved;
         out_blocked <= 1'b0;
       end
-      belief_edges <= choice_4;
-      belief_rest <= choice_5;
-      belief_idle <= choice_6;
-      belief_coast <= choice_7;
+      belief_edges <= at_bits_choice_7;
+      belief_rest <= at_bits_choice_8;
+      belief_idle <= at_bits_choice_9;
+      belief_coast <= at_bits_choice_10;
       if (at_bits[3]) begin
-        logic choice;
+        logic at_bits_choice_4;
         logic clear;
         logic three_or_four;
         logic [2:0] next_step_either;
@@ -343,7 +345,7 @@ module rotor_follower #(
         logic [2:0] behind_3;
         logic [2:0] ahead;
         logic see_equal;
-        choice = at_bits[4] ? !(stands_2 || !judge_both_2) : belief_back;
+        at_bits_choice_4 = at_bits[4] ? !(stands_2 || !judge_both_2) : belief_back;
         clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 102
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
@@ -359,7 +361,7 @@ module rotor_follower #(
           3'd2: code_of = 3'd6;
           default: code_of = {1'b0, code_of_choice_2};
         endcase
-        see_differ = code_of ^ {3{choice}};  // follow_law.hpp:126
+        see_differ = code_of ^ {3{at_bits_choice_4}};  // follow_law.hpp:126
         other = see_differ ^ code;  // follow_law.hpp:126
         v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:127
         w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:127
@@ -379,27 +381,29 @@ module rotor_follower #(
         behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:128
         ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:118
         see_equal = other == ~ahead;  // follow_law.hpp:134
-        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || choice_4 != 2'd0);
+        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || at_bits_choice_7 != 2'd0);
         sight_clear <= clear;
-        sight_rests <= code == choice_5;
+        sight_rests <= code == at_bits_choice_8;
         sight_here <= see_differ == code;
-        sight_on <= other == (choice ? behind_3 : ahead);
-        if (choice) begin
-          logic choice_3;
-          choice_3 = at_bits[4] ? !stands_2 && (judge_both_4 ? sight_far : belief_far) : belief_far;
-          sight_skipped <= see_equal && choice_3;
+        sight_on <= other == (at_bits_choice_4 ? behind_3 : ahead);
+        if (at_bits_choice_4) begin
+          logic at_bits_choice_6;
+          at_bits_choice_6 =
+              at_bits[4] ? !stands_2 && (judge_both_4 ? sight_far : belief_far) : belief_far;
+          sight_skipped <= see_equal && at_bits_choice_6;
         end else begin
-          logic choice_2;
-          choice_2 =
+          logic at_bits_choice_5;
+          at_bits_choice_5 =
               at_bits[4] ?
               !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
               belief_moved;
-          sight_skipped <= other == ~behind_3 && choice_2;
+          sight_skipped <= other == ~behind_3 && at_bits_choice_5;
         end
         sight_far <= see_equal;
-        sight_contrary <= other == (choice ? ahead : behind_3);
+        sight_contrary <= other == (at_bits_choice_4 ? ahead : behind_3);
         sight_across <= other == 3'd7;
-        sight_tired <= choice_7 == 2'd0 && {1'b0, still_i} <= {1'b0, choice_6} + 9'd1;
+        sight_tired <=
+            at_bits_choice_10 == 2'd0 && {1'b0, still_i} <= {1'b0, at_bits_choice_9} + 9'd1;
       end
       if (belief_edges[1]) begin
         if (update_i) begin
@@ -410,7 +414,7 @@ module rotor_follower #(
         good <= 1'b0;
         out_caught <= 1'b0;
       end
-      out_drive <= (either_120[7] || either_121[8]) && at_bits[8:7] != 2'd0;
+      out_drive <= (ends_either_3[7] || ends_either_4[8]) && at_bits[8:7] != 2'd0;
       if (at_bits[5]) begin
         if (stands) begin
           logic step_after_differ;
@@ -513,11 +517,11 @@ module rotor_follower #(
       out_moves <= 1'b0;
       out_blocked <= 1'b0;
     end
-    timed <= both_126 && belief_edges[1] && (update_i || timed);
-    out_load <= both_126 && loads;
-    out_changed <= both_126 && loads && changes;
-    out_restart <= both_126 && both_103;
-    out_sure <= both_126 && belief_edges[1];
+    timed <= on_both && belief_edges[1] && (update_i || timed);
+    out_load <= on_both && loads;
+    out_changed <= on_both && loads && changes;
+    out_restart <= on_both && at_bits_both;
+    out_sure <= on_both && belief_edges[1];
     if (rst) begin
       at_bits <= 9'd1;
       prescale <= 8'd0;

@@ -21,8 +21,8 @@ module serial_multiplier_27_16 (
   logic dropping;  // b is used up; the clocks that are left shift the product
   logic done;  // the product is complete
 
-  wire both = last && !dropping && shift_i != 4'd0;
-  wire ends = last && !both;  // line 44
+  wire last_both = last && !dropping && shift_i != 4'd0;
+  wire ends = last && !last_both;  // line 44
 
   always_ff @(posedge clk) begin
     if (start_i) begin
@@ -37,11 +37,11 @@ module serial_multiplier_27_16 (
       last <= 1'b0;
       dropping <= 1'b0;
     end else if (left != 5'd0) begin
-      logic [27:0] sum_49;
-      sum_49 = {high[26], high} + {addend[26], addend};  // line 49
-      high <= sum_49[27:1];
-      low <= {sum_49[0], low[15:1]};
-      if (both) begin
+      logic [27:0] high_sum;
+      high_sum = {high[26], high} + {addend[26], addend};  // line 49
+      high <= high_sum[27:1];
+      low <= {high_sum[0], low[15:1]};
+      if (last_both) begin
         addend <= 27'd0;
         left <= {1'b0, shift_i};
         last <= shift_i == 4'd1;
@@ -54,7 +54,7 @@ module serial_multiplier_27_16 (
         left <= left - 5'd1;
         last <= left == 5'd2;
       end
-      dropping <= dropping || both;
+      dropping <= dropping || last_both;
     end
     done <= !start_i && ends;  // line 50
     if (rst) begin

@@ -130,14 +130,14 @@ module sinusoidal_control (
       .data_o(program__data)
   );
 
-  wire both = program__data[64] && active;
+  wire active_both = program__data[64] && active;
 
   wire [31:0] numbers_a_data;
   sinusoidal_control_numbers numbers_a (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[6:1], program__data[0] || (program__data[7] && fresh)}),
-      .write_i(both),
+      .write_i(active_both),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_a_data)
@@ -148,7 +148,7 @@ module sinusoidal_control (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[14:9], program__data[8] || (program__data[15] && fresh)}),
-      .write_i(both),
+      .write_i(active_both),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_b_data)
@@ -159,7 +159,7 @@ module sinusoidal_control (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[22:17], program__data[16] || (program__data[23] && fresh)}),
-      .write_i(both),
+      .write_i(active_both),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_c_data)
@@ -170,7 +170,7 @@ module sinusoidal_control (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[30:25], program__data[24] || (program__data[31] && fresh)}),
-      .write_i(both),
+      .write_i(active_both),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_d_data)
@@ -184,9 +184,9 @@ module sinusoidal_control (
       .data_o(table__data)
   );
 
-  wire [30:0] choice = program__data[38] ? result[30:0] : numbers_c_data[30:0];
+  wire [30:0] result_choice = program__data[38] ? result[30:0] : numbers_c_data[30:0];
   wire [15:0] product_next_choice = program__data[39] ? port[15:0] : numbers_d_data[15:0];
-  wire [46:0] product_next = $signed(choice) * $signed(product_next_choice);
+  wire [46:0] product_next = $signed(result_choice) * $signed(product_next_choice);
   wire sum_next_choice =
       program__data[51] ? (program__data[50] ? port[0] : sum[43]) :
       program__data[50] ? result[0] :
@@ -382,7 +382,7 @@ module sinusoidal_control (
           {24'd0, port_next_choice_6};
       port <= {port_next_choice_13[24], port_next_choice_13};
     end
-    condition <= choice[0];
+    condition <= result_choice[0];
     product <= product_next;
     sum <= sum_next_sum[44:1];
     case (part)

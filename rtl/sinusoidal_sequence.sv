@@ -74,7 +74,7 @@ module sinusoidal_sequence (
   logic refused;  // `run` was up before the words were valid: that is no wish to start
   logic entered;
 
-  wire both_76 = state == SinusoidalState_kPattern && third != 2'd2;  // line 76
+  wire holding_both = state == SinusoidalState_kPattern && third != 2'd2;  // line 76
   wire regulating =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
@@ -84,10 +84,10 @@ module sinusoidal_sequence (
   wire walk_both = timer == 20'd0 && third != 2'd2;  // line 176
   wire leave_differ = command_reverse_i ^ reverse;  // line 140
   wire leave = !run || leave_differ;
-  wire either_100 = state == SinusoidalState_kFault || command_configured_i;  // line 100
-  wire either_100_2 = either_100 || state == SinusoidalState_kIdle;  // line 100
-  wire both_98 = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;  // line 98
-  wire both_96 = state != SinusoidalState_kFault && fault_pin_i;  // line 96
+  wire state_either = state == SinusoidalState_kFault || command_configured_i;  // line 100
+  wire state_either_2 = state_either || state == SinusoidalState_kIdle;  // line 100
+  wire alive_both = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;
+  wire alive_both_2 = state != SinusoidalState_kFault && fault_pin_i;  // line 96
   wire [19:0] timer_next_choice = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
   wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
   wire [19:0] trust_next_choice_2 =  // line 92
@@ -95,28 +95,29 @@ module sinusoidal_sequence (
       trust_next_choice;
   wire [1:0] modulated_next_sum = modulated + {1'b0, period_i && regulated && modulated != 2'd3};
   wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 90
-  wire both_3 = command_configured_i && failed_i != SinusoidalReason_kNone;
-  wire either_140 = !(command_run_i && !((command_run_i && refused) || still_i)) || leave_differ;
+  wire command_configured_both = command_configured_i && failed_i != SinusoidalReason_kNone;
+  wire command_run_either =  // line 140
+      !(command_run_i && !((command_run_i && refused) || still_i)) || leave_differ;
 
   always_ff @(posedge clk) begin
-    if (both_96 || both_98) begin
+    if (alive_both_2 || alive_both) begin
       state <= SinusoidalState_kFault;
       timer <= timer_next_choice;
       trust <= trust_next_choice_2;
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
-    end else if (either_100_2) begin
+    end else if (state_either_2) begin
       logic last;
       logic state_next_both;
-      logic both_2;
+      logic failed_both;
       last = tries < words_retries_i;
       state_next_both = timer == 20'd0 && third == 2'd2;
-      both_2 = failed_i == SinusoidalReason_kNone && found_i;
+      failed_both = failed_i == SinusoidalReason_kNone && found_i;
       if (state == SinusoidalState_kIdle) begin
         if (run) begin
           state <= SinusoidalState_kCalibrate;
         end
-      end else if (either_100) begin
+      end else if (state_either) begin
         if (state == SinusoidalState_kCalibrate) begin
           if (run) begin
             if (measured_i) begin
@@ -197,7 +198,7 @@ module sinusoidal_sequence (
         logic [19:0] timer_next_choice_2;
         timer_next_choice_2 = (timer == 20'd0) ? words_rest_i : timer_next_choice;
         if (state == SinusoidalState_kPilot) begin
-          if (run && both_2) begin
+          if (run && failed_both) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
@@ -213,14 +214,14 @@ module sinusoidal_sequence (
             trust <= trust_next_choice_2;
           end
         end else begin
-          logic both;
-          both = run && timer == 20'd0;
-          if (state == SinusoidalState_kPattern && both && third == 2'd2) begin
+          logic run_both_2;
+          run_both_2 = run && timer == 20'd0;
+          if (state == SinusoidalState_kPattern && run_both_2 && third == 2'd2) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
             if (state == SinusoidalState_kPattern) begin
-              if (both) begin
+              if (run_both_2) begin
                 timer <= (third == 2'd2) ? words_give_up_i : words_pattern_i;
               end else begin
                 timer <= timer_next_choice;
@@ -248,15 +249,15 @@ module sinusoidal_sequence (
         SinusoidalState_kSlowDown: begin
           logic [3:0] tries_next_sum;
           logic [3:0] tries_next_choice;
-          logic either_90;
-          logic either_139;
+          logic sampled_either;
+          logic refused_either;
           tries_next_sum = tries + {3'd0, last};  // line 126
           tries_next_choice = (timer == 20'd0) ? tries_next_sum : tries;
-          either_90 = sampled_i || regulated;  // line 90
-          either_139 = refused || still_i;  // line 139
+          sampled_either = sampled_i || regulated;  // line 90
+          refused_either = refused || still_i;  // line 139
           case (state)
             SinusoidalState_kIdle: begin
-              if (run_both && !either_139) begin
+              if (run_both && !refused_either) begin
                 tries <= 4'd0;
                 reverse <= command_reverse_i;
               end
@@ -265,12 +266,12 @@ module sinusoidal_sequence (
             SinusoidalState_kCalibrate: begin
               if (measured_i) begin
                 if (run_both) begin
-                  if (!either_139 && words_arbitrary_i) begin
+                  if (!refused_either && words_arbitrary_i) begin
                     modulated <= 2'd0;
                     regulated <= 1'b0;
                   end else begin
                     modulated <= modulated_next_sum;
-                    if (!either_139) begin
+                    if (!refused_either) begin
                       regulated <= !words_arbitrary_i && regulated;
                       third <= words_arbitrary_i ? third : 2'd0;
                     end
@@ -284,11 +285,11 @@ module sinusoidal_sequence (
             end
             SinusoidalState_kPilot: begin
               if (run_both) begin
-                if (!either_139 && both_2) begin
+                if (!refused_either && failed_both) begin
                   modulated <= 2'd0;
                   regulated <= 1'b0;
                 end else begin
-                  if (!either_139) begin
+                  if (!refused_either) begin
                     if (failed_i == SinusoidalReason_kNone) begin
                       tries <= found_i ? tries : tries_next_choice;
                       regulated <= !found_i && regulated;
@@ -304,7 +305,7 @@ module sinusoidal_sequence (
             end
             SinusoidalState_kPattern: begin
               if (run_both) begin
-                if (either_139) begin
+                if (refused_either) begin
                   modulated <= modulated_next_sum;
                 end else begin
                   if (state_next_both) begin
@@ -324,7 +325,7 @@ module sinusoidal_sequence (
               end
             end
             SinusoidalState_kStarting: begin
-              if (command_configured_i && !either_140) begin
+              if (command_configured_i && !command_run_either) begin
                 if (failed_i == SinusoidalReason_kNone) begin
                   if (trust != 20'd0) begin
                     tries <= tries_next_choice;
@@ -334,18 +335,18 @@ module sinusoidal_sequence (
                 end
               end
               modulated <= modulated_next_sum;
-              regulated <= either_90;
+              regulated <= sampled_either;
             end
             SinusoidalState_kRun: begin
-              if (both_3) begin
+              if (command_configured_both) begin
                 tries <= tries_next_sum;
               end
               modulated <= modulated_next_sum;
-              regulated <= either_90;
+              regulated <= sampled_either;
             end
             default: begin  // SinusoidalState_kSlowDown
               modulated <= modulated_next_sum;
-              regulated <= either_90;
+              regulated <= sampled_either;
             end
           endcase
         end
@@ -358,10 +359,10 @@ module sinusoidal_sequence (
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
     end
-    if (both_96) begin
+    if (alive_both_2) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (both_98) begin
+    end else if (alive_both) begin
       reason <= fatal_i;
       entered <= 1'b1;
     end else begin
@@ -400,7 +401,7 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kStarting: begin
-            if (command_configured_i && !either_140) begin
+            if (command_configured_i && !command_run_either) begin
               if (failed_i == SinusoidalReason_kNone) begin
                 reason <=
                     (trust == 20'd0) ? reason :
@@ -412,14 +413,14 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kRun: begin
-            if (both_3) begin
+            if (command_configured_both) begin
               reason <= failed_i;
             end
           end
           default: ;
         endcase
       end
-      entered <= !either_100_2 || entered_next_choice;
+      entered <= !state_either_2 || entered_next_choice;
     end
     refused <= refused_next;
     if (rst) begin
@@ -446,8 +447,8 @@ module sinusoidal_sequence (
   assign hold_o = state[3:1] == 3'd1;
   assign hold_u_o =
       state == SinusoidalState_kPilot || (state == SinusoidalState_kPattern && third != 2'd0);
-  assign hold_v_o = both_76 && reverse;
-  assign hold_w_o = both_76 && !reverse;
+  assign hold_v_o = holding_both && reverse;
+  assign hold_w_o = holding_both && !reverse;
   assign regulate_o = regulating;
   assign estimate_o = regulating && modulated[1];
   assign modulate_o = state == SinusoidalState_kPattern || (regulating && modulated != 2'd0);

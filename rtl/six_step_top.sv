@@ -62,7 +62,7 @@ module six_step_top #(
     input  logic [11:0] words_start_observe_i,  // time to look for a rotor that already spins; 0 skips it
     input  logic [11:0] words_start_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
     input  logic [11:0] words_start_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_start_brake_duty_i,
+    input  logic [15:0] words_start_brake_duty_i,  // from which the back-EMF's is taken
     input  logic [11:0] words_start_rest_i,  // gates off between a failure and the next try
     input  logic [3:0]  words_start_retries_i,  // failed tries before the fault latches
     input  logic [25:0] words_speed_target_i,  // u0.32

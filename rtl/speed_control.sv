@@ -6,7 +6,7 @@ module speed_control (
     input  logic        rst,  // synchronous, active high
     input  logic        tick_i,  // starts one update
     input  logic [1:0]  mode_i,  // where the duty comes from
-    input  logic [15:0] fixed_duty_i,  // u1.15, for kFixed and kAboveBemf
+    input  logic [15:0] fixed_duty_i,  // u1.15, for all but kControl
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
@@ -30,6 +30,7 @@ module speed_control (
 );
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
+  localparam logic [1:0] SpeedMode_kBelowBemf = 2'd3;
 
   logic [16:0] at_bits;
   logic of_error;  // the product is the error's: kIntegral or kProportional
@@ -37,6 +38,7 @@ module speed_control (
   logic control;  // the mode is kControl
   logic whole;  // the sum to come is the integral
   logic alone;  // and without a product
+  logic less;  // or less the product
   logic [20:0] work;  // duty on its way
   logic clears;  // the integral is cleared, before it takes the work
   logic adds;  // it takes the addend
@@ -70,11 +72,11 @@ module speed_control (
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
-  wire [26:0] multiplicand_choice =  // line 123
+  wire [26:0] multiplicand_choice =  // line 124
       of_error ? reference[26:0] : {11'd0, at_bits[16] ? duty : 16'd0};
-  wire [26:0] multiplicand_choice_2 =  // line 126
+  wire [26:0] multiplicand_choice_2 =  // line 127
       of_error ? ~{1'b0, frequency_i} : {1'b0, at_bits[16] ? 26'd0 : frequency_i};
-  wire [16:0] at_bits_next_joined = {at_bits[15:0], at_bits[16]};  // line 95
+  wire [16:0] at_bits_next_joined = {at_bits[15:0], at_bits[16]};  // line 96
 
   wire [42:0] multiplier_product;
   wire multiplier_done;
@@ -96,30 +98,31 @@ module speed_control (
       .ends_o(multiplier_ends)
   );
 
-  wire both_71 = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 71
-  wire integrated = both_71 && multiplier_done;
-  wire choice = integrated ? !(!(control && descends) || far) && !multiplier_product[31] : resumes;
-  wire resumes_next = (control || !at_bits[15]) && choice;  // line 215
-  wire presets_next_both = resumes_next && mode_i == SpeedMode_kControl;  // line 215
-  wire presets_next = at_bits[0] ? presets_next_both : presets;  // line 215
+  wire at_bits_both = !(!at_bits[3] && !at_bits[5]) && at_bits[5];  // line 71
+  wire integrated = at_bits_both && multiplier_done;
+  wire integrated_choice =
+      integrated ? !(!(control && descends) || far) && !multiplier_product[31] : resumes;
+  wire resumes_next = (control || !at_bits[15]) && integrated_choice;  // line 217
+  wire presets_next_both = resumes_next && mode_i == SpeedMode_kControl;  // line 217
+  wire presets_next = at_bits[0] ? presets_next_both : presets;  // line 217
   wire [16:0] at_bits_next_choice =
       control ? at_bits_next_joined :
       at_bits[3] ? 17'd4096 :
       (presets_next || !at_bits[12]) ? at_bits_next_joined :
       17'd32768;
-  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 168
+  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 170
   wire at_high_2 = at_high || (high_was && !below);
-  wire [15:0] duty_next = at_bits[15] ? work[15:0] : duty;  // line 186
+  wire [15:0] duty_next = at_bits[15] ? (work[20] ? 16'd0 : work[15:0]) : duty;  // line 188
   wire falls_2 = !at_bits[11] || yields;
   wire [13:0] slew = {2'd0, words_duty_slew_i} << fast;
   wire held_next = integrated ? limited : held;
-  wire [13:0] moved_choice =  // line 236
+  wire [13:0] moved_choice =  // line 238
       falls_2 ? ~slew :
       held_next ? 14'd0 :
       slew;
   wire [17:0] moved_2 = {2'd0, duty_next} + {{4{moved_choice[13]}}, moved_choice};
   wire [16:0] bound_choice = (!at_bits[12] && !at_bits[13]) ? {1'b0, duty_next} : moved;
-  wire [16:0] bound_choice_2 =  // line 194
+  wire [16:0] bound_choice_2 =  // line 196
       control ? bound_choice :
       presets_next ?
       (at_bits[12] ? {1'b0, words_maximum_i} :
@@ -127,14 +130,14 @@ module speed_control (
       {1'b0, duty_next}) :
       at_bits[3] ? {1'b0, words_maximum_i} :
       bound_choice;
-  wire [3:0] bound_both = at_bits[11:8] & 4'h9;  // line 222
+  wire [3:0] bound_both = at_bits[11:8] & 4'h9;  // line 224
   wire [16:0] bound_choice_3 = (bound_both == 4'd0) ? bound_choice_2 : {1'b0, words_maximum_i};
   wire [16:0] bound = ((at_bits[10:7] & 4'h9) == 4'd0) ? bound_choice_3 : {1'b0, words_minimum_i};
-  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 140
+  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 141
   wire asks_next_either = held_next || at_high || (!addend[33] && addend[32:18] != 15'd0);
-  wire far_next_both = at_bits[3] && starts;  // line 212
-  wire far_next_both_2 = falls && !passes;  // line 212
-  wire fast_next = (at_bits[6] ? asks_next_either : asks) && freewheels_i;  // line 238
+  wire far_next_both = at_bits[3] && starts;  // line 214
+  wire far_next_both_2 = falls && !passes;  // line 214
+  wire fast_next = (at_bits[6] ? asks_next_either : asks) && freewheels_i;  // line 240
 
   always_ff @(posedge clk) begin
     if (at_bits[0]) begin
@@ -152,19 +155,22 @@ module speed_control (
       end
     end
     of_error <= at_bits[4] || at_bits[9] || (of_error && !multiplier_done);
-    starts <= (at_bits[15:2] & 14'h2085) != 14'd0;  // line 90
-    control <= mode_i == SpeedMode_kControl && !presets_next;  // line 88
+    starts <= (at_bits[15:2] & 14'h2085) != 14'd0;  // line 91
+    control <= mode_i == SpeedMode_kControl && !presets_next;  // line 89
     whole <= (at_bits[10:6] & 5'h11) != 5'd0;  // line 86
     alone <= mode_i == SpeedMode_kFixed || at_bits[6];  // line 87
+    less <= mode_i == SpeedMode_kBelowBemf;  // line 88
     if (work_sum[21] ? high : low) begin
       if (sums) begin
         logic [17:0] base;
         logic [20:0] base_2;
-        logic [19:0] total_choice;
+        logic [19:0] part;
+        logic [19:0] total_differ;
         base = whole ? integral[33:16] : {2'd0, control ? slip_i : fixed_duty_i};
         base_2 = {{3{base[17]}}, base};
-        total_choice = alone ? 20'd0 : multiplier_product[31:12];  // line 161
-        work <= base_2 + {total_choice[19], total_choice};
+        part = alone ? 20'd0 : multiplier_product[31:12];
+        total_differ = part ^ {20{less}};  // line 163
+        work <= base_2 + {total_differ[19], total_differ};
       end else begin
         work <= {4'd0, ~not_limit};
       end
@@ -178,7 +184,7 @@ module speed_control (
       if (multiplier_done) begin
         logic winds_up;
         winds_up = multiplier_product[31] ? at_low : at_high || limited;
-        adds <= both_71 && !winds_up;
+        adds <= at_bits_both && !winds_up;
         addend <= {{2{multiplier_product[31]}}, multiplier_product[31:0]};
       end else begin
         adds <= 1'b0;
@@ -192,7 +198,7 @@ module speed_control (
     end else begin
       moved <= moved_2[16:0];
     end
-    not_limit <= ~bound;  // line 194
+    not_limit <= ~bound;  // line 196
     if (at_bits[1]) begin
       logic [20:0] moved_3;
       moved_3 = {1'b0, rises ? words_slew_i : 20'd0} | (falls ? ~{1'b0, words_slew_i} : 21'd0);
@@ -204,20 +210,21 @@ module speed_control (
     end else begin
       reference <= {2'd0, frequency_i};
     end
-    not_target <= ~{1'b0, target_i};  // line 156
-    passes <= at_bits[2] && control && (slew_sum[28] ? rises : falls);  // line 151
-    duty <= duty_next;  // line 186
+    not_target <= ~{1'b0, target_i};  // line 157
+    passes <= at_bits[2] && control && (slew_sum[28] ? rises : falls);  // line 152
+    duty <= duty_next;  // line 188
     if (multiplier_done) begin
       if (at_bits[16]) begin
         on_clocks <= multiplier_product[28:15];
       end
-      if (both_71) begin
+      if (at_bits_both) begin
         held <= limited;
       end
     end
     if (at_bits[15]) begin
       slips <= control && (at_bits[4] ? !work_sum[21] : slips);
-      descends <= control && !choice && (descends || (far_next_both ? far_next_both_2 : far));
+      descends <=
+          control && !integrated_choice && (descends || (far_next_both ? far_next_both_2 : far));
     end else if (at_bits[4]) begin
       slips <= !work_sum[21];
     end
@@ -235,9 +242,9 @@ module speed_control (
       logic low_next_either;
       logic high_next_choice;
       logic high_next_choice_2;
-      logic inverse;
-      logic both_202;
-      logic either;
+      logic at_bits_inverse;
+      logic at_bits_both_2;
+      logic at_bits_either;
       low_next_either =
           at_bits[13] || (multiplier_done && at_bits[10]) ||
           (presets_next && multiplier_done && at_bits[3]);
@@ -246,23 +253,23 @@ module speed_control (
           !(presets_next || !multiplier_done) && at_bits[3];
       high_next_choice_2 =
           (control || presets_next) ? high_next_choice : multiplier_done && at_bits[3];
-      inverse = !(!multiplier_ends || !at_bits[3]);
-      both_202 = multiplier_ends && at_bits[10];  // line 202
-      either = inverse || both_202;
-      sums <= either;
-      low <= inverse || both_202 || at_bits[7] || low_next_either;
-      high <= either || bound_both != 4'd0 || high_next_choice_2;
+      at_bits_inverse = !(!multiplier_ends || !at_bits[3]);
+      at_bits_both_2 = multiplier_ends && at_bits[10];  // line 204
+      at_bits_either = at_bits_inverse || at_bits_both_2;
+      sums <= at_bits_either;
+      low <= at_bits_inverse || at_bits_both_2 || at_bits[7] || low_next_either;
+      high <= at_bits_either || bound_both != 4'd0 || high_next_choice_2;
     end
     if (far_next_both) begin
       far <= far_next_both_2;
     end
-    resumes <= resumes_next;  // line 215
-    yields <= hurries_i || fast_next;  // line 239
-    fast <= fast_next;  // line 238
-    low_was <= low && !sums;  // line 200
-    high_was <= high && !sums;  // line 201
-    below <= !work_sum[21];  // line 168
-    at_high <= !at_bits[7] && at_high_2;  // line 192
+    resumes <= resumes_next;  // line 217
+    yields <= hurries_i || fast_next;  // line 241
+    fast <= fast_next;  // line 240
+    low_was <= low && !sums;  // line 202
+    high_was <= high && !sums;  // line 203
+    below <= !work_sum[21];  // line 170
+    at_high <= !at_bits[7] && at_high_2;  // line 194
     at_low <= !at_bits[7] && (at_low || (low_was && below));  // line 84
     if (rst) begin
       at_bits <= 17'd1;
@@ -271,6 +278,7 @@ module speed_control (
       control <= 1'b0;
       whole <= 1'b0;
       alone <= 1'b0;
+      less <= 1'b0;
       work <= 21'sd0;
       clears <= 1'b0;
       adds <= 1'b0;

@@ -56,14 +56,14 @@ module spi (
       if (was_high) begin
         headed <= 1'b0;
         if (!second_sclk) begin
-          logic choice_69;
-          choice_69 = headed ? shift[15] : write;  // line 69
-          if ((choice_69 ? 3'd6 : 3'd2) == bits[5:3]) begin
+          logic headed_choice;
+          headed_choice = headed ? shift[15] : write;  // line 69
+          if ((headed_choice ? 3'd6 : 3'd2) == bits[5:3]) begin
             logic miso_next_either;
             miso_next_either = bits[2:0] == 3'd1 || bits[2:0] == 3'd3 || bits[2:0] == 3'd4;
             miso <= miso_next_either || bits[2:0] == 3'd6 || (bits[2:0] == 3'd5 && reply_error_i);
           end else begin
-            miso <= !choice_69 && bits[5:3] > 3'd2 && bits != 6'd56 && reply_bit_i;
+            miso <= !headed_choice && bits[5:3] > 3'd2 && bits != 6'd56 && reply_bit_i;
           end
         end
       end else begin

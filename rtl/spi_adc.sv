@@ -53,14 +53,14 @@ module spi_adc (
   wire rests = !selected && left == 8'd0 && words_half_i != 6'd0;
   wire out_ready = rests && frame == Frame_kU;
 
-  logic [2:0] choice;
+  logic [2:0] frame_choice;
   always_comb begin
     case (frame)
-      Frame_kWake: choice = Frame_kWakeAgain;
-      Frame_kWakeAgain: choice = Frame_kSelect;
-      Frame_kU: choice = Frame_kV;
-      Frame_kV: choice = Frame_kDc;
-      default: choice = Frame_kU;
+      Frame_kWake: frame_choice = Frame_kWakeAgain;
+      Frame_kWakeAgain: frame_choice = Frame_kSelect;
+      Frame_kU: frame_choice = Frame_kV;
+      Frame_kV: frame_choice = Frame_kDc;
+      default: frame_choice = Frame_kU;
     endcase
   end
 
@@ -72,20 +72,20 @@ module spi_adc (
   wire [3:0] channel_wide = {1'b0, channel};  // line 107
   wire error_next_unequal = answer[15:12] != channel_wide;  // line 114
   wire judge_either = !whole || (whole && counts && error_next_unequal);  // line 115
-  wire [2:0] choice_2 = judge_either ? (whole ? Frame_kWake : frame) : choice;
+  wire [2:0] whole_choice = judge_either ? (whole ? Frame_kWake : frame) : frame_choice;
   wire falls_2 = !rests && left == 8'd0 && selected && !half[0];
 
   always_ff @(posedge clk) begin
     if (rests) begin
-      if (choice_2 != Frame_kU || sample_i) begin
-        frame <= choice_2;
+      if (whole_choice != Frame_kU || sample_i) begin
+        frame <= whole_choice;
       end else begin
         frame <= Frame_kU;
       end
     end else if (left == 8'd0 && !selected) begin
       frame <= Frame_kWake;
     end else begin
-      frame <= choice_2;
+      frame <= whole_choice;
     end
     if (left == 8'd0) begin
       if (!selected && words_half_i != 6'd0) begin
@@ -97,12 +97,12 @@ module spi_adc (
           left <= left_next_sum;
           mosi <= 1'b1;
         end else begin
-          selected <= choice_2 != Frame_kU;
-          if (choice_2 != Frame_kU) begin
+          selected <= whole_choice != Frame_kU;
+          if (whole_choice != Frame_kU) begin
             half <= 5'd0;
             left <= left_next_sum;
           end
-          mosi <= choice_2 != Frame_kU || mosi;
+          mosi <= whole_choice != Frame_kU || mosi;
         end
       end else begin
         selected <= selected && half != 5'd31;
@@ -123,10 +123,10 @@ module spi_adc (
               left_next_sum_2 = {1'b0, words_half_i} - 7'd1;  // line 93
               left_next_sum_wide = {left_next_sum_2[6], left_next_sum_2};  // line 93
               address =
-                  (choice_2 != Frame_kU && choice_2 != Frame_kV) ? words_u_i :
-                  (choice_2 == Frame_kU) ? words_v_i :
+                  (whole_choice != Frame_kU && whole_choice != Frame_kV) ? words_u_i :
+                  (whole_choice == Frame_kU) ? words_v_i :
                   words_dc_i;
-              mosi_next_either = choice_2 == Frame_kWake || choice_2 == Frame_kWakeAgain;
+              mosi_next_either = whole_choice == Frame_kWake || whole_choice == Frame_kWakeAgain;
               case (half)
                 5'd1, 5'd3, 5'd15, 5'd17, 5'd23, 5'd25, 5'd27, 5'd29: begin
                   half <= half + 5'd1;

@@ -29,7 +29,7 @@ module start_counters (
     input  logic [11:0] words_observe_i,  // time to look for a rotor that already spins; 0 skips it
     input  logic [11:0] words_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
     input  logic [11:0] words_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_brake_duty_i,
+    input  logic [15:0] words_brake_duty_i,  // from which the back-EMF's is taken
     input  logic [11:0] words_rest_i,  // gates off between a failure and the next try
     input  logic [3:0]  words_retries_i,  // failed tries before the fault latches
     output logic        over_o,  // with `tick`: the state's time

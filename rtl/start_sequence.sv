@@ -29,7 +29,7 @@ module start_sequence #(
     input  logic [11:0] words_observe_i,  // time to look for a rotor that already spins; 0 skips it
     input  logic [11:0] words_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
     input  logic [11:0] words_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_brake_duty_i,
+    input  logic [15:0] words_brake_duty_i,  // from which the back-EMF's is taken
     input  logic [11:0] words_rest_i,  // gates off between a failure and the next try
     input  logic [3:0]  words_retries_i,  // failed tries before the fault latches
     input  logic        fast_i,  // the VCO's frequency is hand_over or more
@@ -57,7 +57,7 @@ module start_sequence #(
     output logic        reverse_o,  // direction of this try
     output logic        running_o,  // locked and under speed control
     output logic [1:0]  mode_o,
-    output logic [15:0] duty_o,  // u1.15, for kFixed and kAboveBemf
+    output logic [15:0] duty_o,  // u1.15, for all modes but kControl
     output logic        stop_o,  // speed control: towards standstill, not the set speed
     output logic [1:0]  watch_o,  // phase detector
     output logic [2:0]  loop_o,  // loop filter
@@ -77,6 +77,7 @@ module start_sequence #(
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kAboveBemf = 2'd1;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
+  localparam logic [1:0] SpeedMode_kBelowBemf = 2'd3;
   localparam logic [1:0] Evidence_kNothing = 2'd0;
   localparam logic [1:0] Evidence_kCrossings = 2'd1;
   localparam logic [1:0] Evidence_kSectors = 2'd2;
@@ -165,6 +166,10 @@ module start_sequence #(
   wire rests = follows_rotor && !follower_drives_i;
   wire [1:0] present_pattern_choice = (drives && !rests) ? 2'd2 : 2'd0;  // line 276
   wire [4:0] present_pattern_wide = {3'd0, present_pattern_choice | {1'b0, !enables || rests}};
+  wire [1:0] mode_choice =
+      (at_bits[1] || boosts) ? SpeedMode_kAboveBemf :
+      at_bits[2] ? SpeedMode_kBelowBemf :
+      SpeedMode_kFixed;
 
   wire [15:0] open_loop_duty;
   open_loop_duty open_loop (
@@ -183,7 +188,7 @@ module start_sequence #(
       .duty_o(open_loop_duty)
   );
 
-  wire reverse_inverse = !reverse;  // line 300
+  wire reverse_inverse = !reverse;  // line 302
   wire to_high = sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0];  // divide_by_n.hpp:29
   wire three_or_four = sector_i[0] ? sector_i[1] : sector_i[2];  // divide_by_n.hpp:27
   wire [2:0] next_step =  // divide_by_n.hpp:30
@@ -191,9 +196,9 @@ module start_sequence #(
   wire runs_on = command_run_i && !still_i;  // line 212
   wire is_started_differ = counters_turns_reverse ^ reverse;  // line 219
   wire turns_on_either = !runs_on || is_started_differ;  // line 215
-  wire both_104 = !(turns_on_either ? !fast_i : slow_i) && counters_enough;  // line 104
+  wire is_started_both = !(turns_on_either ? !fast_i : slow_i) && counters_enough;  // line 104
   wire choose_both = turns_on_either && !(words_method_i && runs_on);  // line 116
-  wire enough = (!at_bits[1] || choose_both) ? counters_enough : both_104;
+  wire enough = (!at_bits[1] || choose_both) ? counters_enough : is_started_both;
   wire failed_next_either =  // line 196
       (at_bits[6] && counters_over && !enough) || (at_bits[8:7] != 2'd0 && lost_i);
   wire arrives = words_method_i ? caught_i : fast_i;  // line 116
@@ -213,7 +218,7 @@ module start_sequence #(
   wire choose_differ = command_reverse_i ^ reverse;  // line 116
   wire choose_either_5 = !runs_on || choose_differ;  // line 116
   wire braking_next_both =  // line 193
-      at_bits[1] && (choose_both ? counters_enough : both_104) && turns_on_either;
+      at_bits[1] && (choose_both ? counters_enough : is_started_both) && turns_on_either;
   wire braking_next_either =  // line 116
       braking_next_both || (at_bits[8] && !lost_i && choose_either_5 && (counters_over || !fast_i));
   wire braking_next = !choose_either_4 && braking_next_either;
@@ -285,15 +290,15 @@ module start_sequence #(
   wire [9:0] admit_5 = admit_4 | {7'd0, admit_choice_5};  // line 252
   wire [10:0] at_bits_next = {1'b0, at_bits_next_choice} | at_bits_next_choice_2 | {1'b0, admit_5};
   wire boosts_next = admit_4[5] || admit[6];  // line 137
-  wire either_138 = boosts_next || admit_3[7];  // line 138
+  wire boosts_next_either = boosts_next || admit_3[7];  // line 138
   wire runs = admit_3[7] || admit[8];
   wire began_next = moves_tries && at_bits[0];  // line 119
   wire load_step_next_both = at_bits[1] && admit_3[7];
 
   always_ff @(posedge clk) begin
     at_bits <= at_bits_next;  // line 254
-    drives <= either_138 || admit[8];
-    enables <= either_138 || admit[8] || !(!admit_5[2] && !admit_4[3]) || admit[4];
+    drives <= boosts_next_either || admit[8];
+    enables <= boosts_next_either || admit[8] || !(!admit_5[2] && !admit_4[3]) || admit[4];
     boosts <= boosts_next;  // line 137
     sectors <= admit_2[1] || (runs && source_i) || (at_bits[5] && admit_4[5] && words_method_i);
     holds <= at_bits[6] && (tick_i ? boosted : holds);  // line 143
@@ -325,10 +330,10 @@ module start_sequence #(
             (enough && (at_bits[6:1] & 6'h21) != 6'd0) || entered_next_either_2;
       end
       if (!at_bits[10]) begin
-        logic inverse_116;
-        inverse_116 = !(!command_configured_i || fatal_i || halts);  // line 116
-        if ((inverse_116 && failed_next_either_2) || at_bits_next[10]) begin
-          if (inverse_116 && braking_next_either) begin
+        logic command_configured_inverse;
+        command_configured_inverse = !(!command_configured_i || fatal_i || halts);  // line 116
+        if ((command_configured_inverse && failed_next_either_2) || at_bits_next[10]) begin
+          if (command_configured_inverse && braking_next_either) begin
             reason <= Reason_kCannotStop;
           end else if (fatal_i || lost_i) begin
             reason <= cause_i;
@@ -338,7 +343,7 @@ module start_sequence #(
             reason <= Reason_kNoLock;
           end
         end
-        if (inverse_116 && moves_tries_either) begin
+        if (command_configured_inverse && moves_tries_either) begin
           reverse <= command_reverse_i;
         end
       end
@@ -394,10 +399,7 @@ module start_sequence #(
       {1'b0, at_bits[4], 3'd0};
   assign reverse_o = reverse;
   assign running_o = at_bits[8:7] != 2'd0;
-  assign mode_o =
-      (at_bits[8:7] != 2'd0 || holds) ? SpeedMode_kControl :
-      (at_bits[1] || boosts) ? SpeedMode_kAboveBemf :
-      SpeedMode_kFixed;
+  assign mode_o = (at_bits[8:7] == 2'd0 && !holds) ? mode_choice : SpeedMode_kControl;
   assign duty_o = open_loop_duty;
   assign stop_o = at_bits[8];
   assign watch_o =
@@ -406,6 +408,7 @@ module start_sequence #(
       Evidence_kNothing;
   assign loop_o =
       sectors ? ((at_bits[8:7] == 2'd0) ? (at_bits[1] ? Loop_kCatch : Loop_kFollow) : Loop_kHall) :
+      at_bits[2] ? Loop_kCatch :
       tracks ? Loop_kTrack :
       (at_bits[5] && !words_method_i) ? Loop_kRamp :
       Loop_kStop;

@@ -17,7 +17,7 @@ module vco_counter (
   logic full;  // which are all ones: the carry ends the turn
 
   wire carries = low[26] && counted;
-  wire [5:0] sum_40 = high + {5'd0, carries};  // line 40
+  wire [5:0] high_sum = high + {5'd0, carries};  // line 40
 
   always_ff @(posedge clk) begin
     if (load_i) begin
@@ -32,7 +32,7 @@ module vco_counter (
       if (enable_i) begin
         low <= {1'b0, low[25:0]} + {1'b0, frequency_i};
       end
-      high <= sum_40;
+      high <= high_sum;
       if (carries) begin
         full <= high == 6'd62;
       end
@@ -46,6 +46,6 @@ module vco_counter (
     end
   end
 
-  assign phase_o = {sum_40, 10'd0} | {6'd0, low[25:16]};
+  assign phase_o = {high_sum, 10'd0} | {6'd0, low[25:16]};
   assign pulse_o = carries && full;
 endmodule

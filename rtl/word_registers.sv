@@ -51,7 +51,7 @@ module word_registers (
     output logic [11:0] words_start_observe_o,  // time to look for a rotor that already spins; 0 skips it
     output logic [11:0] words_start_slow_down_o,  // time limit for slowing to hand-over speed before a reversal
     output logic [11:0] words_start_brake_o,  // one braking interval, between two looks
-    output logic [15:0] words_start_brake_duty_o,
+    output logic [15:0] words_start_brake_duty_o,  // from which the back-EMF's is taken
     output logic [11:0] words_start_rest_o,  // gates off between a failure and the next try
     output logic [3:0]  words_start_retries_o,  // failed tries before the fault latches
     output logic [25:0] words_speed_target_o,  // u0.32
@@ -123,7 +123,7 @@ module word_registers (
   logic [11:0] words_start_observe;  // time to look for a rotor that already spins; 0 skips it
   logic [11:0] words_start_slow_down;  // time limit for slowing to hand-over speed before a reversal
   logic [11:0] words_start_brake;  // one braking interval, between two looks
-  logic [15:0] words_start_brake_duty;
+  logic [15:0] words_start_brake_duty;  // from which the back-EMF's is taken
   logic [11:0] words_start_rest;  // gates off between a failure and the next try
   logic [3:0] words_start_retries;  // failed tries before the fault latches
   logic [25:0] words_speed_target;  // u0.32
@@ -341,19 +341,20 @@ module word_registers (
       logic [3:0] word_of_wide_2;
       logic [15:0] write_wide;
       logic [25:0] mirror_wide;
-      logic either;
-      logic either_2;
-      logic either_3;
+      logic request_index_either;
+      logic request_index_either_2;
+      logic request_index_either_3;
       word_of_wide = {{3{mirror_3[24]}}, mirror_3[24:16]};  // register_map.hpp:72
       word_of_wide_2 = {4{mirror_3[24]}};  // register_map.hpp:72
       write_wide = {{7{mirror_3[24]}}, mirror_3[24:16]};  // line 181
       mirror_wide = {mirror_3[24], mirror_3};  // line 178
-      either = request_index_i == 10'd47 || request_index_i == 10'd48 || request_index_i == 10'd49;
-      either_2 =
-          either || request_index_i == 10'd50 || request_index_i == 10'd51 ||
+      request_index_either =
+          request_index_i == 10'd47 || request_index_i == 10'd48 || request_index_i == 10'd49;
+      request_index_either_2 =
+          request_index_either || request_index_i == 10'd50 || request_index_i == 10'd51 ||
           request_index_i == 10'd52;
-      either_3 =
-          either_2 || request_index_i == 10'd53 || request_index_i == 10'd54 ||
+      request_index_either_3 =
+          request_index_either_2 || request_index_i == 10'd53 || request_index_i == 10'd54 ||
           request_index_i == 10'd55;
       if (request_index_i == 10'd32) begin
         words_pwm_period <= mirror_2[13:0] | (words_pwm_period & mirror_3[13:0]);
@@ -403,7 +404,7 @@ module word_registers (
       if (request_index_i == 10'd42) begin
         words_loop_maximum <= mirror_2[25:0] | (words_loop_maximum & mirror_wide);
       end
-      if (either_3 || request_index_i == 10'd56) begin
+      if (request_index_either_3 || request_index_i == 10'd56) begin
         if (request_index_i == 10'd47) begin
           words_start_method <= mirror_2[31] || (words_start_method && mirror_3[24]);
           words_start_window <= mirror_2[15:0] | (words_start_window & mirror_3[15:0]);

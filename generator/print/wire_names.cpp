@@ -67,6 +67,18 @@ std::string operand_name(const Module& m, const std::vector<std::string>& wanted
   return wanted[n.in[0]];
 }
 
+// Its own name, or else the first one among its operands, which come before it.
+std::string root_name(const Module& m, const std::vector<std::string>& wanted, const std::vector<std::string>& root, NodeId id) {
+  const Node& n = m.nodes[id];
+  if (n.op == Op::kInput) return flat_name(m.inputs[n.index].name);
+  if (n.op == Op::kRegister) return flat_name(m.registers[n.index].leaf.name);
+  if (!wanted[id].empty()) return wanted[id];
+  for (const NodeId operand : n.in) {
+    if (!root[operand].empty()) return root[operand];
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedNames& names) {
@@ -85,16 +97,17 @@ std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedName
   const Purposes purposes(m, wanted);
 
   std::vector<std::string> result(m.nodes.size());
+  std::vector<std::string> root(m.nodes.size());  // the first name among what a node is made from
   for (NodeId id = 0; id < m.nodes.size(); ++id) {
-    if (!plan.wire[id] || plan.uses[id] == 0) continue;
     const Node& n = m.nodes[id];
+    root[id] = root_name(m, wanted, root, id);
+    if (!plan.wire[id] || plan.uses[id] == 0) continue;
     if (wanted[id].empty()) {
       std::string of = operand_name(m, wanted, id);
       if (of.empty()) of = purposes.of(id);
       if (of.empty()) of = n.function;
-      wanted[id] = !of.empty()          ? of + "_" + noun(n.op)
-                   : n.source.line == 0 ? noun(n.op)
-                                        : noun(n.op) + "_" + std::to_string(n.source.line);
+      if (of.empty()) of = root[id];
+      wanted[id] = of.empty() ? noun(n.op) : of + "_" + noun(n.op);
     }
     result[id] = names.pool.take(wanted[id]);
   }

@@ -7,7 +7,7 @@
 //     one of these, extended or inverted          ->  <its name>_wide, <its name>_inverse
 //     what only one of these is made from         ->  <its name>_operator, as limit_choice
 //     what such a function works with             ->  <function>_operator, as limit_sum
-//     anything else                               ->  operator_line, as sum_42
+//     anything else                               ->  <the first name that it is made from>_operator
 //
 // Test: tests/generator/backend_print_test.cpp
 

@@ -154,7 +154,7 @@ inline constexpr auto kWordRows = std::make_tuple(
         "One braking interval."),
     word<&Words::start, &StartWords::brake_duty>(
         "START_BRAKE", "brake_duty", 0xc8, 16, Access::kStopped, "u1.15",
-        "Duty of braking."),
+        "Duty of braking at standstill, from which the back-EMF's is taken."),
     word<&Words::speed, &SpeedWords::target>(
         "SPEED_TARGET", "target", 0xcc, 0, Access::kShadowed, "u0.32 turns/clock",
         "The set speed. 0 while running: stop, by slowing down and braking."),

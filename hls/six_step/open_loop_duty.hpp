@@ -2,21 +2,22 @@
 //
 //     kSettle, kReset    reset_duty        twice that with `strong`, up to 100 %
 //     kAccelerate        start_duty        likewise
-//       following        reset_duty until the rotor is followed, then start_duty, then 1/8: see below
+//       following        reset_duty until the rotor is followed, then start_duty, then a part: see below
 //     kPullIn            start_duty, which fades by 1/32 per step
-//       following        1/8 of start_duty, until speed control takes over
-//     kBrake             brake_duty
+//       following        the same part of start_duty, until speed control takes over
+//     kBrake             brake_duty, from which speed control takes the back-EMF's
 //     all others         0
 //
 // Pulling in, the start's torque fades: with all of it the rotor would keep its lead on the VCO and run
 // away from the loop.  A rotor that lags has too little torque and gets 1/32 more per step, up to the
 // start's: a heavy load would stop it else.
 //
-// A rotor that is followed and has hand-over's frequency gets an eighth above its back-EMF: what is measured then is a
-// speed that lasts, and the PLL finds a rotor that hardly accelerates.  With nothing a light one under load falls back.
+// A rotor that is followed and has hand-over's frequency gets a sixteenth above its back-EMF: what is measured then is a
+// speed that lasts, and the PLL finds a rotor that hardly accelerates.  With nothing a light one under load falls back.  One that
+// falls back all the same, since its flux is more or its bus less than the words', gets a quarter from then on.
 //
 //     latency      1 clock from state to duty
-//     registers    17 bits     multipliers  none
+//     registers    19 bits     multipliers  none
 //
 // Doc: docs/blocks/open_loop_duty.md   Test: tests/hls/open_loop_duty_test.cpp
 
@@ -62,7 +63,9 @@ class OpenLoopDuty {
       }
     } else {
       const bool fast = accelerates && in.follows && in.sure && in.fast;
-      duty_ = pulls_in || fast                                       ? start >> 3
+      fell_ = in.follows && (pulls_in || accelerates) && (fell_ || (was_fast_ && !fast && !pulls_in));
+      was_fast_ = fast;
+      duty_ = pulls_in || fast                                       ? fell_ ? start >> 2 : start >> 4
               : accelerates && in.follows && !in.sure                ? in.reset_duty
               : accelerates                                          ? start
               : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
@@ -87,6 +90,8 @@ class OpenLoopDuty {
 
   Duty duty_ = 0;       // u1.15, of the state a clock ago; in kPullIn it fades
   bool faded_ = false;  // it is below the start's
+  bool was_fast_ = false;  // the rotor that is followed had hand-over's frequency
+  bool fell_ = false;      // and has had less since
 };
 
 }  // namespace steplock

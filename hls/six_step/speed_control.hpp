@@ -9,7 +9,7 @@
 //
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
 // mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds
-// up). Integral and reference follow, so that control begins without a jump, after a start as after
+// up; kBelowBemf: less that one, of a brake, whose current stays the same at any speed). Integral and reference follow, so that control begins without a jump, after a start as after
 // catching a rotor.  It begins once more that way where a rotor has come down to a lower target: it coasts, and what the integral
 // lost in vain meanwhile would take it far below.
 //
@@ -35,14 +35,14 @@
 
 namespace steplock {
 
-enum class SpeedMode : std::uint8_t { kFixed, kAboveBemf, kControl };
+enum class SpeedMode : std::uint8_t { kFixed, kAboveBemf, kControl, kBelowBemf };
 
 class SpeedControl {
  public:
   struct In {
     bool tick = false;                   // starts one update
     SpeedMode mode = SpeedMode::kFixed;  // where the duty comes from
-    Duty fixed_duty = 0;                 // u1.15, for kFixed and kAboveBemf
+    Duty fixed_duty = 0;                 // u1.15, for all but kControl
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
@@ -85,6 +85,7 @@ class SpeedControl {
     choose(product.done, product.ends);
     whole_ = at_.holds_one_of(Stage::kAdd, Stage::kProportional);
     alone_ = in.mode == SpeedMode::kFixed || at_.holds(Stage::kAdd);
+    less_ = in.mode == SpeedMode::kBelowBemf;
     control_ = in.mode == SpeedMode::kControl && !presets_;
     of_error_ = at_.holds_one_of(Stage::kSlip, Stage::kWholeHigh) || (of_error_ && !product.done);
     starts_ = at_.holds_one_of(Stage::kReach, Stage::kSlip, Stage::kWholeHigh, Stage::kDuty);
@@ -158,7 +159,8 @@ class SpeedControl {
 
   Work sum(const In& in, Int<32> product) const {
     const Work base = whole_ ? wrap<Work>(integral_ >> 16) : Work(control_ ? in.slip : in.fixed_duty);
-    return wrap<Work>(base + (alone_ ? Int<20>(0) : wrap<Int<20>>(product >> 12)));
+    const Int<20> part = alone_ ? Int<20>(0) : wrap<Int<20>>(product >> 12);
+    return wrap<Work>(base + (less_ ? ~part : part));
   }
 
   // Everything behind the reference: the product of this stage when it is complete, or its bound.
@@ -184,7 +186,7 @@ class SpeedControl {
     if (below ? low_ : high_) work_ = sums_ ? total : Work(limit);
     if (at_.holds(Stage::kSlip)) slips_ = below;
     if (at_.holds(Stage::kDuty)) {
-      duty_ = wrap<Duty>(last);
+      duty_ = last.negative() ? Duty(0) : wrap<Duty>(last);
       if (!control) slips_ = false;
     }
     if (done && at_.holds(Stage::kOnClocks)) on_clocks_ = product.slice<28, 15>();
@@ -246,6 +248,7 @@ class SpeedControl {
   bool control_ = false;    // the mode is kControl
   bool whole_ = false;      // the sum to come is the integral
   bool alone_ = false;      // and without a product
+  bool less_ = false;       // or less the product
   Work work_ = 0;           // duty on its way
   bool clears_ = false;     // the integral is cleared, before it takes the work
   bool adds_ = false;       // it takes the addend

@@ -69,15 +69,16 @@ struct SpeedControlLaw {
     duty = wrap<Duty>(sum);
   }
 
-  // The duty of the start sequence, alone or above the back-EMF's, and the integral follows.  Where
+  // The duty of the start sequence, alone, above the back-EMF's or less that, and the integral follows.  Where
   // control begins once more, it is the back-EMF's, but no less than before.
   void start(const In& in, bool begins) {
     Sum sum = in.fixed_duty;
-    if (in.mode != SpeedMode::kFixed) sum = add(sum, times(in.frequency, in.words.bemf, in));
+    const auto bemf = wrap<Int<20>>(times(in.frequency, in.words.bemf, in) >> 12);
+    if (in.mode != SpeedMode::kFixed) sum = wrap<Sum>(sum + (in.mode == SpeedMode::kBelowBemf ? ~bemf : bemf));
     if (begins) lower(sum, duty);
     upper(sum, in.words.maximum);
     if (begins) lower(sum, moved(fall(in)));
-    duty = wrap<Duty>(sum);
+    duty = sum.negative() ? Duty(0) : wrap<Duty>(sum);
     integral = Int<34>(sum) << 16;
     slips = descends = resumes = false;
   }

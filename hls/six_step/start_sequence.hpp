@@ -13,7 +13,7 @@
 //     kPullIn      the PLL closes; `good_crossings` in a row are a lock
 //     kRun         speed control
 //     kSlowDown    speed control down to hand-over speed, before a reversal or a braked stop
-//     kBrake       braked for `brake` ticks, then kObserve looks again
+//     kBrake       braked for `brake` ticks, the more softly the faster it turned; then kObserve looks again
 //     kRest        gates off after a failed try
 //     kFault       latched; left by a rising edge of clear_fault with `run` down and the cause gone
 //
@@ -76,7 +76,7 @@ class StartSequence {
     bool reverse = false;               // direction of this try
     bool running = false;               // locked and under speed control
     SpeedMode mode = SpeedMode::kFixed;
-    Duty duty = 0;                      // u1.15, for kFixed and kAboveBemf
+    Duty duty = 0;                      // u1.15, for all modes but kControl
     bool stop = false;                  // speed control: towards standstill, not the set speed
     Evidence watch = Evidence::kNothing;  // phase detector
     Loop loop = Loop::kStop;            // loop filter
@@ -283,12 +283,14 @@ class StartSequence {
                   bridge(Pattern::kReset, at_.holds(State::kReset));
     out.watch = sectors_ ? Evidence::kSectors : tracks_ ? Evidence::kCrossings : Evidence::kNothing;
     out.loop = sectors_                                           ? out.running ? Loop::kHall : observes ? Loop::kCatch : Loop::kFollow
+               : at_.holds(State::kBrake)                         ? Loop::kCatch  // which keeps the frequency that was found
                : tracks_                                          ? Loop::kTrack
                : at_.holds(State::kAccelerate) && !follows_rotor ? Loop::kRamp
                                                                   : Loop::kStop;
     // A rotor that was followed has a speed that is known and lasts: it is controlled, locked or not.
     out.mode = out.running || holds_  ? SpeedMode::kControl
                : observes || boosts_ ? SpeedMode::kAboveBemf
+               : at_.holds(State::kBrake) ? SpeedMode::kBelowBemf
                                      : SpeedMode::kFixed;
     out.duty = duty;
     return out;

@@ -65,7 +65,7 @@ struct StartWords {
   Ticks observe = 0;             // time to look for a rotor that already spins; 0 skips it
   Ticks slow_down = 0;           // time limit for slowing to hand-over speed before a reversal
   Ticks brake = 0;               // one braking interval, between two looks
-  Duty brake_duty = 0;
+  Duty brake_duty = 0;           // from which the back-EMF's is taken
   Ticks rest = 0;                // gates off between a failure and the next try
   UInt<4> retries = 0;           // failed tries before the fault latches
 };

@@ -57,7 +57,7 @@ struct StartParameters {
   double window = 0;     // turns of a step
   int good_crossings = 1;
   double pull_in = 0, observe = 0, slow_down = 0, brake = 0;  // s
-  double brake_duty = 0;
+  double brake_duty = 0;  // from which the back-EMF's is taken
   double rest = 0;  // s
   int retries = 0;
 };

@@ -216,7 +216,7 @@ void for_each_key(S& s, Visitor&& visit) {
     4);
   k("slow_down_s", t.slow_down_s, "s", "time limit before a reversal; default 2 s", 1e-3, 4);
   k("brake_s", t.brake_s, "s", "one braking interval", 1e-3, 4);
-  k("brake_current_a", t.brake_current_a, "A", "at most, from hand-over speed; default: rated",
+  k("brake_current_a", t.brake_current_a, "A", "of a brake, at any speed; default: 0.7 of the limit",
     1e-3, 1e4);
   k("rest_s", t.rest_s, "s", "gates off before the next try", 0, 4);
   k("retries", t.retries, "", "failed tries before the fault latches", 0, 15);

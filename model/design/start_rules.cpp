@@ -13,6 +13,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kLatestHandOver = 0.4;  // of the set speed
 constexpr double kMostTicks = 3900;      // of a ramp, with some to spare of its 4095
 constexpr double kEdgesBetweenLooks = 1.5;
+constexpr double kMostDuty = 1.999;  // of a word u1.15
 
 // The lowest frequency at which this acceleration is followed.
 double frequency_to_follow(const LoopParameters& l, double acceleration) {
@@ -105,10 +106,10 @@ void set_start(const Settings& s, Design& d) {
   p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.5));
   p.slow_down = t.slow_down_s.value_or(2.0);
   p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
-  // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus.
-  const double brake_current = t.brake_current_a.value_or(2 * s.motor.rated_current_a);
-  const double e_brake = m.k_e * kBrakedFrom * p.hand_over / steps;
-  p.brake_duty = std::clamp(1 - (e_brake - brake_current * m.r_loop) / s.inverter.bus_v, 0.0, 1.0);
+  // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus: so the duty of a current at
+  // standstill, less the back-EMF's.
+  const double brake_current = t.brake_current_a.value_or(0.7 * s.sensors.limit_a);
+  p.brake_duty = std::min(1 + brake_current * m.r_loop / s.inverter.bus_v, kMostDuty);
   p.rest = t.rest_s;
   p.retries = t.retries;
   p.method = t.method;

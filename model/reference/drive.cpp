@@ -242,7 +242,7 @@ void Drive::enter_state(double t) {
         vco_.stop(t);
         changed_ = t;
         overdue_ = kNever;
-        ramp_done_ = good_interval_ = measured_ = false;
+        ramp_done_ = good_interval_ = measured_ = fell_ = was_fast_ = false;
         steady_ = 0;
         follower_.begin(t);
         break;
@@ -296,12 +296,15 @@ void Drive::on_tick(double t) {
       duty = stronger(s.reset_duty);
       break;
     case State::kBrake:
-      duty = s.brake_duty;
+      duty = std::clamp(s.brake_duty - speed_.bemf_duty(f), 0.0, p_.speed.maximum);
       break;
     case State::kAccelerate:
       if (follows()) {
         // One that has hand-over's frequency hardly accelerates, so that it is known when it is handed over.
-        boost_ = !follower_.sure() ? s.reset_duty : f < s.hand_over ? s.start_duty : s.start_duty / 8;
+        const bool fast = follower_.sure() && f >= s.hand_over;
+        fell_ = fell_ || (was_fast_ && !fast);
+        was_fast_ = fast;
+        boost_ = !follower_.sure() ? s.reset_duty : !fast ? s.start_duty : part_of(s.start_duty);
         duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
         break;
       }
@@ -312,7 +315,7 @@ void Drive::on_tick(double t) {
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     case State::kPullIn:
-      if (follows()) boost_ = s.start_duty / 8;
+      if (follows()) boost_ = part_of(s.start_duty);
       duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
       break;
     default:

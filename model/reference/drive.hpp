@@ -61,6 +61,8 @@ class Drive {
   void on_tick(double t);
   bool follows() const { return p_.start.method == design::Method::kFollow; }
   bool following() const { return follows() && sequence_.state() == State::kAccelerate; }
+  // Of a followed rotor with hand-over's frequency: a sixteenth of the start's duty, a quarter once it fell back.
+  double part_of(double duty) const { return fell_ ? duty / 4 : duty / 16; }
   double stronger(double duty) const { return sequence_.retries() > 1 && !follows() ? 2 * duty : duty; }
   Mode mode() const;
   bool commutating() const;  // steps are applied
@@ -87,6 +89,7 @@ class Drive {
   int caught_ = 0;
   bool limited_ = false, ramp_done_ = false;
   bool good_interval_ = false, measured_ = false, holds_ = false, boosted_ = false;
+  bool was_fast_ = false, fell_ = false;  // the followed rotor had hand-over's frequency; and less since
   double overdue_ = kNever;   // when the rotor that is followed should have passed an edge, and a quarter more
 };
 

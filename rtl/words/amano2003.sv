@@ -91,7 +91,7 @@ module six_step_fixed (
       .words_start_observe_i(12'd250),
       .words_start_slow_down_i(12'd600),
       .words_start_brake_i(12'd400),
-      .words_start_brake_duty_i(16'd32768),
+      .words_start_brake_duty_i(16'd46722),
       .words_speed_target_i(26'd85899),
       .words_speed_slew_i(20'd72),
       .words_speed_kp_i(16'd43113),

@@ -91,7 +91,7 @@ module six_step_fixed (
       .words_start_observe_i(12'd70),
       .words_start_slow_down_i(12'd2000),
       .words_start_brake_i(12'd119),
-      .words_start_brake_duty_i(16'd32768),
+      .words_start_brake_duty_i(16'd44547),
       .words_speed_target_i(26'd1002159),
       .words_speed_slew_i(20'd3132),
       .words_speed_kp_i(16'd41272),

@@ -91,7 +91,7 @@ module six_step_fixed (
       .words_start_observe_i(12'd500),
       .words_start_slow_down_i(12'd600),
       .words_start_brake_i(12'd184),
-      .words_start_brake_duty_i(16'd32768),
+      .words_start_brake_duty_i(16'd40548),
       .words_speed_target_i(26'd34360),
       .words_speed_slew_i(20'd34),
       .words_speed_kp_i(16'd9864),

@@ -91,7 +91,7 @@ module six_step_fixed (
       .words_start_observe_i(12'd42),
       .words_start_slow_down_i(12'd2000),
       .words_start_brake_i(12'd20),
-      .words_start_brake_duty_i(16'd32768),
+      .words_start_brake_duty_i(16'd43950),
       .words_speed_target_i(26'd214748),
       .words_speed_slew_i(20'd498),
       .words_speed_kp_i(16'd821),

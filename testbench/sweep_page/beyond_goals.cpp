@@ -68,6 +68,8 @@ std::optional<double> lock_of(const Row& r) {
 
 bool light(const Row& r) { return r.conditions.inertia < 1; }
 bool heavy(const Row& r) { return r.conditions.inertia > 1; }
+// The duty of the file's back-EMF is a fifth too much for it, and it follows that at once.
+bool eager(const Row& r) { return r.conditions.bus > 1.2 * r.conditions.flux && r.conditions.inertia < 3; }
 bool again(const Row& r) { return r.findings.retries > 0; }
 bool any(const Row&) { return true; }
 
@@ -75,8 +77,8 @@ std::vector<Goal> six_step_goals(const SweepSetup& setup) {
   const auto backwards = [](const Row& r) { return r.conditions.speed < 0; };
   return {
       {"Peak current, over the limit,", kPeakGoal, [&](const Row& r) { return peak_over_limit(setup, r); },
-       {{backwards, "turned backwards, and such a rotor is braked by shorted windings: that current flows through no shunt, and speed, "
-                    "flux and inductance set it"}}},
+       {{backwards, "turned backwards, and such a rotor is braked by shorted windings: that current flows through no shunt, and the duty that "
+                    "bounds it is made for the file's flux and bus"}}},
       {"Time to lock, s,", kLockGoal, lock_of,
        {{backwards, "turned backwards first"},
         {again, "needed more than one attempt"},
@@ -85,7 +87,8 @@ std::vector<Goal> six_step_goals(const SweepSetup& setup) {
        {{any, "passed more than the one edge that tells the direction: a code and its opposite, turned the other way, look alike, and "
               "the back-EMF of a first edge may be less than the comparators' offset and noise"}}},
       {"Speed from rest, over the set speed,", kSpeedGoal, [](const Row& r) { return r.findings.peak_speed; },
-       {{light, "had less inertia than the file's, and got there under the limit's current while its direction was being told"},
+       {{eager, "had so much bus for its flux that the duty of the file's back-EMF took it on, before speed control had taken that back"},
+        {light, "had less inertia than the file's, and got there under the limit's current while its direction was being told"},
         {heavy, "had more inertia than the file's, and swung at the end of the ramp: the control is designed for the file's inertia"}}},
   };
 }

@@ -102,6 +102,26 @@ TEST(CurrentLimit, AfterACutTheSwitchOnIsBlankedAnew) {
   EXPECT_FALSE(dut.tick(limit(true, true, 10, 5)).on);
 }
 
+// Quiet are all clocks but the last one of a blanking and of a cut, whatever the PWM does in it; and a pulse below the limit without end.
+TEST(CurrentLimit, AllClocksButTheLastOfACountAreQuiet) {
+  constexpr std::uint64_t kForEver = ~std::uint64_t{0};
+  constexpr int kBlanking = 30, kOffTime = 40;
+  CurrentLimit dut;
+  dut.tick(limit(false, false, kBlanking, kOffTime));
+  EXPECT_EQ(dut.quiet(false), kForEver);
+  for (int left = kBlanking; left > 0; --left) {
+    ASSERT_EQ(dut.quiet(true), static_cast<std::uint64_t>(left < 2 ? 0 : left - 1)) << left;
+    dut.tick(limit(true, false, kBlanking, kOffTime));
+  }
+  EXPECT_EQ(dut.quiet(true), kForEver);
+  dut.tick(limit(true, true, kBlanking, kOffTime));
+  for (int left = kOffTime; left > 0; --left) {
+    for (const bool on : {true, false}) ASSERT_EQ(dut.quiet(on), static_cast<std::uint64_t>(left < 2 ? 0 : left - 1)) << left;
+    dut.tick(limit(left % 3 == 0, false, kBlanking, kOffTime));
+  }
+  EXPECT_EQ(dut.quiet(false), kForEver);
+}
+
 // Where a clock does nothing but count, so many clocks at once are the same as one by one: in a pulse, between two and in a cut.
 TEST(CurrentLimit, SkippingItsQuietClocksEqualsTickingThem) {
   int skipped = 0, without_end = 0;

@@ -116,8 +116,8 @@ TEST(OpenLoopDuty, ALagBeforeAnythingFadedAddsNothing) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(bench.step(true), Duty(3200));
 }
 
-// A rotor that is followed: found with reset_duty, then the start's, and an eighth once it has hand-over's frequency.
-TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndWaitsWithAnEighth) {
+// A rotor that is followed: found with reset_duty, then the start's, and a sixteenth once it has hand-over's frequency.
+TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndWaitsWithASixteenth) {
   Bench bench;
   bench.in.follows = true;
   EXPECT_EQ(bench.in_state(State::kAccelerate), Duty(1000));
@@ -129,17 +129,39 @@ TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndWai
   for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(3200));
   bench.in.fast = true;
   bench.clock();
-  for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(400));
+  for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(200));
   bench.in.fast = false;
   bench.clock();
   EXPECT_EQ(bench.clock(), Duty(3200)) << "a load took its speed";
 }
 
-TEST(OpenLoopDuty, ARotorThatWasFollowedIsPulledInWithAnEighthOfTheStarts) {
+// Its back-EMF is more than the words say, or its bus less: the next time it gets more, and so while it is pulled in.
+TEST(OpenLoopDuty, WhatFellBackFromHandOversFrequencyWaitsWithAQuarterUntilTheNextStart) {
+  Bench bench;
+  bench.in.follows = bench.in.sure = bench.in.fast = true;
+  bench.in_state(State::kAccelerate);
+  EXPECT_EQ(bench.clock(), Duty(200));
+  for (const bool lost : {true, false}) {  // its frequency, or the rotor
+    (lost ? bench.in.sure : bench.in.fast) = false;
+    bench.clock();
+    bench.in.sure = bench.in.fast = true;
+    bench.clock();
+    EXPECT_EQ(bench.clock(), Duty(800)) << lost;
+  }
+  bench.pull_in();
+  EXPECT_EQ(bench.clock(), Duty(800));
+  bench.in_state(State::kRest);
+  bench.in_state(State::kAccelerate);
+  EXPECT_EQ(bench.clock(), Duty(200));
+  bench.pull_in();
+  EXPECT_EQ(bench.clock(), Duty(200)) << "to be handed over is not to fall back";
+}
+
+TEST(OpenLoopDuty, ARotorThatWasFollowedIsPulledInWithASixteenthOfTheStarts) {
   Bench bench;
   bench.in.follows = bench.in.sure = bench.in.fast = true;
   bench.pull_in();
-  for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(400));
+  for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(200));
   bench.in_state(State::kBrake);
   EXPECT_EQ(bench.clock(), Duty(500)) << "other states do not ask";
 }

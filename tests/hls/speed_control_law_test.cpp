@@ -38,7 +38,10 @@ class Words : public RandomWords {
   }
   void change(In& in) {
     if (one_in(30)) in.words = words(), in.target = in.words.target;
-    if (one_in(20)) in.mode = one_in(2) ? SpeedMode::kControl : one_in(2) ? SpeedMode::kFixed : SpeedMode::kAboveBemf;
+    if (one_in(20)) in.mode = one_in(2)   ? SpeedMode::kControl
+                             : one_in(2) ? SpeedMode::kFixed
+                             : one_in(2) ? SpeedMode::kBelowBemf
+                                         : SpeedMode::kAboveBemf;
     if (one_in(20)) in.fixed_duty = duty(), in.period = word<14>(), in.slip = duty();
     // Lower targets, and a rotor that comes near to them.
     if (one_in(15)) in.target = one_in(3) ? in.words.target : Frequency::of(below(in.target.raw() + 1));

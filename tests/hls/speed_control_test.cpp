@@ -51,6 +51,24 @@ TEST(SpeedControl, StaysAboveTheBackEmfBeforeLock) {
   EXPECT_EQ(update(dut, in).duty, in.words.maximum);
 }
 
+// A brake: 1 + I R / V - E / V, one last bit less, since the one's complement stands for the negative.
+TEST(SpeedControl, BrakesWithSoMuchLessThanTheBackEmfWants) {
+  SpeedControl dut;
+  auto in = typical();
+  in.mode = SpeedMode::kBelowBemf;
+  in.words.bemf = 6144;  // 1.5
+  in.fixed_duty = 40000;
+  in.frequency = 16384 << 4;  // 24576 of the duty
+  EXPECT_EQ(update(dut, in).duty, Duty(40000 - 24576 - 1));
+  in.frequency = 0;
+  EXPECT_EQ(update(dut, in).duty, in.words.maximum) << "slow: the current is less than it may be";
+  in.frequency = 32768 << 4;
+  EXPECT_EQ(update(dut, in).duty, Duty(0)) << "so fast that the diodes brake";
+  in.mode = SpeedMode::kControl;
+  in.target = in.frequency;
+  EXPECT_LE(update(dut, in).duty, in.words.minimum + 1000) << "control begins with none";
+}
+
 TEST(SpeedControl, BeginsWithoutAJump) {
   SpeedControl dut;
   auto in = typical();

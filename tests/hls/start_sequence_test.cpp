@@ -181,6 +181,9 @@ TEST(StartSequence, BrakesARotorThatTurnsTheOtherWayAndLooksAgain) {
   EXPECT_EQ(out.state, State::kBrake);
   EXPECT_EQ(out.pattern, Pattern::kBrake);
   EXPECT_EQ(out.duty, Duty(500));
+  EXPECT_EQ(out.mode, SpeedMode::kBelowBemf);
+  EXPECT_EQ(out.loop, Loop::kCatch) << "the frequency found is kept: the brake's duty is less that of the back-EMF";
+  EXPECT_EQ(out.watch, Evidence::kNothing);
   bench.until(State::kObserve);
   bench.until(State::kSettle);
 }

@@ -45,6 +45,19 @@ TEST(BeyondGoals, CountsAndNamesTheWorst) {
   EXPECT_EQ(text.find("Peak current"), text.npos);
 }
 
+// With 1.3 times the file's duty for its speed; of heavy rotors it is the swing.
+TEST(BeyondGoals, AFastRotorWithAStrongBusFollowsItsDuty) {
+  Page page;
+  for (const double inertia : {0.6, 2.0, 5.0}) {
+    page.add(1).findings.peak_speed = 1.12;
+    page.rows.back().conditions.inertia = inertia;
+    page.rows.back().conditions.flux = 0.85, page.rows.back().conditions.bus = 1.1;
+  }
+  const std::string text = beyond_goals(page.setup, page.rows);
+  EXPECT_NE(text.find("3 of 3 runs. 2 had so much bus for its flux"), text.npos) << text;
+  EXPECT_NE(text.find(" 1 had more inertia"), text.npos) << text;
+}
+
 TEST(BeyondGoals, APeakIsOverTheDrivesLimitAndARunThatWasNotAskedIsNotCounted) {
   Page page;
   page.add(7).findings.peak_current_a = 11.6;
