@@ -7,11 +7,11 @@
 //     on_clocks  = duty * period
 //     slips      = duty > slip + (loaded frequency >> shift)    more than any right lock takes
 //
-// Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose
-// mean voltage equals the back-EMF (kAboveBemf: the current stays the same while the rotor speeds
-// up; kBelowBemf: less that one, of a brake, whose current stays the same at any speed). Integral and reference follow, so that control begins without a jump, after a start as after
-// catching a rotor.  It begins once more that way where a rotor has come down to a lower target: it coasts, and what the integral
-// lost in vain meanwhile would take it far below.
+// Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose mean voltage equals the
+// back-EMF (kAboveBemf: the current stays the same while the rotor speeds up), or less that one (kBelowBemf: a brake, likewise).
+// Integral and reference follow, so that control begins without a jump, after a start as after catching a rotor.  It begins once
+// more that way where a rotor has come down to a lower target: it coasts, and what the integral lost in vain meanwhile would
+// take it far below.
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
 // 15/32 of a step or more and the duty is to rise (faster than its slew, or by 2^-13 a tick for the integral alone, or the limit

@@ -102,9 +102,10 @@ std::vector<std::string> advice(const design::Settings& s, const Summary& sum, c
   const double lock = sum.lock_time_s.value_or(0);
   const std::string bus = bus_gives_no_more(sum, record);
   const bool under_way = sum.lock_time_s && sum.lost_locks == 0 && bus.empty();
+  std::string late;
+  if (under_way) late = ends_too_soon(s, gaining(record.overview, lock, sum.steady.to_s, sum.set_speed_rpm));
   for (const std::string& line :
-       {sum.lock_time_s ? std::string() : held_at_rest(s), runs_on(s, sum), bus,
-        under_way ? ends_too_soon(s, gaining(record.overview, lock, sum.steady.to_s, sum.set_speed_rpm)) : std::string(), load_step_beyond(s)}) {
+       {sum.lock_time_s ? std::string() : held_at_rest(s), runs_on(s, sum), bus, late, load_step_beyond(s)}) {
     if (!line.empty()) all.push_back(line);
   }
   return all;

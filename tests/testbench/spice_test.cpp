@@ -34,7 +34,8 @@ struct Pattern {
 };
 
 constexpr Gates kOff = {}, kUV = {.uh = true, .vl = true}, kUW = {.uh = true, .wl = true}, kV = {.vl = true}, kW = {.wl = true},
-                kUlV = {.ul = true, .vl = true}, kShort = {.ul = true, .vl = true, .wl = true}, kReset = {.uh = true, .vh = true, .wl = true};
+                kUlV = {.ul = true, .vl = true}, kShort = {.ul = true, .vl = true, .wl = true},
+                kReset = {.uh = true, .vh = true, .wl = true};
 
 // `on` for `high`, `off` for the rest of each of so many periods; `dead` between two.
 void chop(Pattern& p, Gates on, Gates off, double high, double period, int times, double dead = 0, Gates between = {}) {

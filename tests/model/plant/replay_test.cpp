@@ -51,7 +51,8 @@ TEST(Replay, ASampleOnAnEventShowsTheCircuitAfterIt) {
 TEST(Replay, EnergyBalancesFromTheSamplesAlone) {
   const Parameters p;
   const double dt = 2e-8;
-  const std::vector<GateEvent> events = {{0, {.uh = true, .vl = true}, 0}, {100e-6, {.vl = true}, 0}, {130e-6, {.uh = true, .wl = true}, 0}, {250e-6, {}, 0}};
+  const std::vector<GateEvent> events = {
+      {0, {.uh = true, .vl = true}, 0}, {100e-6, {.vl = true}, 0}, {130e-6, {.uh = true, .wl = true}, 0}, {250e-6, {}, 0}};
   const auto samples = run(events, dt, 400e-6, {.angle = 0.26, .speed = 200});
   const auto terminal = [](const Sample& s) { return s.vu * s.iu + s.vv * s.iv + s.vw * s.iw; };
   const auto squares = [](const Sample& s) { return s.iu * s.iu + s.iv * s.iv + s.iw * s.iw; };
