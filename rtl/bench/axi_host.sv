@@ -79,6 +79,17 @@ module axi_host (
     rready = 1'b0;
   endtask
 
+  // Looks at STATUS every so many clocks until the drive has stopped, or so often.
+  task automatic until_stopped(input int every, input int most, output int looks);
+    logic [31:0] value;
+    looks = 0;
+    do begin
+      repeat (every) @(negedge clk);
+      looks = looks + 1;
+      read(kStatus, value);
+    end while ((value & kStopped) == 0 && looks < most);
+  endtask
+
   // The words of rtl/words/NAME.mem behind the lock, each read back, then CONTROL.configured.  `errors`: words that are not kept.
   // A file that is not there leaves `count` 0.
   localparam int kWords = 256;

@@ -1,10 +1,10 @@
 // A motor that turns: six_step_axi, its host and motor.sv.  It starts, locks and accelerates.
 //
-//     iverilog -g2012 -o turning_motor.vvp -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv \
+//     iverilog -g2012 -o turning_motor.vvp -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv \
 //         rtl/bench/motor.sv rtl/bench/turning_motor.sv
 //     vvp -n turning_motor.vvp +words=rtl/words/maxon_ec45_flat.mem [+dump=FILE.vcd]
 //
-//   or verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -f rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/motor.sv \
+//   or verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -f rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/motor.sv \
 //         rtl/bench/turning_motor.sv
 //     obj_dir/Vturning_motor +words=rtl/words/maxon_ec45_flat.mem [+long]
 //
@@ -36,10 +36,13 @@ module turning_motor #(
   hosted_drive #(.WITH_HALL_DECODER(WITH_HALL_DECODER)) drive (
       .clk(clk), .rst(rst), .comparator(comparator), .limit(limit), .fault(fault), .high(high), .low(low), .locked(locked), .latched(latched)
   );
+  judge judge (
+      .clk(clk), .rst(rst), .high(high), .low(low), .locked(locked), .latched(latched), .rpm(motor.rpm), .peak_a(motor.peak_a)
+  );
   motor motor (.clk(clk), .high(high), .low(low), .comparator(comparator), .limit(limit));
 
   string file;
-  int errors, count, clocks = 0;
+  int errors, count, ms;
   real locked_rpm, told_rpm;
   logic [31:0] value;
   initial begin
@@ -47,82 +50,59 @@ module turning_motor #(
       $dumpfile(file);
       $dumpvars(0, turning_motor);
     end
-    if (!$value$plusargs("words=%s", file)) drive.fail("no +words=FILE.mem");
+    if (!$value$plusargs("words=%s", file)) judge.fail("no +words=FILE.mem");
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);
     drive.host.configure(file, errors, count);
-    if (errors != 0 || count == 0) drive.fail($sformatf("%0d of %0d words are not kept", errors, count));
+    if (errors != 0 || count == 0) judge.fail($sformatf("%0d of %0d words are not kept", errors, count));
     drive.host.write(kControl, 32'd3);  // configured, run
-    while (!locked && clocks < LATEST) begin
-      @(negedge clk);
-      clocks = clocks + 1;
-      if (latched) drive.fail("the drive's fault is latched");
-    end
-    if (!locked) drive.fail($sformatf("no lock within %0d clocks", LATEST));
-    $display("locked after %0.2f ms at %0.0f r/min, %0.2f A at most", clocks * 1.0e3 / kClockHz, motor.rpm, motor.peak_a);
+    judge.locks(LATEST);
     locked_rpm = motor.rpm;
     repeat (kAfter) begin
       @(negedge clk);
-      if (!locked || latched) drive.fail("the lock is lost");
+      if (!locked || latched) judge.fail("the lock is lost");
     end
     // The drive's own frequency is the rotor's: six steps a turn and pole pair.
     drive.host.write(12'h02c, 32'd1);  // SNAPSHOT
     drive.host.read(12'h030, value);  // TELEMETRY_SPEED
     told_rpm = value * kClockHz / 4294967296.0 * 10.0 / kPolePairs;
     $display("%0.0f r/min %0.1f ms later, %0.0f by the drive", motor.rpm, kAfter * 1.0e3 / kClockHz, told_rpm);
-    if (motor.rpm <= locked_rpm) drive.fail("it does not accelerate");
+    if (motor.rpm <= locked_rpm) judge.fail("it does not accelerate");
     // The set speed rises by 6.6 r/min a millisecond, and the loop's integral takes 1 / 0.16 steps, 5 ms: the drive's speed may be as much behind.
-    if (told_rpm < 0.98 * motor.rpm || told_rpm > 1.02 * motor.rpm) drive.fail("the drive's speed is not the rotor's");
+    if (told_rpm < 0.98 * motor.rpm || told_rpm > 1.02 * motor.rpm) judge.fail("the drive's speed is not the rotor's");
     if ($test$plusargs("long")) long;
     $display("PASSED");
     $finish;
   end
 
-  // Until the rotor turns at `wanted` within 2 %, and in lock.
-  task automatic arrives(input real wanted, input int most_ms, input string why);
-    int ms;
-    ms = 0;
-    while (ms < most_ms && !(locked && motor.rpm / wanted > 0.98 && motor.rpm / wanted < 1.02)) begin
-      repeat (kMs) @(negedge clk);
-      ms = ms + 1;
-    end
-    if (ms == most_ms) drive.fail(why);
-    $display("%0.0f r/min: %0.0f after %0d ms", wanted, motor.rpm, ms);
-  endtask
-
   // A load, a reversal, a fault and a start after it, a stop.
   task automatic long;
     drive.host.write(kTarget, 32'($rtoi(kSetRpm * kPolePairs / 10.0 / kClockHz * 4294967296.0)));
-    arrives(kSetRpm, 500, "it does not come to its set speed");
+    judge.arrives(kSetRpm, 0.02, 500, "it does not come to its set speed");
     motor.load_nm = kHalfOfRated;
     repeat (200 * kMs) @(negedge clk);
-    arrives(kSetRpm, 100, "it does not carry its load");
+    judge.arrives(kSetRpm, 0.02, 100, "it does not carry its load");
     motor.load_nm = 0.0;
     drive.host.write(kSet, kReverse);
-    arrives(-kSetRpm, 2000, "it does not turn round");
+    judge.arrives(-kSetRpm, 0.02, 2000, "it does not turn round");
     fault = 1'b1;
     repeat (3) @(negedge clk);
-    if (gates != 6'd0) drive.fail("a gate is on 3 clocks after the fault pin");
+    if (gates != 6'd0) judge.fail("a gate is on 3 clocks after the fault pin");
     fault = 1'b0;
     repeat (100) @(negedge clk);
-    if (gates != 6'd0 || !latched) drive.fail("the fault is not latched");
+    if (gates != 6'd0 || !latched) judge.fail("the fault is not latched");
     drive.host.write(kClear, kRun);
     drive.host.write(kFault, 32'd1);
     repeat (10) @(negedge clk);
     drive.host.read(kFault, value);
-    if (value[0]) drive.fail("the fault is not cleared");
+    if (value[0]) judge.fail("the fault is not cleared");
     drive.host.write(kSet, kRun);
-    arrives(-kSetRpm, 2000, "it does not start again");
+    judge.arrives(-kSetRpm, 0.02, 2000, "it does not start again");
     drive.host.write(kSet, kBrake);
     drive.host.write(kClear, kRun);
-    clocks = 0;
-    do begin
-      repeat (kMs) @(negedge clk);
-      clocks = clocks + 1;
-      drive.host.read(kStatus, value);
-    end while (!value[11] && clocks < 3000);
-    if (!value[11] || gates != 6'd0) drive.fail("it does not stop");
-    $display("stopped after %0d ms, at %0.0f r/min", clocks, motor.rpm);
+    drive.host.until_stopped(kMs, 3000, ms);
+    if (ms == 3000 || gates != 6'd0) judge.fail("it does not stop");
+    $display("stopped after %0d ms, at %0.0f r/min", ms, motor.rpm);
   endtask
 endmodule

@@ -2,11 +2,11 @@
 // its set speed; then a load, a stop, a converter that falls silent, and another start.
 //
 //     $ verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_sinusoidal -f rtl/sinusoidal_axi.f rtl/bench/axi_host.sv \
-//         rtl/bench/hosted_sinusoidal.sv rtl/bench/motor.sv rtl/bench/turning_sinusoidal.sv
+//         rtl/bench/hosted_sinusoidal.sv rtl/bench/judge.sv rtl/bench/motor.sv rtl/bench/turning_sinusoidal.sv
 //     obj_dir/Vturning_sinusoidal +words=rtl/words/m2310p_sinusoidal.mem
 //
 //   or for what Icarus does in a minute, the calibration and the pattern that pulls the rotor to a known angle:
-//     iverilog -g2012 -o turning_sinusoidal.vvp -s turning_sinusoidal -c rtl/sinusoidal_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_sinusoidal.sv \
+//     iverilog -g2012 -o turning_sinusoidal.vvp -s turning_sinusoidal -c rtl/sinusoidal_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_sinusoidal.sv rtl/bench/judge.sv \
 //         rtl/bench/motor.sv rtl/bench/turning_sinusoidal.sv
 //     vvp -n turning_sinusoidal.vvp +words=rtl/words/m2310p_sinusoidal.mem +first_ms=4 [+dump=FILE.vcd]
 //
@@ -37,13 +37,16 @@ module turning_sinusoidal #(
       .clk(clk), .rst(rst), .current_u_a(motor.i[0]), .current_v_a(motor.i[1]), .bus_v(motor.bus_v), .fault(fault),
       .high(high), .low(low), .locked(locked), .latched(latched)
   );
+  judge judge (
+      .clk(clk), .rst(rst), .high(high), .low(low), .locked(locked), .latched(latched), .rpm(motor.rpm), .peak_a(motor.peak_a)
+  );
   motor #(
       .resistance_ohm(0.38), .inductance_h(0.2e-3), .flux_vs(6.37e-3), .pole_pairs(4), .inertia_kgm2(7.06e-6), .coulomb_nm(3e-3),
       .viscous_nms(5e-6), .bus_v(24.0), .diode_v(0.55), .limit_a(15.0)
   ) motor (.clk(clk), .high(high), .low(low), .comparator(comparator), .limit(limit));
 
   string file;
-  int errors, count, clocks = 0, first_ms;
+  int errors, count, ms, first_ms;
   real told_rpm;
   logic [31:0] value;
   initial begin
@@ -51,81 +54,49 @@ module turning_sinusoidal #(
       $dumpfile(file);
       $dumpvars(0, turning_sinusoidal);
     end
-    if (!$value$plusargs("words=%s", file)) drive.fail("no +words=FILE.mem");
+    if (!$value$plusargs("words=%s", file)) judge.fail("no +words=FILE.mem");
     if (!$value$plusargs("first_ms=%d", first_ms)) first_ms = 0;
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);
     drive.host.configure(file, errors, count);
-    if (errors != 0 || count == 0) drive.fail($sformatf("%0d of %0d words are not kept", errors, count));
-    if (gates != 6'd0) drive.fail("a gate is on before run");
+    if (errors != 0 || count == 0) judge.fail($sformatf("%0d of %0d words are not kept", errors, count));
+    if (gates != 6'd0) judge.fail("a gate is on before run");
     drive.host.write(kControl, 32'd3);  // configured, run
     if (first_ms > 0) begin
       repeat (first_ms * kMs) @(negedge clk);
       drive.host.read(kStatus, value);
       $display("state %0d after %0d ms, %0.2f A at most", value[3:0], first_ms, motor.peak_a);
-      if (latched) drive.fail("the drive's fault is latched");
-      if (value[3:0] != 4'd3) drive.fail("it does not pull the rotor");
+      if (latched) judge.fail("the drive's fault is latched");
+      if (value[3:0] != 4'd3) judge.fail("it does not pull the rotor");
       $display("PASSED");
       $finish;
     end
-    locks;
-    arrives(kSetRpm, 500, "it does not come to its set speed");
+    judge.locks(LATEST);
+    judge.arrives(kSetRpm, 0.01, 500, "it does not come to its set speed");
     // The estimated speed is the rotor's: 1/16 of an electrical turn a sample is the whole of s0.15.
     drive.host.write(kSnapshot, 32'd1);
     drive.host.read(kSpeed, value);
     told_rpm = $itor($signed(value[15:0])) / 32768.0 / 16.0 * kPwmHz * 60.0 / kPolePairs;
     $display("%0.0f r/min by the drive", told_rpm);
-    if (told_rpm < 0.99 * motor.rpm || told_rpm > 1.01 * motor.rpm) drive.fail("the drive's speed is not the rotor's");
+    if (told_rpm < 0.99 * motor.rpm || told_rpm > 1.01 * motor.rpm) judge.fail("the drive's speed is not the rotor's");
     motor.load_nm = kLoad;
     repeat (100 * kMs) @(negedge clk);
-    arrives(kSetRpm, 100, "it does not carry its load");
+    judge.arrives(kSetRpm, 0.01, 100, "it does not carry its load");
     motor.load_nm = 0.0;
     drive.host.write(kSet, kBrake);
     drive.host.write(kClear, kRun);
-    stops;
+    drive.host.until_stopped(kMs, 3000, ms);
+    if (ms == 3000 || gates != 6'd0) judge.fail("it does not stop");
+    $display("stopped after %0d ms, at %0.0f r/min", ms, motor.rpm);
     drive.host.write(kSet, kRun);
-    locks;
+    judge.locks(LATEST);
     drive.lost = 1'b1;
     repeat (2 * kMs) @(negedge clk);
     drive.host.read(kFault, value);
-    if (gates != 6'd0 || !latched || value[7:4] != 4'd3) drive.fail("converters that fall silent are no fault");
+    if (gates != 6'd0 || !latched || value[7:4] != 4'd3) judge.fail("converters that fall silent are no fault");
     $display("without samples: fault, reason %0d, gates off", value[7:4]);
     $display("PASSED");
     $finish;
   end
-
-  task automatic locks;
-    clocks = 0;
-    while (!locked && clocks < LATEST) begin
-      @(negedge clk);
-      clocks = clocks + 1;
-      if (latched) drive.fail("the drive's fault is latched");
-    end
-    if (!locked) drive.fail($sformatf("no lock within %0d clocks", LATEST));
-    $display("locked after %0.2f ms at %0.0f r/min, %0.2f A at most", clocks * 1.0e3 / kClockHz, motor.rpm, motor.peak_a);
-  endtask
-
-  // Until the rotor turns at `wanted` within 1 %, and in lock.
-  task automatic arrives(input real wanted, input int most_ms, input string why);
-    int ms;
-    ms = 0;
-    while (ms < most_ms && !(locked && motor.rpm / wanted > 0.99 && motor.rpm / wanted < 1.01)) begin
-      repeat (kMs) @(negedge clk);
-      ms = ms + 1;
-    end
-    if (ms == most_ms) drive.fail(why);
-    $display("%0.0f r/min: %0.0f after %0d ms", wanted, motor.rpm, ms);
-  endtask
-
-  task automatic stops;
-    clocks = 0;
-    do begin
-      repeat (kMs) @(negedge clk);
-      clocks = clocks + 1;
-      drive.host.read(kStatus, value);
-    end while (!value[11] && clocks < 3000);
-    if (!value[11] || gates != 6'd0) drive.fail("it does not stop");
-    $display("stopped after %0d ms, at %0.0f r/min", clocks, motor.rpm);
-  endtask
 endmodule

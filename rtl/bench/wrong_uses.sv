@@ -1,7 +1,7 @@
 // What a drive does when it is used wrongly: six_step_axi, its host, and the motor of motor.sv.
 //
 //     $ verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module wrong_uses -f rtl/six_step_axi.f \
-//         rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/six_step_axi_properties.sv rtl/bench/motor.sv rtl/bench/wrong_uses.sv
+//         rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/six_step_axi_properties.sv rtl/bench/motor.sv rtl/bench/wrong_uses.sv
 //     $ obj_dir/Vwrong_uses +words=rtl/words/maxon_ec45_flat.mem +use=5
 //
 // It prints one row: the use, what the drive says in the end, the rotor in r/min, the highest current over the limit, and for how many
@@ -34,6 +34,9 @@ module wrong_uses;
 
   hosted_drive drive (
       .clk(clk), .rst(rst), .comparator(seen), .limit(limit), .fault(fault), .high(high), .low(low), .locked(locked), .latched(latched)
+  );
+  judge judge (
+      .clk(clk), .rst(rst), .high(high), .low(low), .locked(locked), .latched(latched), .rpm(motor.rpm), .peak_a(motor.peak_a)
   );
   bind six_step_axi six_step_axi_properties properties (.*);
   motor motor (.clk(clk), .high(high), .low(low), .comparator(turned), .limit(limited));
@@ -161,7 +164,7 @@ module wrong_uses;
   logic settled;
   string in_the_end;
   initial begin
-    if (!$value$plusargs("words=%s", file) || !$value$plusargs("use=%d", use_)) drive.fail("no +words=FILE.mem, or no +use=N");
+    if (!$value$plusargs("words=%s", file) || !$value$plusargs("use=%d", use_)) judge.fail("no +words=FILE.mem, or no +use=N");
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);
@@ -186,7 +189,7 @@ module wrong_uses;
     $display("| %0d | %s | %s | %0.0f | %0.2f | %0.1f | %0d |", use_, name(), in_the_end, motor.rpm, motor.peak_a / kLimitA,
              longest * 1.0e6 * motor.pace / kClockHz, ms);
     if (locked && (told < 0.95 * motor.rpm || told > 1.05 * motor.rpm))
-      drive.fail($sformatf("in lock at %0.0f r/min, and the rotor turns at %0.0f", told, motor.rpm));
+      judge.fail($sformatf("in lock at %0.0f r/min, and the rotor turns at %0.0f", told, motor.rpm));
     $finish;
   end
 endmodule

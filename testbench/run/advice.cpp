@@ -89,11 +89,11 @@ std::string load_step_beyond(const design::Settings& s) {
   const double own = s.motor.coulomb_nm + s.motor.viscous_nms * speed + s.load.opposing_nm + s.load.fan_nms2 * speed * speed;
   const auto [most, rated] = torque_of(s);
   const double step = design::load_step_torque(s);
-  if (step + own <= most) return {};
+  if (step + own <= most || own >= most) return {};
   // What is left would do for a load that comes slowly; a step stops a light rotor before speed control sees it.
   return fmt::format("the load step asks for {:.3g} N m beside {:.3g} of friction and load, and the limit's current gives {:.3g}: lower "
                      "scenario.load_step_nm to {:.2g}, or raise sensors.limit_a", step, own, most,
-                     std::min(0.8 * std::max(0.0, most - own), rated / 2));
+                     std::min(0.8 * (most - own), rated / 2));
 }
 
 std::vector<std::string> advice(const design::Settings& s, const Summary& sum, const Record& record) {

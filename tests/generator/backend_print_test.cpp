@@ -68,6 +68,21 @@ TEST(Print, NextValueThatIsReadTwiceIsNamedAfterItsRegister) {
   EXPECT_PRINTS(text, "assign phase_o = phase_next;");
 }
 
+// What several things are made from has the name of what it is made of itself, never the line of its C++.
+TEST(Print, ValueOfSeveralPurposesIsNamedAfterWhatItIsMadeOf) {
+  for (const unsigned line : {7u, 8u}) {
+    Build b("shared");
+    const NodeId level = b.input("level", 4), least = b.input("least", 4), gate = b.input("gate", 1);
+    const NodeId below = b.op(Op::kUlt, level, least);
+    const NodeId both = b.op(Op::kAnd, below, gate);
+    b.m.nodes[both].source.line = line;
+    b.output("a", b.op(Op::kXor, both, b.input("x", 1)));
+    b.output("b", b.op(Op::kXor, both, b.input("y", 1)));
+    b.output("c", b.op(Op::kXor, both, b.input("z", 1)));
+    EXPECT_PRINTS(printed(std::move(b)), "wire level_both = level_i < least_i && gate_i;");
+  }
+}
+
 TEST(Print, ChainOfEqualitiesIsACaseAndTwoOfThemAreOne) {
   Build b("chain");
   b.m.enumerations.push_back({"State", 2, {{"kIdle", 0}, {"kRun", 1}, {"kStop", 2}}});

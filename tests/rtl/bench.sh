@@ -23,11 +23,11 @@ if [ -f "$top" ]; then
   cmp -s rtl/six_step_axi.sv "$top" && { echo "bench.sh: the flaw found no place"; exit 2; }
   files=("${files[@]/rtl\/six_step_axi.sv/$top}")
 fi
-iverilog -g2012 -o "$work/first_start.vvp" -s first_start "${files[@]}" rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/first_start.sv
+iverilog -g2012 -o "$work/first_start.vvp" -s first_start "${files[@]}" rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/first_start.sv
 vvp -n "$work/first_start.vvp" "+words=$words" | tee "$work/log"
 [ $flaw = --verilator ] || exit 0
 grep -v WARNING "$work/log" >"$work/icarus"
 verilator --binary --timing -Wno-fatal -Wno-TIMESCALEMOD --top-module first_start --Mdir "$work/verilated" "${files[@]}" \
-  rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/first_start.sv >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
+  rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/first_start.sv >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
 "$work/verilated/Vfirst_start" "+words=$words" | grep -v finish >"$work/verilator"
 diff "$work/icarus" "$work/verilator" && echo "both say the same"

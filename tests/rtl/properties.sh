@@ -53,7 +53,7 @@ bench=(rtl/bench/axi_host.sv rtl/bench/six_step_axi_properties.sv)
 if [ "$mode" = --bound ]; then
   top=first_start
   echo 'bind six_step_axi six_step_axi_properties properties (.*);' >"$work/bind.sv"
-  bench+=(rtl/bench/hosted_drive.sv "$work/bind.sv")
+  bench+=(rtl/bench/hosted_drive.sv rtl/bench/judge.sv "$work/bind.sv")
 fi
 bench+=("rtl/bench/$top.sv")
 verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module $top --Mdir "$work/verilated" "${files[@]}" "${bench[@]}" \
