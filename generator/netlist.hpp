@@ -76,7 +76,11 @@ struct Leaf {
   int enumeration = -1;  // Module::enumerations
   std::string comment;   // the `// u0.16, turns` behind the member in its header, or empty
   std::optional<bool> parameter = {};  // of In: fixed at synthesis, with this default
+  int set_of = -1;                     // Module::enumerations: a bit for each of its values (hls/numeric/one_hot.hpp)
 };
+
+// Printed as a signed vector: a bit alone has no sign to show.
+inline bool is_signed(const Leaf& leaf) { return leaf.is_signed && leaf.width > 1; }
 
 struct Register {
   Leaf leaf;
@@ -109,6 +113,7 @@ struct Module {
   std::string cpp_class;   // steplock::GateGuard<12>
   SourceLine source;       // where the class is defined
   std::vector<std::string> remarks;  // lines in the header of its print
+  std::vector<std::string> contract;  // what its C++ header begins with
   std::vector<Leaf> inputs;
   std::vector<Output> outputs;
   std::vector<Register> registers;

@@ -3,6 +3,25 @@
 // as 473 instructions on 1 multiplier of 31 x 16 bits and one adder of 44; 467 register bits,
 // 111 words of memory of 32 bits. Early outputs are new after 233 clocks.
 // Do not edit: change the C++ and run hlsgen again.
+//
+// What the sinusoidal drive computes in one sample, as one program: currents in, on-clocks out, and
+// then what the next sample needs to know of the speed.
+//
+//     first   angle of this sample (its step came with the one before) -> CurrentControl
+//                                                                      -> SpaceVector -> `early`
+//     then    Estimator -> step to the next sample -> SpeedRegulator -> speed, wanted current
+//
+// So nobody waits for the estimator: the duty takes the speed and the wanted current of the sample
+// before, a sample late in a loop whose filter takes tens of samples.  The angle is not late: theta_c
+// of a sample follows from the sample before, in Matsui 1996 as here, (11) and (20).
+//
+// In a search by pilot pulses the currents that CurrentControl turns are `a` and `b` instead.
+//
+//     formats        those of the four blocks
+//     latency        `early` 10 us at most at 24 MHz; all by `clocks`, less than the shortest period
+//     multipliers    one of 31 x 16 bits, for products in turn
+//
+// Doc: docs/blocks/sinusoidal_control.md   Test: tests/hls/sinusoidal_control_test.cpp
 
 module sinusoidal_control (
     input  logic        clk,
@@ -108,12 +127,12 @@ module sinusoidal_control (
   logic [13:0] early_on_v_held;  // until the next is done
   logic [13:0] early_on_w_held;  // until the next is done
   logic [23:0] angle_held;  // until the next is done
-  logic [15:0] i_gamma_held;  // until the next is done
-  logic [15:0] i_delta_held;  // until the next is done
+  logic signed [15:0] i_gamma_held;  // until the next is done
+  logic signed [15:0] i_delta_held;  // until the next is done
   logic limited_held;  // until the next is done
-  logic [15:0] speed_current_held;  // until the next is done
-  logic [15:0] speed_speed_held;  // until the next is done
-  logic [15:0] speed_reference_held;  // until the next is done
+  logic signed [15:0] speed_current_held;  // until the next is done
+  logic signed [15:0] speed_speed_held;  // until the next is done
+  logic signed [15:0] speed_reference_held;  // until the next is done
   logic speed_saturated_held;  // until the next is done
   logic speed_fast_held;  // until the next is done
   logic speed_slow_held;  // until the next is done

@@ -2,7 +2,6 @@
 
 #include <fstream>
 #include <map>
-#include <vector>
 
 namespace hlsgen {
 namespace {
@@ -28,6 +27,15 @@ std::string comment_at(const SourceLine& line) {
   const auto first = text.find_first_not_of("/!< \t", slashes);
   if (first == std::string::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> contract_of(const std::string& file) {
+  std::vector<std::string> out;
+  for (const std::string& line : lines_of(file)) {
+    if (line.rfind("//", 0) != 0) break;
+    out.push_back(line.substr(line.rfind("// ", 0) == 0 ? 3 : 2));
+  }
+  return out;
 }
 
 }  // namespace hlsgen

@@ -59,6 +59,18 @@ std::int64_t first_value_argument(const llvm::DICompositeType* type) {
   return 0;
 }
 
+// hls/numeric/one_hot.hpp: the enumeration whose values its bits stand for, null for other classes.
+const llvm::DICompositeType* values_of_set(const llvm::DICompositeType* type) {
+  if (!type->getName().startswith("OneHot<")) return nullptr;
+  for (const auto* parameter : type->getTemplateParams()) {
+    const auto* argument = dyn_cast<llvm::DITemplateTypeParameter>(parameter);
+    if (argument == nullptr) continue;
+    const auto* values = llvm::dyn_cast_or_null<llvm::DICompositeType>(behind_typedefs(argument->getType()));
+    return values != nullptr && values->getTag() == dwarf::DW_TAG_enumeration_type ? values : nullptr;
+  }
+  return nullptr;
+}
+
 class Walk {
  public:
   explicit Walk(Layout& layout) : layout_(layout) {}
@@ -150,7 +162,10 @@ class Walk {
       return;
     }
     if (place_parameter(type, name, offset) || place_number(type, name, offset)) return;
+    const auto* outer = set_of_;
+    set_of_ = values_of_set(type);
     members_of(type, name, offset);
+    set_of_ = outer;
   }
 
   // hls/numeric/parameter.hpp, and no other class of that name.
@@ -233,6 +248,7 @@ class Walk {
     place.leaf.name = name;
     place.leaf.comment = comment_at(declared_);
     place.offset = offset;
+    place.set_of = set_of_;
     place.source = declared_;
     return place;
   }
@@ -240,6 +256,7 @@ class Walk {
   Layout& layout_;
   SourceLine at_;        // the member being looked at
   SourceLine declared_;  // the innermost member that the user wrote
+  const llvm::DICompositeType* set_of_ = nullptr;  // of the OneHot that is being looked at
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ struct LeafPlace {
   std::uint64_t offset = 0;   // bytes
   unsigned storage_bits = 8;  // width of the integer that clang loads and stores
   const llvm::DICompositeType* enumeration = nullptr;
+  const llvm::DICompositeType* set_of = nullptr;  // the enumeration of a OneHot
   SourceLine source;
 };
 

@@ -1,3 +1,4 @@
+#include "generator/cpp/comments.hpp"
 #include "generator/dataflow/convert.hpp"
 
 #include <llvm/IR/DebugInfo.h>
@@ -38,6 +39,7 @@ class Converter {
     module_.name = block_.module;
     module_.cpp_class = block_.cpp_class;
     module_.source = block_.source;
+    module_.contract = contract_of(block_.source.file);
     refuse_memory();
     add_sources();
     add_sinks();
@@ -70,15 +72,20 @@ class Converter {
 
   Leaf leaf_of(const LeafPlace& place) {
     Leaf leaf = place.leaf;
-    if (place.enumeration == nullptr) return leaf;
-    const auto enumeration = enumeration_of(place.enumeration);
+    leaf.enumeration = enumeration_at(place.enumeration);
+    leaf.set_of = enumeration_at(place.set_of);
+    return leaf;
+  }
+  int enumeration_at(const llvm::DICompositeType* type) {
+    if (type == nullptr) return -1;
+    const auto enumeration = enumeration_of(type);
     auto& all = module_.enumerations;
     const auto known = std::find_if(all.begin(), all.end(), [&](const Enumeration& e) {
       return e.name == enumeration.name && e.values == enumeration.values;
     });
-    leaf.enumeration = static_cast<int>(known - all.begin());
+    const int at = static_cast<int>(known - all.begin());
     if (known == all.end()) all.push_back(enumeration);
-    return leaf;
+    return at;
   }
 
   void add_sources() {

@@ -45,8 +45,11 @@ Expr Expressions::define(NodeId id, int enumeration) {
   const bool bit = n.width == 1;
   switch (n.op) {
     case Op::kConstant: return use(id, enumeration);
-    case Op::kInput: case Op::kRegister: case Op::kInstanceOutput:
-      return syntax::name(name_of_(id), n.width);
+    case Op::kInput: case Op::kRegister: case Op::kInstanceOutput: {
+      Expr e = syntax::name(name_of_(id), n.width);
+      e.declared_signed = n.op == Op::kRegister && is_signed(module_.registers[n.index].leaf);
+      return e;
+    }
     case Op::kAdd: return both("+");
     case Op::kSub: return both("-");
     case Op::kMul: return multiply(n);
@@ -81,7 +84,10 @@ Expr Expressions::compare(const Node& n) {
     if (is_signed)
       return syntax::binary(op, signed_use(n.in[0]), signed_use(n.in[1]), 1);
     const int left = plan_.enumeration[n.in[0]], right = plan_.enumeration[n.in[1]];
-    return syntax::binary(op, use(n.in[0], right), use(n.in[1], left), 1);
+    Expr a = use(n.in[0], right), b = use(n.in[1], left);
+    // Two signed ones would be compared as such.
+    if (n.op != Op::kEq && n.op != Op::kNe && syntax::is_signed(a) && syntax::is_signed(b)) a = syntax::as_unsigned(std::move(a));
+    return syntax::binary(op, std::move(a), std::move(b), 1);
   };
   switch (n.op) {
     case Op::kEq: return make("==", false);
@@ -145,6 +151,8 @@ Expr Expressions::multiply(const Node& n) {
     }
     sum += side.width;
   }
+  // Two signed ones would be extended as such.
+  if (!is_signed && !whole && syntax::is_signed(sides[0]) && syntax::is_signed(sides[1])) sides[0] = syntax::as_unsigned(std::move(sides[0]));
   return syntax::binary("*", std::move(sides[0]), std::move(sides[1]), whole ? n.width : sum);
 }
 

@@ -2,6 +2,7 @@
 
 #include "generator/backend.hpp"
 #include "generator/machine/memory.hpp"
+#include "generator/print/bit_names.hpp"
 #include "generator/print/legalise.hpp"
 #include "generator/print/prettify.hpp"
 #include "generator/print/write_module.hpp"
@@ -12,6 +13,7 @@ std::string print_module(const Design& design, const Module& module) {
   if (is_memory(module)) return print_memory(module);
   syntax::Text text = legalise(design, module);
   prettify(text);
+  name_bits(text);
   text.unused = find_unused(text);
   return write_module(text);
 }

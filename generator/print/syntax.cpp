@@ -1,5 +1,9 @@
 #include "generator/print/syntax.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace hlsgen::syntax {
 
 bool operator==(const Expr& a, const Expr& b) {
@@ -87,12 +91,42 @@ Expr conditional(Expr condition, Expr then, Expr otherwise) {
   return e;
 }
 
-Expr as_signed(Expr inner) {
+bool is_signed(const Expr& e) {
+  const auto all = [&](std::size_t from) {
+    return std::all_of(e.operands.begin() + static_cast<std::ptrdiff_t>(from), e.operands.end(), is_signed);
+  };
+  constexpr std::array<std::string_view, 9> kBits = {"!", "==", "!=", "<", "<=", ">", ">=", "&&", "||"};
+  switch (e.kind) {
+    case Expr::Kind::kName: return e.declared_signed;
+    case Expr::Kind::kLiteral: return e.base == Expr::Base::kSignedDecimal || e.base == Expr::Base::kSignedHex;
+    case Expr::Kind::kSigned: return e.text.empty();
+    case Expr::Kind::kUnary:
+    case Expr::Kind::kBinary:
+      if (std::find(kBits.begin(), kBits.end(), e.text) != kBits.end()) return false;
+      return e.text == "<<" || e.text == ">>" || e.text == ">>>" ? is_signed(e.operands[0]) : all(0);
+    case Expr::Kind::kConditional: return all(1);
+    default: return false;
+  }
+}
+
+namespace {
+
+Expr cast(Expr inner, std::string to) {
   Expr e;
   e.kind = Expr::Kind::kSigned;
   e.width = inner.width;
+  e.text = std::move(to);
   e.operands.push_back(std::move(inner));
   return e;
 }
+
+}  // namespace
+
+Expr as_signed(Expr inner) {
+  if (inner.is(Expr::Kind::kName) && inner.declared_signed) return inner;
+  return cast(std::move(inner), "");
+}
+
+Expr as_unsigned(Expr inner) { return is_signed(inner) ? cast(std::move(inner), "$unsigned") : inner; }
 
 }  // namespace hlsgen::syntax

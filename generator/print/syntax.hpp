@@ -7,6 +7,7 @@
 
 #include <llvm/ADT/APInt.h>
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,7 +24,7 @@ struct Expr {
     kUnary,        // text operands[0]
     kBinary,       // operands[0] text operands[1]
     kConditional,  // operands[0] ? operands[1] : operands[2]
-    kSigned,       // $signed(operands[0])
+    kSigned,       // $signed(operands[0]), or what `text` says
   };
   enum class Base { kDecimal, kHex, kSignedDecimal, kSignedHex };
 
@@ -34,6 +35,8 @@ struct Expr {
   Base base = Base::kDecimal;
   unsigned high = 0, low = 0;   // kSelect
   unsigned declared_width = 1;  // kSelect: of the signal, a select of all of it being its name
+  std::string index;            // kSelect: of one bit, its name
+  bool declared_signed = false;  // kName
   unsigned count = 1;           // kReplicate
   std::vector<Expr> operands;
 
@@ -53,6 +56,9 @@ Expr unary(std::string op, Expr e, unsigned width);
 Expr binary(std::string op, Expr a, Expr b, unsigned width);
 Expr conditional(Expr condition, Expr then, Expr otherwise);
 Expr as_signed(Expr e);
+Expr as_unsigned(Expr e);
+// Whether a tool takes it for a signed value: all that it is made of is.
+bool is_signed(const Expr& e);
 
 struct Wire {
   std::string name;
@@ -117,8 +123,11 @@ struct Signal {  // parameter, port or register
   unsigned width = 1;
   std::string comment;
   bool synchronises = false;
-  bool value = false;  // parameter: the default
+  bool value = false;      // parameter: the default
+  bool is_signed = false;  // register
 };
+
+using Enumerators = std::vector<std::pair<std::string, Expr>>;  // localparams
 
 struct Text {
   std::vector<std::string> header;  // comment lines
@@ -128,6 +137,8 @@ struct Text {
   std::vector<std::pair<std::string, Expr>> constants;  // localparams
   std::vector<Item> items;                              // each after what it reads
   Block resets, updates;                                // of the one always_ff
+  std::vector<Enumerators> enumerations;                // those of the module
+  std::map<std::string, std::size_t> sets;              // signals with a bit for each value of an enumeration
   std::vector<std::pair<std::string, Expr>> assigns;    // of the outputs
   std::vector<Expr> unused;                             // what no one reads
 };

@@ -82,11 +82,12 @@ class Layout {
       case Kind::kName: return e.text;
       case Kind::kLiteral: return write_literal(e);
       case Kind::kSelect:
-        return e.high == e.low ? fmt::format("{}[{}]", e.text, e.low)
+        return !e.index.empty() ? fmt::format("{}[{}]", e.text, e.index)
+               : e.high == e.low ? fmt::format("{}[{}]", e.text, e.low)
                                : fmt::format("{}[{}:{}]", e.text, e.high, e.low);
       case Kind::kReplicate:
         return fmt::format("{{{}{{{}}}}}", e.count, write_flat(e.operands[0]));
-      case Kind::kSigned: return "$signed(" + write_flat(e.operands[0]) + ")";
+      case Kind::kSigned: return (e.text.empty() ? "$signed" : e.text) + "(" + write_flat(e.operands[0]) + ")";
       case Kind::kUnary: return e.text + part(e, 0, column);
       case Kind::kConcat: return concat(e, column);
       case Kind::kBinary: return join(part(e, 0, column) + " " + e.text, e, 1, column);
@@ -168,20 +169,24 @@ std::string write_range(unsigned width) {
   return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
 }
 
-std::string write_comment(const std::string& text) {
-  if (text.empty()) return "";
+std::string disarm(const std::string& text) {
   std::string clean;
   for (const char c : text) clean += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : ' ';
   const std::size_t begin = clean.find_first_not_of(' ');
   if (begin == std::string::npos) return "";
-  clean = clean.substr(begin);
-  std::string lower = clean.substr(0, 12);
+  std::string lower = clean.substr(begin, 12);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   constexpr std::array<const char*, 6> kDirectives = {"verilator", "synopsys", "synthesis",
                                                       "pragma", "verilint", "translate_"};
   for (const char* word : kDirectives)
-    if (lower.rfind(word, 0) == 0) clean = "C++: " + clean;
-  return "  // " + clean;
+    if (lower.rfind(word, 0) == 0) clean.insert(begin, "C++: ");
+  return clean;
+}
+
+std::string write_comment(const std::string& text) {
+  const std::string clean = disarm(text);
+  const std::size_t begin = clean.find_first_not_of(' ');
+  return begin == std::string::npos ? "" : "  // " + clean.substr(begin);
 }
 
 }  // namespace hlsgen

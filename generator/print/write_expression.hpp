@@ -24,7 +24,10 @@ std::string write_assignment(unsigned indent, const std::string& head, const syn
 // "[7:0] ", or nothing for one bit.
 std::string write_range(unsigned width);
 
-// " // text", or nothing; what a tool might take for a directive is disarmed.
+// Text for a comment: printable, and what a tool might take for a directive disarmed.
+std::string disarm(const std::string& text);
+
+// " // text", or nothing.
 std::string write_comment(const std::string& text);
 
 }  // namespace hlsgen

@@ -18,7 +18,7 @@ using syntax::Statement;
 class Writer {
  public:
   std::string run(const syntax::Text& t) {
-    for (const std::string& line : t.header) out_ += "// " + line + "\n";
+    for (const std::string& line : t.header) out_ += line.empty() ? "//\n" : "// " + disarm(line) + "\n";
     out_ += "\n";
     ports(t);
     for (const auto& [name, value] : t.constants)
@@ -162,7 +162,7 @@ class Writer {
     for (std::size_t i = 0; i < list.size(); ++i) {
       const syntax::Signal& r = list[i];
       const bool goes_on = i > 0 && alike(i - 1, i), more = alike(i, i + 1);
-      const std::string type = "logic " + write_range(r.width);
+      const std::string type = (r.is_signed ? "logic signed " : "logic ") + write_range(r.width);
       if (r.synchronises && !goes_on) line(1, kSynchroniserMarks);
       if (more && !goes_on) line(1, type.substr(0, type.size() - 1));
       line(goes_on || more ? 3 : 1, fmt::format("{}{}{}{}", goes_on || more ? "" : type, r.name,

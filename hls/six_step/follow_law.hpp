@@ -11,6 +11,7 @@
 //     a rotor at rest        000, 111; its code     no news: the comparators' offsets show that code
 //                            another one            real; the step is the code's
 //     real                   000, 111; 0            no news
+//                            at rest, coasting      no news: a rotor that stopped shows its comparators' offsets again
 //       the wanted way       +1                     on: one edge passed
 //                            -1, just passed one    no news: it chatters on that edge, while it coasts or is followed
 //                            -1                     it turns the other way; the opposite step
@@ -141,6 +142,7 @@ struct FollowLaw {
   static constexpr News judge(const Belief& was, const Sight& sight, UInt<3> code) {
     Belief now = was;
     const bool on = sight.on || sight.skipped;
+    const bool stopped = sight.rests && was.coast != 0;
     bool news = false, goes = false;
     if (!was.real) {
       const bool first = !was.looked;
@@ -149,7 +151,7 @@ struct FollowLaw {
       now.real = !first && sight.legal && !sight.rests;
       now.back = now.moved = false;
       news = goes = sight.legal && (first || !sight.rests);
-    } else if (sight.legal && !sight.here) {
+    } else if (sight.legal && !sight.here && !stopped) {
       now.far = sight.far;
       if (on) {
         now.moved = true;
@@ -174,7 +176,7 @@ struct FollowLaw {
     return {.belief = now,
             .goes = goes || stands,
             .stands = stands,
-            .changed = sight.on && sight.legal && was.real && !was.back && was.edges != 0,
+            .changed = sight.on && sight.legal && !stopped && was.real && !was.back && was.edges != 0,
             .blocked = stands && was.stood == 2};
   }
 

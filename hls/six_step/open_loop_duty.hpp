@@ -14,10 +14,11 @@
 //
 // A rotor that is followed and has hand-over's frequency gets a sixteenth above its back-EMF: what is measured then is a
 // speed that lasts, and the PLL finds a rotor that hardly accelerates.  With nothing a light one under load falls back.  One that
-// falls back all the same, since its flux is more or its bus less than the words', gets a quarter from then on.
+// falls back all the same, since its flux is more or its bus less than the words', gets a quarter from then on.  Until the next step
+// it gets half of the start's: with all of it a light one, at hand-over's frequency again, is nearly twice as fast by then.
 //
 //     latency      1 clock from state to duty
-//     registers    19 bits     multipliers  none
+//     registers    20 bits     multipliers  none
 //
 // Doc: docs/blocks/open_loop_duty.md   Test: tests/hls/open_loop_duty_test.cpp
 
@@ -63,11 +64,13 @@ class OpenLoopDuty {
       }
     } else {
       const bool fast = accelerates && in.follows && in.sure && in.fast;
-      fell_ = in.follows && (pulls_in || accelerates) && (fell_ || (was_fast_ && !fast && !pulls_in));
+      const bool falls = was_fast_ && !fast && accelerates;
+      fell_ = in.follows && (pulls_in || accelerates) && (fell_ || falls);
+      eases_ = falls || (eases_ && accelerates && !in.commutate);
       was_fast_ = fast;
       duty_ = pulls_in || fast                                       ? fell_ ? start >> 2 : start >> 4
               : accelerates && in.follows && !in.sure                ? in.reset_duty
-              : accelerates                                          ? start
+              : accelerates                                          ? eases_ ? start >> 1 : start
               : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
               : in.state.holds(State::kBrake)                        ? in.brake_duty
                                                                      : Duty(0);
@@ -92,6 +95,7 @@ class OpenLoopDuty {
   bool faded_ = false;  // it is below the start's
   bool was_fast_ = false;  // the rotor that is followed had hand-over's frequency
   bool fell_ = false;      // and has had less since
+  bool eases_ = false;     // in this step
 };
 
 }  // namespace steplock

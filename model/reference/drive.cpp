@@ -242,7 +242,7 @@ void Drive::enter_state(double t) {
         vco_.stop(t);
         changed_ = t;
         overdue_ = kNever;
-        ramp_done_ = good_interval_ = measured_ = fell_ = was_fast_ = false;
+        ramp_done_ = good_interval_ = measured_ = fell_ = eases_ = was_fast_ = false;
         steady_ = 0;
         follower_.begin(t);
         break;
@@ -302,9 +302,11 @@ void Drive::on_tick(double t) {
       if (follows()) {
         // One that has hand-over's frequency hardly accelerates, so that it is known when it is handed over.
         const bool fast = follower_.sure() && f >= s.hand_over;
-        fell_ = fell_ || (was_fast_ && !fast);
+        const bool falls = was_fast_ && !fast;
+        fell_ = fell_ || falls;
+        eases_ = falls || (eases_ && !follower_.loaded());
         was_fast_ = fast;
-        boost_ = !follower_.sure() ? s.reset_duty : !fast ? s.start_duty : part_of(s.start_duty);
+        boost_ = !follower_.sure() ? s.reset_duty : !fast ? s.start_duty / (eases_ ? 2 : 1) : part_of(s.start_duty);
         duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
         break;
       }

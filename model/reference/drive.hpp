@@ -90,6 +90,7 @@ class Drive {
   bool limited_ = false, ramp_done_ = false;
   bool good_interval_ = false, measured_ = false, holds_ = false, boosted_ = false;
   bool was_fast_ = false, fell_ = false;  // the followed rotor had hand-over's frequency; and less since
+  bool eases_ = false;                    // in the present step
   double overdue_ = kNever;   // when the rotor that is followed should have passed an edge, and a quarter more
 };
 

@@ -123,7 +123,7 @@ class RotorFollower {
       real_ = sector >= 0 && other;
       news = sector >= 0 && (first || other);
       if (news) go(step_for(+1));
-    } else if (sector >= 0) {
+    } else if (sector >= 0 && !(coasted && code == *rest_)) {
       const int turns = ((step_for(belief_) - in.step) * way % 6 + 6) % 6;
       const bool on = turns == (belief_ > 0 ? 1 : 5);
       const bool far = turns == 4, again = far && far_;

@@ -107,6 +107,47 @@ TEST(Print, ChainOfEqualitiesIsACaseAndTwoOfThemAreOne) {
   EXPECT_EQ(text.find("always_comb"), text.rfind("always_comb"));
 }
 
+// A register with a bit for each state: asked for, and set, by the states' names.
+TEST(Print, BitsOfASetAreCalledByWhatTheyStandFor) {
+  Build b("set");
+  b.m.enumerations.push_back({"State", 2, {{"kIdle", 0}, {"kRun", 1}, {"kStop", 2}}});
+  const NodeId at = b.reg("at.bits", 3, 1), go = b.input("go", 1);
+  b.m.registers[0].leaf.set_of = 0;
+  const NodeId upper = b.slice(at, 2, 1), masked = b.op(Op::kAnd, at, b.constant(3, 5));
+  b.next(at, b.mux(go, b.constant(3, 4), b.op(Op::kOr, at, b.constant(3, 2))));
+  b.output("runs", b.op(Op::kAnd, b.slice(at, 1, 1), go));
+  b.output("moves", b.op(Op::kNe, upper, b.constant(2, 0)));
+  b.output("rests", b.op(Op::kEq, masked, b.constant(3, 0)));
+  const std::string text = printed(std::move(b));
+  EXPECT_PRINTS(text, "localparam logic [1:0] State_kRun = 2'd1;");
+  EXPECT_PRINTS(text, "assign runs_o = at_bits[State_kRun] && go_i;");
+  EXPECT_PRINTS(text, "assign moves_o = at_bits[State_kStop] || at_bits[State_kRun];");
+  EXPECT_PRINTS(text, "assign rests_o = !(at_bits[State_kStop] || at_bits[State_kIdle]);");
+  EXPECT_PRINTS(text, "at_bits <= 3'd1 << State_kStop;");
+  EXPECT_PRINTS(text, "at_bits <= at_bits | (3'd1 << State_kRun);");
+  EXPECT_PRINTS(text, "at_bits <= 3'd1 << State_kIdle;\n    end\n  end");
+}
+
+// A linter would complain of an index that is wider than the place.
+TEST(Print, BitOfAPartOfASetKeepsItsNumber) {
+  Build b("part");
+  b.m.enumerations.push_back({"State", 2, {{"kIdle", 0}, {"kRun", 1}, {"kStop", 2}}});
+  const NodeId at = b.reg("at.bits", 3, 1), x = b.input("x", 2), y = b.input("y", 2);
+  b.m.registers[0].leaf.set_of = 0;
+  const NodeId part = b.named(b.op(Op::kXor, x, y), "part");
+  b.next(at, b.zext(part, 3));
+  b.output("low", b.slice(part, 1, 1));
+  b.output("at", at);
+  EXPECT_PRINTS(printed(std::move(b)), "assign low_o = part[1];");
+}
+
+TEST(Print, ContractOfTheHeaderStandsAtTheHead) {
+  Build b = counter();
+  b.m.contract = {"Counter: it counts.", "", "    latency   1 clock", "verilator lint_off WIDTH"};
+  EXPECT_PRINTS(printed(std::move(b)),
+                "run hlsgen again.\n//\n// Counter: it counts.\n//\n//     latency   1 clock\n// C++: verilator lint_off WIDTH\n\nmodule");
+}
+
 TEST(Print, ProductIsAsNarrowAsItsFactors) {
   Build b("product");
   const NodeId x = b.input("x", 16, true), k = b.input("k", 10);
@@ -134,6 +175,35 @@ TEST(Print, SignedOperatorsStandWhereNothingUnsignedReachesThem) {
   EXPECT_PRINTS(text, "wire [7:0] z_shifted = $signed(x_i) >>> n_i;");
   EXPECT_PRINTS(text, "assign z_o = z_shifted + y_i;");
   EXPECT_PRINTS(text, "assign l_o = $signed(x_i) < -8'sd3;");
+}
+
+// A register that is signed in C++ is so here; what compares it as a number without a sign says that.
+TEST(Print, SignedRegistersAreDeclaredSo) {
+  Build b("signs");
+  const NodeId x = b.reg("x", 8), y = b.reg("y", 8), z = b.reg("z", 8), flag = b.reg("flag", 1);
+  for (const unsigned i : {0u, 1u, 3u}) b.m.registers[i].leaf.is_signed = true;
+  const NodeId sum = b.op(Op::kAdd, x, y);
+  b.next(x, sum);
+  b.next(y, z);
+  b.next(z, x);
+  b.next(flag, b.op(Op::kSlt, x, y));
+  b.output("below", b.op(Op::kUlt, x, y));
+  b.output("mixed", b.op(Op::kUlt, x, z));
+  b.output("same", b.op(Op::kEq, x, y));
+  b.output("p", b.op(Op::kMul, b.sext(x, 16), b.sext(y, 16)));
+  b.output("q", b.op(Op::kMul, b.zext(x, 16), b.zext(y, 16)));
+  b.output("r", b.op(Op::kMul, b.sext(x, 17), b.zext(z, 17)));
+  const std::string text = printed(std::move(b));
+  EXPECT_PRINTS(text, "logic signed [7:0] x;");
+  EXPECT_PRINTS(text, "logic [7:0] z;");
+  EXPECT_PRINTS(text, "logic flag;");
+  EXPECT_PRINTS(text, "flag <= x < y;");
+  EXPECT_PRINTS(text, "assign below_o = $unsigned(x) < y;");
+  EXPECT_PRINTS(text, "assign mixed_o = x < z;");
+  EXPECT_PRINTS(text, "assign same_o = x == y;");
+  EXPECT_PRINTS(text, "wire [15:0] p = x * y;");
+  EXPECT_PRINTS(text, "wire [15:0] q = $unsigned(x) * y;");
+  EXPECT_PRINTS(text, "= x * $signed({1'b0, z});");
 }
 
 TEST(Print, NamesAvoidKeywordsAndEachOtherWithoutRegardToCase) {

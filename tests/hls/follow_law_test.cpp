@@ -133,6 +133,23 @@ TEST(FollowLaw, OfARotorThatIsNotFollowedItIsChatterOnlyWhileThatCoasts) {
   EXPECT_EQ(driven.step, Step(4)) << "sector 1 and three on";
 }
 
+// A rotor that stands again while it coasts shows its comparators' offsets, the code of before the start, as an edge: a drive later the
+// same code is believed.
+TEST(FollowLaw, TheCodeAtRestIsNoEdgeWhileTheRotorCoasts) {
+  for (const int coast : {0, 1, 3}) {
+    for (const int sector : {2, 0}) {  // one edge on, and one back
+      const auto news = look(real({.rest = kCodes[sector], .coast = UInt<2>(coast)}), kCodes[sector], 1);
+      EXPECT_EQ(news.goes, coast == 0) << sector;
+      EXPECT_EQ(news.belief.moved || news.belief.back, coast == 0) << sector;
+      if (coast != 0) {
+        EXPECT_EQ(news.belief.coast, UInt<2>(coast - 1));
+      }
+    }
+    const auto another = look(real({.rest = kCodes[0], .coast = UInt<2>(coast)}), kCodes[2], 1);
+    EXPECT_TRUE(another.goes && another.belief.moved) << coast;
+  }
+}
+
 // It must last there: a belief that turned with every code of a rotor at rest would never move that one.
 TEST(FollowLaw, BehindAnEdgeBackwardsItIsChatterHoweverLongItLasts) {
   Belief b = real({.back = true, .moved = true});

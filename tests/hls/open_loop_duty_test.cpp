@@ -132,11 +132,12 @@ TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndWai
   for (const bool lags : {false, true}) EXPECT_EQ(bench.step(lags), Duty(200));
   bench.in.fast = false;
   bench.clock();
-  EXPECT_EQ(bench.clock(), Duty(3200)) << "a load took its speed";
+  EXPECT_EQ(bench.clock(), Duty(1600)) << "a load took its speed";
+  EXPECT_EQ(bench.step(false), Duty(3200)) << "and more than that";
 }
 
 // Its back-EMF is more than the words say, or its bus less: the next time it gets more, and so while it is pulled in.
-TEST(OpenLoopDuty, WhatFellBackFromHandOversFrequencyWaitsWithAQuarterUntilTheNextStart) {
+TEST(OpenLoopDuty, WhatFellBackFromHandOversFrequencyGetsHalfForAStepAndWaitsWithAQuarterUntilTheNextStart) {
   Bench bench;
   bench.in.follows = bench.in.sure = bench.in.fast = true;
   bench.in_state(State::kAccelerate);
@@ -144,6 +145,7 @@ TEST(OpenLoopDuty, WhatFellBackFromHandOversFrequencyWaitsWithAQuarterUntilTheNe
   for (const bool lost : {true, false}) {  // its frequency, or the rotor
     (lost ? bench.in.sure : bench.in.fast) = false;
     bench.clock();
+    EXPECT_EQ(bench.clock(), Duty(lost ? 1000 : 1600));
     bench.in.sure = bench.in.fast = true;
     bench.clock();
     EXPECT_EQ(bench.clock(), Duty(800)) << lost;
