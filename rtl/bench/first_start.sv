@@ -1,8 +1,7 @@
 // A first start of six_step_axi, without a motor: configuration from a list of words, run, gates that drive, the fault pin, gates that
-// do not.  For Icarus, from the root of the project:
+// do not.
 //
-//     iverilog -g2012 -o first_start.vvp -s first_start -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/first_start.sv
-//     vvp -n first_start.vvp +words=rtl/words/m2310p_servo.mem
+//     tools/bench icarus first_start [+words=FILE.mem]
 //
 // It prints PASSED; or FAILED and why, and its exit code is 1.
 //

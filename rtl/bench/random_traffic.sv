@@ -1,9 +1,7 @@
 // Random traffic for six_step_axi: a host that writes and reads whatever it likes, comparators, current limit and fault pin that do
 // what they like, and a reset now and then, while six_step_axi_properties looks on.
 //
-//     $ verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module random_traffic -f rtl/six_step_axi.f \
-//         rtl/bench/axi_host.sv rtl/bench/six_step_axi_properties.sv rtl/bench/random_traffic.sv
-//     $ obj_dir/Vrandom_traffic +words=rtl/words/m2310p_servo.mem [+clocks=200000] [+seed=1]
+//     tools/bench verilator random_traffic [+clocks=200000] [+seed=1]
 //
 // It prints how often what it is about has happened, and PASSED; or FAILED and why.  A run in which something never happened fails.
 //

@@ -1,12 +1,7 @@
 // A motor that turns: six_step_axi, its host and motor.sv.  It starts, locks and accelerates.
 //
-//     iverilog -g2012 -o turning_motor.vvp -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv \
-//         rtl/bench/motor.sv rtl/bench/turning_motor.sv
-//     vvp -n turning_motor.vvp +words=rtl/words/maxon_ec45_flat.mem [+dump=FILE.vcd]
-//
-//   or verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -f rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/motor.sv \
-//         rtl/bench/turning_motor.sv
-//     obj_dir/Vturning_motor +words=rtl/words/maxon_ec45_flat.mem [+long]
+//     tools/bench icarus turning_motor [+dump=FILE.vcd]
+//     tools/bench verilator turning_motor [+long]
 //
 // The lock comes after 28 ms: half a minute of Icarus, half a second of Verilator.  With +long follow a load, a reversal, a fault that is cleared, a flying start or another one, and a stop.
 // The parameters of motor.sv are those of drives/maxon_ec45_flat.toml; for another drive give it that one's.  It prints what happened and PASSED; or FAILED and why, and its exit code is 1.

@@ -1,14 +1,8 @@
 // A motor that turns with sinusoidal currents: sinusoidal_axi, its host, its converters and motor.sv.  It starts, locks and comes to
 // its set speed; then a load, a stop, a converter that falls silent, and another start.
 //
-//     $ verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_sinusoidal -f rtl/sinusoidal_axi.f rtl/bench/axi_host.sv \
-//         rtl/bench/hosted_sinusoidal.sv rtl/bench/judge.sv rtl/bench/motor.sv rtl/bench/turning_sinusoidal.sv
-//     obj_dir/Vturning_sinusoidal +words=rtl/words/m2310p_sinusoidal.mem
-//
-//   or for what Icarus does in a minute, the calibration and the pattern that pulls the rotor to a known angle:
-//     iverilog -g2012 -o turning_sinusoidal.vvp -s turning_sinusoidal -c rtl/sinusoidal_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_sinusoidal.sv rtl/bench/judge.sv \
-//         rtl/bench/motor.sv rtl/bench/turning_sinusoidal.sv
-//     vvp -n turning_sinusoidal.vvp +words=rtl/words/m2310p_sinusoidal.mem +first_ms=4 [+dump=FILE.vcd]
+//     tools/bench verilator turning_sinusoidal
+//     tools/bench icarus turning_sinusoidal +first_ms=4 [+dump=FILE.vcd]      the calibration and the pattern that pulls the rotor
 //
 // The motor's parameters are those of drives/m2310p_sinusoidal.toml.  It prints what happened and PASSED; or FAILED and why, and its exit code is 1.
 //

@@ -1,8 +1,6 @@
 // What a drive does when it is used wrongly: six_step_axi, its host, and the motor of motor.sv.
 //
-//     $ verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module wrong_uses -f rtl/six_step_axi.f \
-//         rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/six_step_axi_properties.sv rtl/bench/motor.sv rtl/bench/wrong_uses.sv
-//     $ obj_dir/Vwrong_uses +words=rtl/words/maxon_ec45_flat.mem +use=5
+//     tools/bench verilator wrong_uses +use=5
 //
 // It prints one row: the use, what the drive says in the end, the rotor in r/min, the highest current over the limit, and for how many
 // us at a stretch it was more than 1.15 of it, and when the end was, in ms.  FAILED: a promise of six_step_axi_properties was broken, or

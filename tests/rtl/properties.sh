@@ -10,6 +10,8 @@ mode=$1 work=$2
 cd "$(dirname "$0")/../.."
 rm -rf "$work"
 mkdir -p "$work"
+# shellcheck source=tests/rtl/flawed.sh
+. tests/rtl/flawed.sh
 words=rtl/words/m2310p_servo.mem clocks=200000 file='' said=''
 case $mode in
   --both) file=six_step_axi flaw='s/assign gates_ul_o = .*/assign gates_ul_o = gates_uh_o;/' said='both gates of a leg are on' ;;
@@ -42,28 +44,18 @@ if [ "$mode" = --map ]; then
     END { if (NR != 64) bad = 1; if (!bad) print "they are those of the map"; exit bad }'
   exit
 fi
-mapfile -t files <rtl/six_step_axi.f
-if [ -n "$file" ]; then
-  sed "$flaw" "rtl/$file.sv" >"$work/$file.sv"
-  cmp -s "rtl/$file.sv" "$work/$file.sv" && { echo "properties.sh: the flaw $mode found no place"; exit 2; }
-  files=("${files[@]/rtl\/$file.sv/$work/$file.sv}")
-fi
-top=random_traffic
-bench=(rtl/bench/axi_host.sv rtl/bench/six_step_axi_properties.sv)
+bench=random_traffic options=(--out "$work")
+if [ -n "$file" ]; then options+=(--with "$(flawed "rtl/$file.sv" "$flaw")"); fi
 if [ "$mode" = --bound ]; then
-  top=first_start
+  bench=first_start
   echo 'bind six_step_axi six_step_axi_properties properties (.*);' >"$work/bind.sv"
-  bench+=(rtl/bench/hosted_drive.sv rtl/bench/judge.sv "$work/bind.sv")
+  options+=(--with rtl/bench/six_step_axi_properties.sv --with "$work/bind.sv")
 fi
-bench+=("rtl/bench/$top.sv")
-verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module $top --Mdir "$work/verilated" "${files[@]}" "${bench[@]}" \
-  >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
-"$work/verilated/V$top" "+words=$words" "+clocks=$clocks" >"$work/log" 2>&1 || true
+tools/bench "${options[@]}" verilator $bench "+words=$words" "+clocks=$clocks" >"$work/log" 2>&1 || [ $? != 2 ] || { cat "$work/log"; exit 2; }
 grep -v -e finish -e Error -e Aborting "$work/log"
 case $mode in
   --icarus)
-    iverilog -g2012 -o "$work/random_traffic.vvp" -s random_traffic "${files[@]}" "${bench[@]}"
-    vvp -n "$work/random_traffic.vvp" "+words=$words" "+clocks=$clocks" | grep -v -e WARNING -e finish >"$work/icarus"
+    tools/bench "${options[@]}" icarus random_traffic "+words=$words" "+clocks=$clocks" | grep -v -e WARNING -e finish >"$work/icarus"
     diff <(grep -v finish "$work/log") "$work/icarus" && echo "both say the same" ;;
   --*) grep -q -E "FAILED: [0-9]*: .*($said)" "$work/log" && echo "noticed" ;;
 esac

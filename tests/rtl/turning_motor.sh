@@ -13,8 +13,8 @@ case $1 in --*) mode=${1#--}; shift ;; esac
 steplock=$(realpath "$1") work=$2 name=maxon_ec45_flat
 cd "$(dirname "$0")/../.."
 mkdir -p "$work"
-# shellcheck source=tests/rtl/turning.sh
-. tests/rtl/turning.sh
+# shellcheck source=tests/rtl/flawed.sh
+. tests/rtl/flawed.sh
 for key in resistance_ohm flux_vs pole_pairs inertia_kgm2 coulomb_nm viscous_nms bus_v limit_a; do
   file=$(sed -n "s/^$key = //p" "drives/$name.toml") bench=$(sed -n "s/^ *parameter [a-z]* $key = \([^,) ]*\).*/\1/p" rtl/bench/motor.sv)
   same "$key" "$file" "$bench"
@@ -24,16 +24,14 @@ case $mode in
   backwards) motor=$(flawed $motor 's/torque = torque + pole_pairs/torque = torque - pole_pairs/') ;;
   heavy) bench=$(flawed $bench 's/motor.load_nm = kHalfOfRated/motor.load_nm = 10.0 * kHalfOfRated/') ;;
 esac
+options=(--out "$work" --with "$motor" --with "$bench")
 if [ $mode != icarus ]; then
   latest=4800000
   [ $mode != backwards ] || latest=700000
-  verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_motor -GLATEST=$latest --Mdir "$work/verilated" -f rtl/six_step_axi.f \
-    rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv "$motor" "$bench" >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
-  "$work/verilated/Vturning_motor" "+words=rtl/words/$name.mem" +long
+  tools/bench "${options[@]}" --define LATEST=$latest verilator turning_motor +long
   exit
 fi
-iverilog -g2012 -o "$work/turning_motor.vvp" -s turning_motor -c rtl/six_step_axi.f rtl/bench/axi_host.sv rtl/bench/hosted_drive.sv rtl/bench/judge.sv "$motor" "$bench"
-vvp -n "$work/turning_motor.vvp" "+words=rtl/words/$name.mem" | tee "$work/log"
+tools/bench "${options[@]}" icarus turning_motor | tee "$work/log"
 locked=$(sed -n 's/^locked after \([0-9.]*\) ms .*/\1/p' "$work/log")
 
 # Without what the bench does not have; one tick of observing is the least that the file takes.

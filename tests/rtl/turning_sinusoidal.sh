@@ -12,8 +12,8 @@ case $1 in --*) mode=${1#--}; shift ;; esac
 steplock=$(realpath "$1") work=$2 name=m2310p_sinusoidal
 cd "$(dirname "$0")/../.."
 mkdir -p "$work"
-# shellcheck source=tests/rtl/turning.sh
-. tests/rtl/turning.sh
+# shellcheck source=tests/rtl/flawed.sh
+. tests/rtl/flawed.sh
 for key in resistance_ohm flux_vs pole_pairs inertia_kgm2 coulomb_nm viscous_nms bus_v limit_a current_a voltage_v; do
   file=$(sed -n "s/^$key = \([^ ]*\).*/\1/p" "drives/$name.toml") bench=$(sed -n "/^  hosted\|^  motor #/,/^  )/s/.*\.$key(\([^)]*\)).*/\1/p" rtl/bench/turning_sinusoidal.sv | grep -v motor | head -n 1)
   same "$key" "$file" "$bench"
@@ -23,16 +23,12 @@ case $mode in
   backwards) motor=$(flawed $motor 's/torque = torque + pole_pairs/torque = torque - pole_pairs/') latest=6000000 ;;
   mirrored) drive=$(flawed $drive 's/clipped(current_u_a/clipped(-current_u_a/') latest=6000000 ;;
 esac
-list=(-c rtl/sinusoidal_axi.f rtl/bench/axi_host.sv rtl/bench/judge.sv "$drive" "$motor" rtl/bench/turning_sinusoidal.sv)
+options=(--out "$work" --with "$motor" --with "$drive")
 if [ $mode = icarus ]; then
-  iverilog -g2012 -o "$work/turning_sinusoidal.vvp" -s turning_sinusoidal "${list[@]}"
-  vvp -n "$work/turning_sinusoidal.vvp" "+words=rtl/words/$name.mem" +first_ms=4
+  tools/bench "${options[@]}" icarus turning_sinusoidal +first_ms=4
   exit
 fi
-list[0]=-f
-verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module turning_sinusoidal -GLATEST=$latest --Mdir "$work/verilated" "${list[@]}" \
-  >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
-"$work/verilated/Vturning_sinusoidal" "+words=rtl/words/$name.mem" | tee "$work/log"
+tools/bench "${options[@]}" --define LATEST=$latest verilator turning_sinusoidal | tee "$work/log"
 [ $mode = verilator ] || exit 0
 locked=$(sed -n 's/^locked after \([0-9.]*\) ms .*/\1/p' "$work/log" | head -n 1)
 

@@ -16,8 +16,7 @@ if [ "$mode" = --check ] && ! grep -q -x -F -e "$of" "$page"; then
   echo "$page is of another core, bench or list of words; print it again with tests/rtl/wrong_uses.sh --print WORK"
   exit 1
 fi
-verilator --binary --timing -O3 -Wno-fatal -Wno-TIMESCALEMOD --top-module wrong_uses --Mdir "$work/verilated" -f rtl/six_step_axi.f \
-  "${bench[@]}" >"$work/verilator.log" 2>&1 || { tail -n 5 "$work/verilator.log"; exit 2; }
+tools/bench --out "$work" --compile verilator wrong_uses
 uses=$(seq 0 24)
 [ "$mode" = --print ] || uses=$(awk -F'|' '/^\| [0-9]/ && $8 + 0 <= 310 { print $2 + 0 }' "$page")
 export work words

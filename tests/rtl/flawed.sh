@@ -1,4 +1,5 @@
-# What the scripts of the benches with a motor share; sourced, in the root of the project, with `work` set.
+# shellcheck shell=bash disable=SC2154
+# What the scripts of the benches share; sourced, in the root of the project, with `work` set.
 
 # same KEY FILE BENCH: the value of the drive file's key is that of the bench
 same() {
