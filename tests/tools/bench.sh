@@ -8,7 +8,7 @@ set -euo pipefail
 mode=$1 work=${2:-}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$root"
-benches='first_start turning_motor turning_sinusoidal random_traffic wrong_uses'
+benches='first_start turning_motor turning_sinusoidal random_traffic random_sinusoidal_traffic wrong_uses'
 
 refuses() {  # refuses PART CALL...
   local part=$1 said status=0
