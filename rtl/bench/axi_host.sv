@@ -1,4 +1,4 @@
-// A host on AXI4-Lite for a testbench: `read`, `write`, and `configure`.
+// A host on AXI4-Lite for a testbench: `read`, `write`, and what host_tasks.svh makes of them, `configure` first of all.
 // Hierarchical calls: host.write(12'h00c, 32'd1).  Tried in Icarus (-g2012) and Verilator (--binary --timing); no C++.
 //
 // Doc: docs/integration.md   Test: tests/rtl/bench.sh
@@ -25,9 +25,6 @@ module axi_host (
     input  logic [1:0]  rresp,
     output logic        rready
 );
-  localparam logic [11:0] kControl = 12'h00c, kStatus = 12'h010, kLock = 12'h020;
-  localparam logic [31:0] kLockKey = 32'h0000_c0de, kStopped = 32'h0000_0800;
-
   logic refused = 1'b0;  // the last access was answered with an error
 
   // What the last rising edge took.  Outputs change at falling edges: so no simulator can take one for the other.
@@ -79,50 +76,5 @@ module axi_host (
     rready = 1'b0;
   endtask
 
-  // Looks at STATUS every so many clocks until the drive has stopped, or so often.
-  task automatic until_stopped(input int every, input int most, output int looks);
-    logic [31:0] value;
-    looks = 0;
-    do begin
-      repeat (every) @(negedge clk);
-      looks = looks + 1;
-      read(kStatus, value);
-    end while ((value & kStopped) == 0 && looks < most);
-  endtask
-
-  // The words of rtl/words/NAME.mem behind the lock, each read back, then CONTROL.configured.  `errors`: words that are not kept.
-  // A file that is not there leaves `count` 0.
-  localparam int kWords = 256;
-  localparam logic [63:0] kNone = 64'hffff_ffff_ffff_ffff;
-  logic [63:0] words[0:kWords-1];
-  task automatic load(input string file);
-    for (int i = 0; i < kWords; ++i) words[i] = kNone;
-    $readmemh(file, words);
-  endtask
-  task automatic configure(input string file, output int errors, output int count);
-    load(file);
-    write_words(errors, count);
-  endtask
-  // What `load` has read; or what is left of it.
-  task automatic write_words(output int errors, output int count);
-    logic [31:0] value;
-    errors = 0;
-    count = 0;
-    read(kStatus, value);
-    if ((value & kStopped) == 0) errors = 1;  // what is refused below counts, too
-    write(kControl, 32'd0);
-    write(kLock, kLockKey);
-    for (int i = 0; i < kWords; ++i) begin
-      if (words[i] != kNone) begin
-        count = count + 1;
-        write(words[i][43:32], words[i][31:0]);
-        if (refused) errors = errors + 1;
-        read(words[i][43:32], value);
-        if (value != words[i][31:0]) errors = errors + 1;
-      end
-    end
-    write(kLock, 32'd0);
-    write(kControl, 32'd1);
-    if (refused) errors = errors + 1;
-  endtask
+  `include "host_tasks.svh"
 endmodule

@@ -8,7 +8,7 @@ set -euo pipefail
 mode=$1 work=${2:-}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$root"
-benches='first_start turning_motor turning_sinusoidal random_traffic random_sinusoidal_traffic wrong_uses'
+benches='first_start turning_motor first_start_spi turning_motor_spi turning_sinusoidal random_traffic random_sinusoidal_traffic wrong_uses'
 
 refuses() {  # refuses PART CALL...
   local part=$1 said status=0
@@ -50,10 +50,10 @@ case $mode in
       PATH=$work/bin:$PATH tools/bench --out "$work/$simulator" --define LATEST=7 $simulator turning_motor +long
     done
     # A word is what the program sees as one: no option has its value stuck to it, no command is torn apart.
-    for word in 'xelab --generic_top' 'xelab LATEST=7' 'xelab work.turning_motor' 'xsim --testplusarg' 'xsim long' "xsim words=$root/rtl/words/maxon_ec45_flat.mem" "xvlog $root/rtl/six_step_axi.sv"; do
+    for word in 'xelab --generic_top' 'xelab LATEST=7' 'xelab work.turning_motor' "xvlog $root/rtl/bench" 'xsim --testplusarg' 'xsim long' "xsim words=$root/rtl/words/maxon_ec45_flat.mem" "xvlog $root/rtl/six_step_axi.sv"; do
       grep -q -x -F -e "$word" "$work/xsim.log" || { echo "xsim: no '$word'"; exit 1; }
     done
-    for word in 'vlog -timescale' 'vlog rtl/six_step_axi.sv' 'vsim -gLATEST=7' 'vsim +long' 'vsim run -all; quit -f'; do
+    for word in 'vlog -timescale' 'vlog +incdir+rtl/bench' 'vlog rtl/six_step_axi.sv' 'vsim -gLATEST=7' 'vsim +long' 'vsim run -all; quit -f'; do
       grep -q -x -F -e "$word" "$work/questa.log" || { echo "questa: no '$word'"; exit 1; }
     done
     echo 'each names what is there' ;;
