@@ -33,22 +33,23 @@
   // What `load` has read; or what is left of it.
   task automatic write_words(output int errors, output int count);
     logic [31:0] value;
+    logic runs, bad;
     errors = 0;
     count = 0;
     read(kStatus, value);
-    if ((value & kStopped) == 0) errors = 1;  // what is refused below counts, too
+    runs = (value & kStopped) == 0;
     write(kControl, 32'd0);
     write(kLock, kLockKey);
     for (int i = 0; i < kWords; ++i) begin
       if (words[i] != kNone) begin
         count = count + 1;
         write(words[i][43:32], words[i][31:0]);
-        if (refused) errors = errors + 1;
+        bad = refused;
         read(words[i][43:32], value);
-        if (value != words[i][31:0]) errors = errors + 1;
+        if (bad || refused || value != words[i][31:0]) errors = errors + 1;
       end
     end
     write(kLock, 32'd0);
     write(kControl, 32'd1);
-    if (refused) errors = errors + 1;
+    if ((runs || refused) && errors == 0) errors = 1;
   endtask
