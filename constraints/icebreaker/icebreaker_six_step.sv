@@ -1,5 +1,6 @@
 // iCEBreaker: pads, reset and lamps around six_step_fixed, the drive of one motor (steplock design
-// FILE --verilog).  It runs from the 12 MHz oscillator itself; no PLL.
+// FILE --verilog).  It runs from the 12 MHz oscillator itself; no PLL.  The FPGA's own oscillator watches that one: where it stops, the
+// gates are off 3 us later.
 //
 // Doc: docs/boards.md   Pins: icebreaker.pcf   Test: tests/boards/CMakeLists.txt
 
@@ -27,9 +28,13 @@ module icebreaker_six_step (
     output logic led_locked_n,
     output logic led_fault_n
 );
-  logic rst, locked, fault;
+  logic rst, locked, fault, other, alive;
+  logic [5:0] gates;
 
-  power_on_reset reset (.clk(clk_12mhz), .hold(!button_reset_n), .rst(rst));
+  SB_HFOSC #(.CLKHF_DIV("0b11")) oscillator (.CLKHFPU(1'b1), .CLKHFEN(1'b1), .CLKHF(other));  // 48 MHz / 8
+  clock_watch watch (.clk(clk_12mhz), .other(other), .alive(alive));
+  power_on_reset reset (.clk(clk_12mhz), .hold(!button_reset_n || !alive), .rst(rst));
+  assign {gate_uh, gate_ul, gate_vh, gate_vl, gate_wh, gate_wl} = gates & {6{alive}};
 
   six_step_fixed drive (
       .clk(clk_12mhz), .rst(rst),
@@ -38,8 +43,8 @@ module icebreaker_six_step (
       .pins_hall_u_i(hall_u), .pins_hall_v_i(hall_v), .pins_hall_w_i(hall_w),
       .controls_run_i(button_run), .controls_reverse_i(button_reverse),
       .controls_speed_i({button_fast, 1'b1}), .brake_to_stop_i(1'b0),
-      .gates_uh_o(gate_uh), .gates_ul_o(gate_ul), .gates_vh_o(gate_vh),
-      .gates_vl_o(gate_vl), .gates_wh_o(gate_wh), .gates_wl_o(gate_wl),
+      .gates_uh_o(gates[5]), .gates_ul_o(gates[4]), .gates_vh_o(gates[3]),
+      .gates_vl_o(gates[2]), .gates_wh_o(gates[1]), .gates_wl_o(gates[0]),
       .locked_o(locked), .fault_o(fault), .turn_o(turn)
   );
 
