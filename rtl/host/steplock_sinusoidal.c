@@ -6,14 +6,14 @@
 uint32_t steplock_sinusoidal_speed(uint32_t erpm, uint32_t clock_hz, uint32_t period) {
   /* u0.25 of 1/16 turn per period: below that the shift stays within 64 bits. */
   const uint64_t turns = (uint64_t)erpm * period, most = (uint64_t)clock_hz * 60u;
-  if (clock_hz == 0 || period == 0) return STEPLOCK_NO_SPEED;
-  if (turns >= most / 16u) return STEPLOCK_SINUSOIDAL_SPEED_TARGET_TARGET_MASK;
+  if (clock_hz == 0u || period == 0u) { return STEPLOCK_NO_SPEED; }
+  if (turns >= most / 16u) { return STEPLOCK_SINUSOIDAL_SPEED_TARGET_TARGET_MASK; }
   return (uint32_t)((turns << 29) / most);
 }
 
 int32_t steplock_sinusoidal_erpm(int16_t speed, uint32_t clock_hz, uint32_t period) {
-  if (period == 0) return 0;
-  return (int32_t)((int64_t)speed * clock_hz * 60 / ((int64_t)period << 19));
+  if (period == 0u) { return 0; }
+  return (int32_t)((int64_t)speed * (int64_t)clock_hz * 60 / ((int64_t)period * 0x80000));
 }
 
 enum steplock_result steplock_sinusoidal_get_telemetry(const struct steplock_bus *bus,
@@ -23,10 +23,10 @@ enum steplock_result steplock_sinusoidal_get_telemetry(const struct steplock_bus
                                       STEPLOCK_SINUSOIDAL_TELEMETRY_RETRIES};
   uint32_t value[5];
   int i;
-  if (!bus || !bus->write || !bus->read || !telemetry) return STEPLOCK_REFUSED;
-  if (bus->write(bus->context, STEPLOCK_SINUSOIDAL_SNAPSHOT, 1) != 0) return STEPLOCK_BUS_ERROR;
+  if (!bus || !bus->write || !bus->read || !telemetry) { return STEPLOCK_REFUSED; }
+  if (bus->write(bus->context, STEPLOCK_SINUSOIDAL_SNAPSHOT, 1) != 0) { return STEPLOCK_BUS_ERROR; }
   for (i = 0; i < 5; ++i) {
-    if (bus->read(bus->context, offsets[i], &value[i]) != 0) return STEPLOCK_BUS_ERROR;
+    if (bus->read(bus->context, offsets[i], &value[i]) != 0) { return STEPLOCK_BUS_ERROR; }
   }
   telemetry->speed = (int16_t)GET(TELEMETRY_SPEED_SPEED, value[0]);
   telemetry->reference = (int16_t)GET(TELEMETRY_SPEED_REFERENCE, value[0]);

@@ -1,14 +1,14 @@
 /* See steplock_spi.h. */
 #include "steplock_spi.h"
 
-#define FRAME 7
+#define FRAME 7U
 #define WRITES 0x80U
 #define ANSWERED 0x5aU
 
 /* The frame's head; the rest is zeros. */
 static void head(uint8_t *out, unsigned first, uint32_t offset) {
   size_t i;
-  for (i = 0; i < FRAME; ++i) out[i] = 0;
+  for (i = 0; i < FRAME; ++i) { out[i] = 0U; }
   out[0] = (uint8_t)(first | ((offset >> 8) & 0x0fU));
   out[1] = (uint8_t)(offset & 0xffU);
 }
@@ -16,22 +16,22 @@ static void head(uint8_t *out, unsigned first, uint32_t offset) {
 static int write_spi(void *context, uint32_t offset, uint32_t value) {
   const struct steplock_spi *spi = (const struct steplock_spi *)context;
   uint8_t out[FRAME], in[FRAME];
-  int i;
-  if (!spi->transfer) return 1;
+  size_t i;
+  if (!spi->transfer) { return 1; }
   head(out, WRITES, offset);
-  for (i = 0; i < 4; ++i) out[2 + i] = (uint8_t)((value >> (24 - 8 * i)) & 0xffU);
+  for (i = 0; i < 4U; ++i) { out[2U + i] = (uint8_t)((value >> (24U - 8U * i)) & 0xffU); }
   return spi->transfer(spi->context, out, in, FRAME) == 0 && in[6] == ANSWERED ? 0 : 1;
 }
 
 static int read_spi(void *context, uint32_t offset, uint32_t *value) {
   const struct steplock_spi *spi = (const struct steplock_spi *)context;
   uint8_t out[FRAME], in[FRAME];
-  int i;
-  if (!spi->transfer) return 1;
+  size_t i;
+  if (!spi->transfer) { return 1; }
   head(out, 0, offset);
-  if (spi->transfer(spi->context, out, in, FRAME) != 0 || in[2] != ANSWERED) return 1;
+  if (spi->transfer(spi->context, out, in, FRAME) != 0 || in[2] != ANSWERED) { return 1; }
   *value = 0;
-  for (i = 3; i < FRAME; ++i) *value = (*value << 8) | in[i];
+  for (i = 3U; i < FRAME; ++i) { *value = (*value << 8) | in[i]; }
   return 0;
 }
 
