@@ -152,7 +152,8 @@ Expr Expressions::multiply(const Node& n) {
     sum += side.width;
   }
   // Two signed ones would be extended as such.
-  if (!is_signed && !whole && syntax::is_signed(sides[0]) && syntax::is_signed(sides[1])) sides[0] = syntax::as_unsigned(std::move(sides[0]));
+  const bool both = syntax::is_signed(sides[0]) && syntax::is_signed(sides[1]);
+  if (!is_signed && !whole && both) sides[0] = syntax::as_unsigned(std::move(sides[0]));
   return syntax::binary("*", std::move(sides[0]), std::move(sides[1]), whole ? n.width : sum);
 }
 
