@@ -1,4 +1,3 @@
-#include "generator/cpp/comments.hpp"
 #include "generator/dataflow/convert.hpp"
 
 #include <llvm/IR/DebugInfo.h>
@@ -7,6 +6,7 @@
 
 #include <algorithm>
 
+#include "generator/cpp/comments.hpp"
 #include "generator/dataflow/control.hpp"
 #include "generator/dataflow/instructions.hpp"
 #include "generator/dataflow/intrinsics.hpp"

@@ -8,8 +8,8 @@
 #     rotor       J (rise of speed) = int (torque - coulomb - viscous speed) dt, while it turns forwards
 #     bridge      0 <= int bus source dt - int sum v i dt <= int sum (diode |i| + (its slope or the switch) i^2) dt
 #
-# Tolerance: the trapezoids' own.  A voltage that jumps between two samples leaves half of the jump, times the current and the step; the
-# currents' curvature leaves a twelfth of its second difference.
+# Tolerance: the trapezoids' own.  A voltage that jumps between two samples leaves half of the jump, times the current and the step; a
+# torque, which only bends, leaves an eighth of its second difference, times the step.
 set -euo pipefail
 flaw=$1 steplock=$(realpath "$2") work=$3 name=m2310p_servo
 cd "$(dirname "$0")/../.."
@@ -58,10 +58,10 @@ awk -F, -v r="$r" -v l="$l" -v j="$j" -v coulomb="$coulomb" -v viscous="$viscous
       terminals += h * (power + was_power) / 2; heat += h * (copper + was_copper) / 2; work += h * (mech + was_mech) / 2
       source += h * (in_ + was_in) / 2; losses += h * (most + was_most) / 2; turned += h * (m - drag + was_m - was_drag) / 2
       for (k = 1; k <= 3; k++) slack += h / 2 * abs(v[k] - was_v[k]) * (abs(i[k]) > abs(was_i[k]) ? abs(i[k]) : abs(was_i[k]))
-      source_slack += h / 2 * abs(in_ - was_in); turn_slack += h / 12 * abs(m - was_m)
+      source_slack += h / 2 * abs(in_ - was_in); turn_slack += h / 8 * abs(m - 2 * was_m + before_m)
       if (w < 0) { print "the rotor turns backwards: the pattern drives it the wrong way"; exit 1 }
     } else { first = magnetic; first_w = w }
-    was_t = t; was_power = power; was_copper = copper; was_mech = mech; was_in = in_; was_most = most; was_m = m; was_drag = drag
+    was_t = t; was_power = power; was_copper = copper; was_mech = mech; was_in = in_; was_most = most; before_m = NR > 2 ? was_m : m; was_m = m; was_drag = drag
     for (k = 1; k <= 3; k++) { was_i[k] = i[k]; was_v[k] = v[k] }
   }
   END {

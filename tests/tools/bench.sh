@@ -8,7 +8,9 @@ set -euo pipefail
 mode=$1 work=${2:-}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$root"
-benches='first_start turning_motor first_start_spi turning_motor_spi turning_sinusoidal random_traffic random_sinusoidal_traffic wrong_uses'
+# As it lists them itself.
+benches=$(tools/bench icarus none 2>&1 | sed 's/.* it is one of //; s/,//g') || true
+[ "$(wc -w <<<"$benches")" -gt 5 ] || { echo "tools/bench lists no benches: $benches"; exit 1; }
 
 refuses() {  # refuses PART CALL...
   local part=$1 said status=0
