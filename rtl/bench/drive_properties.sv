@@ -1,5 +1,7 @@
-// What a drive on AXI4-Lite promises, seen at its ports alone; six_step_axi_properties and sinusoidal_axi_properties are this, with their
-// ports and maps.
+// What a drive on AXI4-Lite promises, seen at its ports alone: bind it in your own testbench, or instantiate it beside the drive.
+//
+//     bind six_step_axi drive_properties properties (.*, .fault_pin(pins_fault_i));
+//     bind sinusoidal_axi drive_properties #(.SINUSOIDAL(1'b1)) properties (.*, .fault_pin(fault_i));
 //
 //     gates      never both of a leg; both off for FLOOR clocks between them; off in the clock after a reset, 3 clocks after the
 //                fault pin, 4 after a latched fault, and 4 after a write that takes CONTROL.configured away was answered; none
@@ -16,26 +18,30 @@
 `timescale 1ns / 1ps
 
 module drive_properties #(
-    parameter int FLOOR = 12,                // CAPABILITY.dead_time_floor
-    parameter logic [63:0] KEYED = 64'd0,    // a bit for each word of the map
-    parameter logic [63:0] READ_ONLY = 64'd0
+    parameter int FLOOR = 12,  // CAPABILITY.dead_time_floor
+    parameter logic SINUSOIDAL = 1'b0  // whose register map it is
 ) (
     input logic        clk, rst, fault_pin,
-    input logic        awvalid, awready, wvalid, wready, bvalid, bready, arvalid, arready, rvalid, rready,
-    input logic [11:0] awaddr,
-    input logic [31:0] wdata, rdata,
-    input logic [3:0]  wstrb,
-    input logic [1:0]  bresp, rresp,
-    input logic [2:0]  high, low,  // gates U, V, W
-    input logic        locked, latched
+    input logic        axi_awvalid_i, axi_awready_o, axi_wvalid_i, axi_wready_o, axi_bvalid_o, axi_bready_i,
+    input logic        axi_arvalid_i, axi_arready_o, axi_rvalid_o, axi_rready_i,
+    input logic [11:0] axi_awaddr_i,
+    input logic [31:0] axi_wdata_i, axi_rdata_o,
+    input logic [3:0]  axi_wstrb_i,
+    input logic [1:0]  axi_bresp_o, axi_rresp_o,
+    input logic        gates_uh_o, gates_ul_o, gates_vh_o, gates_vl_o, gates_wh_o, gates_wl_o,
+    input logic        locked_o, fault_o
 );
   localparam int kFaultPin = 3, kLatched = 4, kConfigured = 4;  // clocks
+  // A bit for each word of the register map, address / 4.
+  localparam logic [63:0] kKeyed = SINUSOIDAL ? 64'h3c00_0002_0000_0200 : 64'h0e00_0006_0000_0200;
+  localparam logic [63:0] kReadOnly = 64'hc000_0000_0001_f017;
 
   task automatic fail(input string what);
     $display("FAILED: %0t: %s", $time, what);
     $fatal(1);
   endtask
 
+  wire [2:0] high = {gates_wh_o, gates_vh_o, gates_uh_o}, low = {gates_wl_o, gates_vl_o, gates_ul_o};
   wire any = {high, low} != 6'd0;
 
   // Clocks since each gate was on, and since the causes that turn all of them off have lasted.
@@ -52,7 +58,7 @@ module drive_properties #(
     valid <= valid || rst;
     was_rst <= rst;
     pin <= fault_pin ? pin + 1 : 0;
-    in_fault <= latched ? in_fault + 1 : 0;
+    in_fault <= fault_o ? in_fault + 1 : 0;
     for (int k = 0; k < 3; k++) begin
       high_off[k] <= high[k] ? 0 : high_off[k] + 1;
       low_off[k] <= low[k] ? 0 : low_off[k] + 1;
@@ -68,7 +74,7 @@ module drive_properties #(
       if (any && in_fault >= kLatched) fail("a gate is on 4 clocks after the fault was latched");
       if (any && !configured) fail("a gate is on, and CONTROL.configured was not written");
       if (any && taken_away >= kConfigured) fail("a gate is on 4 clocks after CONTROL.configured was taken away");
-      if (locked && latched) fail("in lock and in fault");
+      if (locked_o && fault_o) fail("in lock and in fault");
     end
   end
 
@@ -77,14 +83,14 @@ module drive_properties #(
   logic [31:0] data;
   logic [3:0] strobes;
   logic writing = 1'b0, reading = 1'b0, unlocked = 1'b0;
-  wire takes = awvalid && awready && wvalid && wready;
-  wire asks = arvalid && arready;
-  wire answers = bvalid && bready, tells = rvalid && rready;
+  wire takes = axi_awvalid_i && axi_awready_o && axi_wvalid_i && axi_wready_o;
+  wire asks = axi_arvalid_i && axi_arready_o;
+  wire answers = axi_bvalid_o && axi_bready_i, tells = axi_rvalid_o && axi_rready_i;
   localparam logic [9:0] kControl = 10'h03, kSet = 10'h11, kClear = 10'h12, kLock = 10'h08;
-  wire sets = (awaddr[11:2] == kControl || awaddr[11:2] == kSet) && wdata[0] && wstrb[0];
+  wire sets = (axi_awaddr_i[11:2] == kControl || axi_awaddr_i[11:2] == kSet) && axi_wdata_i[0] && axi_wstrb_i[0];
   wire clears = strobes[0] && ((index == kControl && !data[0]) || (index == kClear && data[0]));
   // What has no register may be either, and is not asked; behind the 64th word there is none.
-  wire keyed = index < 10'd64 && KEYED[index[5:0]], read_only = index >= 10'd64 || READ_ONLY[index[5:0]];
+  wire keyed = index < 10'd64 && kKeyed[index[5:0]], read_only = index >= 10'd64 || kReadOnly[index[5:0]];
 
   logic b_waited = 1'b0, r_waited = 1'b0;
   logic [1:0] b_was, r_was;
@@ -92,34 +98,34 @@ module drive_properties #(
   always @(posedge clk) begin
     if (taken_away != 0) taken_away <= taken_away + 1;
     if (takes) begin
-      index <= awaddr[11:2];
-      data <= wdata;
-      strobes <= wstrb;
+      index <= axi_awaddr_i[11:2];
+      data <= axi_wdata_i;
+      strobes <= axi_wstrb_i;
       if (sets) begin
         configured <= 1'b1;
         taken_away <= 0;
       end
     end
-    if (answers && clears && bresp == 2'd0 && configured) taken_away <= 1;
+    if (answers && clears && axi_bresp_o == 2'd0 && configured) taken_away <= 1;
     if (answers && index == kLock) unlocked <= ({{8{strobes[1]}}, {8{strobes[0]}}} & data[15:0]) == 16'hc0de;
     writing <= (writing && !answers) || takes;
     reading <= (reading && !tells) || asks;
-    b_waited <= bvalid && !bready;
-    r_waited <= rvalid && !rready;
-    b_was <= bresp;
-    r_was <= rresp;
-    data_was <= rdata;
+    b_waited <= axi_bvalid_o && !axi_bready_i;
+    r_waited <= axi_rvalid_o && !axi_rready_i;
+    b_was <= axi_bresp_o;
+    r_was <= axi_rresp_o;
+    data_was <= axi_rdata_o;
     if (valid && !rst) begin
       if (takes && writing && !answers) fail("a write is taken before the last one is answered");
       if (asks && reading && !tells) fail("a read is taken before the last one is answered");
-      if (bvalid && !writing) fail("an answer without a write");
-      if (rvalid && !reading) fail("an answer without a read");
-      if (b_waited && (!bvalid || bresp != b_was)) fail("a write's answer has changed before it was taken");
-      if (r_waited && (!rvalid || rresp != r_was || rdata != data_was)) fail("a read's answer has changed before it was taken");
-      if (bvalid && bresp[0]) fail("a write's answer is neither 0 nor 2");
-      if (rvalid && rresp[0]) fail("a read's answer is neither 0 nor 2");
-      if (bvalid && keyed && !unlocked && bresp == 2'd0) fail("a keyed register was written behind the closed lock");
-      if (bvalid && read_only && bresp == 2'd0) fail("a read-only register was written");
+      if (axi_bvalid_o && !writing) fail("an answer without a write");
+      if (axi_rvalid_o && !reading) fail("an answer without a read");
+      if (b_waited && (!axi_bvalid_o || axi_bresp_o != b_was)) fail("a write's answer has changed before it was taken");
+      if (r_waited && (!axi_rvalid_o || axi_rresp_o != r_was || axi_rdata_o != data_was)) fail("a read's answer has changed before it was taken");
+      if (axi_bvalid_o && axi_bresp_o[0]) fail("a write's answer is neither 0 nor 2");
+      if (axi_rvalid_o && axi_rresp_o[0]) fail("a read's answer is neither 0 nor 2");
+      if (axi_bvalid_o && keyed && !unlocked && axi_bresp_o == 2'd0) fail("a keyed register was written behind the closed lock");
+      if (axi_bvalid_o && read_only && axi_bresp_o == 2'd0) fail("a read-only register was written");
     end
     if (rst) begin
       {writing, reading, unlocked, configured, b_waited, r_waited} <= 6'd0;

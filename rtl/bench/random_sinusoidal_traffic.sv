@@ -1,5 +1,5 @@
 // Random traffic for sinusoidal_axi: a host that does what it likes, converters whose codes jump or do not come, and a fault pin, while
-// sinusoidal_axi_properties looks on.
+// drive_properties looks on.
 //
 //     tools/bench verilator random_sinusoidal_traffic [+clocks=200000] [+seed=1]
 //
@@ -17,37 +17,21 @@ module random_sinusoidal_traffic;
   logic fault = 1'b0, valid = 1'b0;
   logic [11:0] code_u = 12'd0, code_v = 12'd0, code_dc = 12'(kBus);
   wire sample;
-  wire rst, random, awvalid, awready, wvalid, wready, bvalid, bready, arvalid, arready, rvalid, rready, interrupt, locked, latched;
-  wire [11:0] awaddr, araddr;
-  wire [31:0] wdata, rdata;
-  wire [3:0] wstrb;
-  wire [1:0] bresp, rresp;
-  wire uh, ul, vh, vl, wh, wl;
+  // All by the names of the drive's ports.
+  wire rst, random, axi_awvalid_i, axi_awready_o, axi_wvalid_i, axi_wready_o, axi_bvalid_o, axi_bready_i;
+  wire axi_arvalid_i, axi_arready_o, axi_rvalid_o, axi_rready_i, interrupt_o, locked_o, fault_o;
+  wire [11:0] axi_awaddr_i, axi_araddr_i;
+  wire [31:0] axi_wdata_i, axi_rdata_o;
+  wire [3:0] axi_wstrb_i;
+  wire [1:0] axi_bresp_o, axi_rresp_o;
+  wire gates_uh_o, gates_ul_o, gates_vh_o, gates_vl_o, gates_wh_o, gates_wl_o;
   // Seldom, since a drive that is stopped calibrates its converters anew before a gate is on, which takes longer than a busy host lets it run.
-  traffic #(.WRITES(400)) traffic (
-      .clk(clk), .rst(rst), .random(random), .gates({uh, ul, vh, vl, wh, wl}), .latched(latched),
-      .awvalid(awvalid), .awaddr(awaddr), .awready(awready), .wvalid(wvalid), .wdata(wdata), .wstrb(wstrb), .wready(wready),
-      .bvalid(bvalid), .bresp(bresp), .bready(bready), .arvalid(arvalid), .araddr(araddr), .arready(arready),
-      .rvalid(rvalid), .rdata(rdata), .rresp(rresp), .rready(rready)
-  );
+  traffic #(.WRITES(400)) traffic (.*);
   sinusoidal_axi dut (
-      .clk(clk), .rst(rst), .fault_i(fault),
-      .codes_valid_i(valid), .codes_u_i(code_u), .codes_v_i(code_v), .codes_dc_i(code_dc),
-      .axi_awvalid_i(awvalid), .axi_awaddr_i(awaddr), .axi_wvalid_i(wvalid), .axi_wdata_i(wdata), .axi_wstrb_i(wstrb),
-      .axi_bready_i(bready), .axi_arvalid_i(arvalid), .axi_araddr_i(araddr), .axi_rready_i(rready),
-      .gates_uh_o(uh), .gates_ul_o(ul), .gates_vh_o(vh), .gates_vl_o(vl), .gates_wh_o(wh), .gates_wl_o(wl),
-      .sample_o(sample), .interrupt_o(interrupt), .locked_o(locked), .fault_o(latched),
-      .axi_awready_o(awready), .axi_wready_o(wready), .axi_bvalid_o(bvalid), .axi_bresp_o(bresp),
-      .axi_arready_o(arready), .axi_rvalid_o(rvalid), .axi_rdata_o(rdata), .axi_rresp_o(rresp)
+      .*,
+      .fault_i(fault), .codes_valid_i(valid), .codes_u_i(code_u), .codes_v_i(code_v), .codes_dc_i(code_dc), .sample_o(sample)
   );
-  sinusoidal_axi_properties properties (
-      .clk(clk), .rst(rst), .fault_i(fault),
-      .axi_awvalid_i(awvalid), .axi_awready_o(awready), .axi_wvalid_i(wvalid), .axi_wready_o(wready), .axi_bvalid_o(bvalid), .axi_bready_i(bready),
-      .axi_arvalid_i(arvalid), .axi_arready_o(arready), .axi_rvalid_o(rvalid), .axi_rready_i(rready),
-      .axi_awaddr_i(awaddr), .axi_wdata_i(wdata), .axi_rdata_o(rdata), .axi_wstrb_i(wstrb), .axi_bresp_o(bresp), .axi_rresp_o(rresp),
-      .gates_uh_o(uh), .gates_ul_o(ul), .gates_vh_o(vh), .gates_vl_o(vl), .gates_wh_o(wh), .gates_wl_o(wl),
-      .locked_o(locked), .fault_o(latched)
-  );
+  drive_properties #(.SINUSOIDAL(1'b1)) properties (.*, .fault_pin(fault));
 
   // Between the edges, at which the host moves, so that every simulator sees the same.  Currents stay within a few codes, or the drive
   // would never get behind its calibration; now and then one is anything, the bus is, or a sample is lost.

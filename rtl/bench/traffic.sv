@@ -3,7 +3,7 @@
 //
 //     traffic.play     the whole; it prints how often what it is about has happened, and PASSED, or FAILED and why
 //
-// A run in which something never happened fails.
+// A run in which something never happened fails.  Its ports have the names of the drive's, so that a bench joins both by `.*`.
 //
 // Doc: docs/integration.md   Test: tests/rtl/properties.sh
 
@@ -15,17 +15,18 @@ module traffic #(
     input  logic        clk,
     output logic        rst,
     output logic        random,  // the host, and the pins likewise, do what they like
-    input  logic [5:0]  gates,
-    input  logic        latched,
-    output logic        awvalid, wvalid, bready, arvalid, rready,
-    output logic [11:0] awaddr, araddr,
-    output logic [31:0] wdata,
-    output logic [3:0]  wstrb,
-    input  logic        awready, wready, bvalid, arready, rvalid,
-    input  logic [31:0] rdata,
-    input  logic [1:0]  bresp, rresp
+    input  logic        gates_uh_o, gates_ul_o, gates_vh_o, gates_vl_o, gates_wh_o, gates_wl_o,
+    input  logic        fault_o,
+    output logic        axi_awvalid_i, axi_wvalid_i, axi_bready_i, axi_arvalid_i, axi_rready_i,
+    output logic [11:0] axi_awaddr_i, axi_araddr_i,
+    output logic [31:0] axi_wdata_i,
+    output logic [3:0]  axi_wstrb_i,
+    input  logic        axi_awready_o, axi_wready_o, axi_bvalid_o, axi_arready_o, axi_rvalid_o,
+    input  logic [31:0] axi_rdata_o,
+    input  logic [1:0]  axi_bresp_o, axi_rresp_o
 );
   initial {rst, random} = 2'b10;
+  wire [5:0] gates = {gates_uh_o, gates_ul_o, gates_vh_o, gates_vl_o, gates_wh_o, gates_wl_o};
 
   // The host's own accesses, which configure the drive; or random ones.
   wire h_awvalid, h_wvalid, h_bready, h_arvalid, h_rready;
@@ -36,15 +37,15 @@ module traffic #(
   logic [11:0] r_awaddr = 12'd0, r_araddr = 12'd0;
   logic [31:0] r_wdata = 32'd0;
   logic [3:0] r_wstrb = 4'd0;
-  assign awvalid = random ? r_awvalid : h_awvalid, wvalid = random ? r_wvalid : h_wvalid, bready = random ? r_bready : h_bready;
-  assign arvalid = random ? r_arvalid : h_arvalid, rready = random ? r_rready : h_rready;
-  assign awaddr = random ? r_awaddr : h_awaddr, araddr = random ? r_araddr : h_araddr;
-  assign wdata = random ? r_wdata : h_wdata;
-  assign wstrb = random ? r_wstrb : h_wstrb;
+  assign axi_awvalid_i = random ? r_awvalid : h_awvalid, axi_wvalid_i = random ? r_wvalid : h_wvalid, axi_bready_i = random ? r_bready : h_bready;
+  assign axi_arvalid_i = random ? r_arvalid : h_arvalid, axi_rready_i = random ? r_rready : h_rready;
+  assign axi_awaddr_i = random ? r_awaddr : h_awaddr, axi_araddr_i = random ? r_araddr : h_araddr;
+  assign axi_wdata_i = random ? r_wdata : h_wdata;
+  assign axi_wstrb_i = random ? r_wstrb : h_wstrb;
   axi_host host (
-      .clk(clk), .awvalid(h_awvalid), .awaddr(h_awaddr), .awready(awready), .wvalid(h_wvalid), .wdata(h_wdata), .wstrb(h_wstrb),
-      .wready(wready), .bvalid(bvalid), .bresp(bresp), .bready(h_bready), .arvalid(h_arvalid), .araddr(h_araddr),
-      .arready(arready), .rvalid(rvalid), .rdata(rdata), .rresp(rresp), .rready(h_rready)
+      .clk(clk), .awvalid(h_awvalid), .awaddr(h_awaddr), .awready(axi_awready_o), .wvalid(h_wvalid), .wdata(h_wdata), .wstrb(h_wstrb),
+      .wready(axi_wready_o), .bvalid(axi_bvalid_o), .bresp(axi_bresp_o), .bready(h_bready), .arvalid(h_arvalid), .araddr(h_araddr),
+      .arready(axi_arready_o), .rvalid(axi_rvalid_o), .rdata(axi_rdata_o), .rresp(axi_rresp_o), .rready(h_rready)
   );
   dice dice ();
 
@@ -86,8 +87,8 @@ module traffic #(
   // Outputs change at falling edges, as the host's do; a valid stays until it was taken.
   logic aw_taken, ar_taken;
   always @(posedge clk) begin
-    aw_taken <= awvalid && awready;
-    ar_taken <= arvalid && arready;
+    aw_taken <= axi_awvalid_i && axi_awready_o;
+    ar_taken <= axi_arvalid_i && axi_arready_o;
   end
   string file;
   int errors, count;
@@ -130,11 +131,11 @@ module traffic #(
   logic was_latched = 1'b0;
   always @(posedge clk) begin
     if (gates != 6'd0) drives <= drives + 1;
-    was_latched <= latched;
-    if (latched && !was_latched) faults <= faults + 1;
-    if (random && bvalid && bready) begin
+    was_latched <= fault_o;
+    if (fault_o && !was_latched) faults <= faults + 1;
+    if (random && axi_bvalid_o && axi_bready_i) begin
       answered <= answered + 1;
-      if (bresp != 2'd0) refused <= refused + 1;
+      if (axi_bresp_o != 2'd0) refused <= refused + 1;
     end
   end
 

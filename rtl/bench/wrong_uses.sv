@@ -3,7 +3,7 @@
 //     tools/bench verilator wrong_uses +use=5
 //
 // It prints one row: the use, what the drive says in the end, the rotor in r/min, the highest current over the limit, and for how many
-// us at a stretch it was more than 1.15 of it, and when the end was, in ms.  FAILED: a promise of six_step_axi_properties was broken, or
+// us at a stretch it was more than 1.15 of it, and when the end was, in ms.  FAILED: a promise of drive_properties was broken, or
 // the drive is in lock at another speed than its rotor.  Uses from 1 on; 0 is the right one.
 //
 // Doc: docs/wrong_uses.md   Test: tests/rtl/wrong_uses.sh
@@ -36,7 +36,7 @@ module wrong_uses;
   judge judge (
       .clk(clk), .rst(rst), .high(high), .low(low), .locked(locked), .latched(latched), .rpm(motor.rpm), .peak_a(motor.peak_a)
   );
-  bind six_step_axi six_step_axi_properties properties (.*);
+  bind six_step_axi drive_properties properties (.*, .fault_pin(pins_fault_i));
   motor motor (.clk(clk), .high(high), .low(low), .comparator(turned), .limit(limited));
 
   // At most so long at a stretch beyond 1.15 of the limit, in clocks.

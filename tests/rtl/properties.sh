@@ -40,7 +40,7 @@ if [ "$mode" = --map ]; then
     echo "$((address / 4)) $access"
   done | awk '{ known[$1] = 1; keyed[$1] = /keyed/; ro[$1] = $2 == "ro" }
     END { for (k = 0; k < 64; k++) print k, keyed[k] + 0, (k in known) ? ro[k] : "-" }' >"$work/page"
-  { echo 'module map;'; grep -E '^  localparam logic \[63:0\] k(Keyed|ReadOnly) = ' rtl/bench/${core}_properties.sv
+  { echo "module map; localparam logic SINUSOIDAL = $([ -z "$kind" ] && echo 0 || echo 1);"; grep -E '^  localparam logic \[63:0\] k(Keyed|ReadOnly) = ' rtl/bench/drive_properties.sv
     echo 'initial for (int k = 0; k < 64; k++) $display("%0d %0d %0d", k, kKeyed[k], kReadOnly[k]); endmodule'; } >"$work/map.sv"
   iverilog -g2012 -o "$work/map.vvp" "$work/map.sv"
   vvp -n "$work/map.vvp" >"$work/properties"
@@ -53,8 +53,8 @@ options=(--out "$work")
 if [ -n "$file" ]; then options+=(--with "$(flawed "rtl/$file.sv" "$flaw")"); fi
 if [ "$mode" = --bound ]; then
   bench=first_start
-  echo 'bind six_step_axi six_step_axi_properties properties (.*);' >"$work/bind.sv"
-  options+=(--with rtl/bench/drive_properties.sv --with rtl/bench/six_step_axi_properties.sv --with "$work/bind.sv")
+  echo 'bind six_step_axi drive_properties properties (.*, .fault_pin(pins_fault_i));' >"$work/bind.sv"
+  options+=(--with rtl/bench/drive_properties.sv --with "$work/bind.sv")
 fi
 tools/bench "${options[@]}" verilator $bench "+words=$words" "+clocks=$clocks" >"$work/log" 2>&1 || [ $? != 2 ] || { cat "$work/log"; exit 2; }
 grep -v -e finish -e Error -e Abort "$work/log"

@@ -8,7 +8,7 @@ mode=$1 work=$2 page=docs/wrong_uses.md
 cd "$(dirname "$0")/../.."
 rm -rf "$work"
 mkdir -p "$work"
-bench=(rtl/bench/axi_host.sv rtl/bench/host_tasks.svh rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/drive_properties.sv rtl/bench/six_step_axi_properties.sv rtl/bench/motor.sv rtl/bench/wrong_uses.sv)
+bench=(rtl/bench/axi_host.sv rtl/bench/host_tasks.svh rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/drive_properties.sv rtl/bench/motor.sv rtl/bench/wrong_uses.sv)
 words=rtl/words/maxon_ec45_flat.mem
 # Without comments: of what the rows follow from.
 of="<!-- of $(xargs cat <rtl/six_step_axi.f | cat - "${bench[@]}" "$words" | sed 's, *//.*,,; /^$/d' | sha256sum | cut -c 1-16) -->"
