@@ -4,11 +4,11 @@
 #   properties.sh [--sinusoidal] --FLAW WORK         one of those below: prints `noticed` if the right promise was found broken
 #   properties.sh [--sinusoidal] --icarus WORK       Icarus and Verilator count the same
 #   properties.sh [--sinusoidal] --map WORK          the registers that they take for keyed or read-only are those of the register map's page
-#   properties.sh --bound WORK        bound to the drive of another bench, which has a flaw: they notice
+#   properties.sh [--sinusoidal] --bound WORK         bound, as docs/integration.md says, to the drive of another bench, which has a flaw: they notice
 set -euo pipefail
-kind= core=six_step_axi bench=random_traffic words=rtl/words/m2310p_servo.mem page=docs/registers.md fault_pin=pins_fault_i
+kind= core=six_step_axi bench=random_traffic words=rtl/words/m2310p_servo.mem page=docs/registers.md fault_pin=pins_fault_i driven=first_start
 if [ "$1" = --sinusoidal ]; then
-  kind=_sinusoidal core=sinusoidal_axi bench=random_sinusoidal_traffic words=rtl/words/m2310p_sinusoidal.mem page=docs/sinusoidal_registers.md fault_pin=fault_i
+  kind=_sinusoidal core=sinusoidal_axi bench=random_sinusoidal_traffic words=rtl/words/m2310p_sinusoidal.mem page=docs/sinusoidal_registers.md fault_pin=fault_i driven=turning_sinusoidal
   shift
 fi
 mode=$1 work=$2
@@ -27,7 +27,7 @@ case $mode in
   --unconfigured) file=$core flaw='s/assign gates_vl_o = .*/logic on; always_ff @(posedge clk) on <= !rst; assign gates_vl_o = on;/' said='a gate is on, and CONTROL.configured was not written' ;;
   --taken_away) file=drive_registers$kind flaw='s/assign command_configured_o = .*/logic ever; always_ff @(posedge clk) ever <= !rst \&\& (ever || configured); assign command_configured_o = ever;/' said='after CONTROL.configured was taken away' ;;
   --dropped) file=$core flaw='s/assign axi_bvalid_o = .*/assign axi_bvalid_o = axi_bvalid \&\& !axi_arvalid_i;/' said="a write's answer has changed|a write is taken before the last one is answered" ;;
-  --invented | --bound) file=$core flaw="s/assign axi_rvalid_o = .*/assign axi_rvalid_o = axi_rvalid || axi_bvalid;/" said='an answer without a read' ;;
+  --invented | --bound) file=$core flaw='s/assign axi_rvalid_o = \(.*\);/assign axi_rvalid_o = \1 || axi_bvalid_o;/' said='an answer without a read' ;;
   --unlocked) file=word_registers$kind flaw='s/stopped_i && unlocked;/stopped_i;/' said='a keyed register was written behind the closed lock' ;;
   --read_only) file=$core flaw="s/assign axi_bresp_o = .*/assign axi_bresp_o = 2'd0;/" said='(keyed|read-only) register was written' ;;
   --icarus) clocks=40000 ;;
@@ -52,8 +52,8 @@ fi
 options=(--out "$work")
 if [ -n "$file" ]; then options+=(--with "$(flawed "rtl/$file.sv" "$flaw")"); fi
 if [ "$mode" = --bound ]; then
-  bench=first_start
-  echo 'bind six_step_axi drive_properties properties (.*, .fault_pin(pins_fault_i));' >"$work/bind.sv"
+  bench=$driven
+  grep "^bind $core " docs/integration.md >"$work/bind.sv"
   options+=(--with rtl/bench/drive_properties.sv --with "$work/bind.sv")
 fi
 tools/bench "${options[@]}" verilator $bench "+words=$words" "+clocks=$clocks" >"$work/log" 2>&1 || [ $? != 2 ] || { cat "$work/log"; exit 2; }
