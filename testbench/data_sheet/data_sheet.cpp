@@ -8,31 +8,22 @@
 #include <numbers>
 
 #include "testbench/drive_file/drive_file.hpp"
+#include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
 namespace {
 
 constexpr double kRpm = std::numbers::pi / 30;  // rad/s
-constexpr double kAgree = 0.1;
-
-// One quantity that a sheet may print in several ways, the one named first being believed.
-struct Told {
-  std::string by;
-  double value;
-};
 
 class Reader {
  public:
+  // A quantity that a sheet may print in several ways, the one named first being believed.
   double one_of(const std::string& what, const std::vector<std::optional<Told>>& ways, const std::string& mend) {
     const Told* first = nullptr;
     for (const auto& way : ways) {
       if (!way) continue;
       if (first == nullptr) first = &*way;
-      const double ratio = way->value / first->value;
-      if (std::abs(ratio - 1) > kAgree) {
-        say(fmt::format("{} is {:.4g} by {} and {:.4g} by {}; they must agree within {:g} %, leave the wrong one out", what,
-                        first->value, first->by, way->value, way->by, 100 * kAgree));
-      }
+      if (const auto text = disagreement(what, *first, *way)) say(*text);
     }
     if (first == nullptr) say(fmt::format("{} is missing; give {}", what, mend));
     return first == nullptr ? 1 : first->value;

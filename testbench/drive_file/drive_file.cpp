@@ -1,6 +1,7 @@
 #include "testbench/drive_file/drive_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/quantity.hpp"
+#include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
 namespace {
@@ -68,6 +70,12 @@ class Loader {
 
   std::vector<Problem> load() {
     for_each_key(file_.settings, [this](const Key& key, auto& value) { take(key, value); });
+    SheetTerms terms;
+    for_each_term(terms, [this](const Key& key, auto& value) { take(key, value); });
+    for (const TermProblem& p : take_terms(terms, file_.settings, file_.line_of)) say_at(file_.line_of.at(p.key), p.text);
+    for (const auto& [key, problem] : missing_) {
+      if (!file_.line_of.contains(key)) problems_.push_back(problem);
+    }
     find_unknown();
     return std::move(problems_);
   }
@@ -89,16 +97,27 @@ class Loader {
         table && table->is_table() ? table->as_table()->get(name) : nullptr;
     if (!node) {
       if (key.required && !(table && !table->is_table())) {
-        problems_.push_back({table ? line_of(*table) : 1,
-                             fmt::format("{}.{} is missing; add it{}: {}", section, name,
-                                         key.unit.empty() ? "" : fmt::format(" in {}", key.unit),
-                                         key.about)});
+        missing_.push_back({section + "." + name,
+                            {table ? line_of(*table) : 1,
+                             fmt::format("{}.{} is missing; add it{}: {}{}", section, name,
+                                         key.unit.empty() ? "" : fmt::format(" in {}", key.unit), key.about,
+                                         terms_of(section, name))}});
       }
       return;
     }
     where_ = section + "." + name;
     file_.line_of[where_] = line_of(*node);
     read(key, *node, value);
+  }
+
+  // What a data sheet prints instead.
+  static std::string terms_of(const std::string& section, const std::string& name) {
+    std::vector<std::string_view> terms;
+    const SheetTerms none;
+    for_each_term(none, [&](const Key& term, const auto&) {
+      if (term.section == section && term.about.starts_with(name + ":")) terms.push_back(term.name);
+    });
+    return terms.empty() ? "" : fmt::format("; or {}", fmt::join(terms, " or "));
   }
 
   void read(const Key& key, const toml::node& node, double& value) {
@@ -268,6 +287,7 @@ class Loader {
   std::map<std::string, std::vector<std::string>> keys_;
   std::string where_;
   std::vector<Problem> problems_;
+  std::vector<std::pair<std::string, Problem>> missing_;  // required keys, unless something else tells them
 };
 
 [[noreturn]] void refuse(const std::string& path, std::vector<Problem> problems) {

@@ -4,6 +4,7 @@
 
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/drive_file.hpp"
+#include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
 namespace {
@@ -66,6 +67,14 @@ std::string drive_file_reference() {
     }
     page += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.unit,
                         key.required ? "**required**" : cell(value), range(key, value), key.about);
+  });
+  page += "\n## [motor], as data sheets print it\n\n"
+          "Instead of the key named first under its meaning, or beside it: what says the same thing twice has to agree within 10 %. "
+          "Where a file is silent on them, inertia and `sensors.limit_a` are estimated, and named as such in the report.\n\n"
+          "| key | unit | range | meaning |\n|---|---|---|---|\n";
+  const SheetTerms terms;
+  for_each_term(terms, [&](const design::Key& key, const auto& value) {
+    page += fmt::format("| `{}` | {} | {} | {} |\n", key.name, key.unit, range(key, value), key.about);
   });
   return page;
 }

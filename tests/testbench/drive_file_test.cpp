@@ -77,7 +77,7 @@ TEST(DriveFile, AnUnknownSectionIsRefused) {
 TEST(DriveFile, AMissingKeyNamesSectionUnitAndMeaning) {
   EXPECT_EQ(refusal(with("flux_vs = 6e-3\n", "")),
             "x.toml:4: motor.flux_vs is missing; add it in V s: "
-            "peak phase back-EMF per electrical rad/s");
+            "peak phase back-EMF per electrical rad/s; or kv_rpm_per_v or torque_constant_nm_a or no_load_speed_rpm");
 }
 
 TEST(DriveFile, AMissingSectionIsReportedKeyByKey) {

@@ -1,0 +1,148 @@
+#include "testbench/drive_file/sheet_terms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace steplock {
+namespace {
+
+constexpr double kRpm = std::numbers::pi / 30;  // rad/s
+constexpr double kAgree = 0.1;
+constexpr double kTimeConstant = 15e-3;  // s, mechanical, of a motor whose inertia nobody tells
+
+class Taker {
+ public:
+  Taker(const SheetTerms& terms, design::Settings& settings, Lines& lines) : t_(terms), s_(settings), lines_(lines) {}
+
+  std::vector<TermProblem> take() {
+    auto& m = s_.motor;
+    decide("pole_pairs", m.pole_pairs, {told("poles", t_.poles, [](double n) { return n / 2; })});
+    decide("resistance_ohm", m.resistance_ohm, {told("resistance_line_ohm", t_.resistance_line_ohm, half)});
+    decide("inductance_h", m.inductance_h,
+                   {told("inductance_line_h", t_.inductance_line_h, [&](double l) { return l / 2 + m.mutual_h; })});
+    decide("inertia_kgm2", m.inertia_kgm2, {told("inertia_gcm2", t_.inertia_gcm2, [](double j) { return 1e-7 * j; })});
+    flux();
+    if (!knows("flux_vs")) return std::move(problems_);
+    const double k_e = m.flux_vs * flux_turns();
+    // A sinusoidal drive's current is the peak of a phase.
+    const double per_ampere = s_.drive.kind == design::DriveKind::kSinusoidal ? 1.5 * m.pole_pairs * m.flux_vs : k_e;
+    decide("rated_current_a", m.rated_current_a,
+                   {told("rated_torque_nm", t_.rated_torque_nm, [&](double torque) { return torque / per_ampere; })});
+    if (t_.no_load_current_a && knows("viscous_nms")) {
+      say("no_load_current_a", "motor.no_load_current_a does not tell dry friction beside motor.viscous_nms; give motor.coulomb_nm instead");
+    } else {
+      decide("coulomb_nm", m.coulomb_nm, {told("no_load_current_a", t_.no_load_current_a, [&](double i) { return i * k_e; })});
+    }
+    estimate(k_e);
+    return std::move(problems_);
+  }
+
+ private:
+  static double half(double x) { return x / 2; }
+  bool knows(const char* key) const { return lines_.contains(std::string("motor.") + key); }
+  // V s/rad between two terminals, mechanical, per V s of a phase, electrical.
+  double flux_turns() const { return (s_.motor.shape == design::Shape::kTrapezoidal ? 2 : std::numbers::sqrt3) * s_.motor.pole_pairs; }
+
+  template <class Of>
+  static std::optional<Told> told(const char* by, const std::optional<double>& given, Of&& of) {
+    if (!given) return std::nullopt;
+    return Told{by, of(*given)};
+  }
+
+  // The key's own value first; what else tells it has to agree.
+  template <class V>
+  void decide(const char* key, V& value, const std::vector<std::optional<Told>>& ways) {
+    std::optional<Told> first;
+    if (knows(key)) first = Told{key, static_cast<double>(value)};
+    for (const auto& way : ways) {
+      if (!way) continue;
+      if (first) {
+        if (const auto text = disagreement(std::string("motor.") + key, *first, *way)) say(way->by, *text);
+        continue;
+      }
+      first = way;
+      take(key, value, *way);
+    }
+  }
+  template <class V>
+  void take(const char* key, V& value, const Told& way) {
+    const auto range = range_of(key);
+    if (way.value < range.low || way.value > range.high) {
+      say(way.by, fmt::format("motor.{} gives motor.{} = {:.4g} {}; it must lie in {:g} to {:g}", way.by, key, way.value, range.unit, range.low,
+                              range.high));
+    } else if (std::is_integral_v<V> && way.value != std::round(way.value)) {
+      say(way.by, fmt::format("motor.{} gives {:g} for motor.{}, which is a whole number; poles are even", way.by, way.value, key));
+    }
+    value = static_cast<V>(way.value);
+    lines_["motor." + std::string(key)] = lines_.at("motor." + way.by);
+  }
+  design::Key range_of(std::string_view name) const {
+    design::Key found;
+    for_each_key(std::as_const(s_), [&](const design::Key& key, const auto&) {
+      if (key.section == "motor" && key.name == name) found = key;
+    });
+    return found;
+  }
+
+  void flux() {
+    auto& m = s_.motor;
+    const bool asked = t_.torque_constant_nm_a || t_.kv_rpm_per_v || t_.no_load_speed_rpm;
+    if (!asked || !knows("pole_pairs")) return;
+    if (m.shape == design::Shape::kTable) {
+      const char* by = t_.torque_constant_nm_a ? "torque_constant_nm_a" : t_.kv_rpm_per_v ? "kv_rpm_per_v" : "no_load_speed_rpm";
+      return say(by, fmt::format("motor.{} says nothing of a phase with motor.shape = \"table\"; give motor.flux_vs", by));
+    }
+    const double turns = flux_turns();
+    const double drop = t_.no_load_current_a.value_or(0) * 2 * m.resistance_ohm;
+    decide("flux_vs", m.flux_vs,
+                   {told("torque_constant_nm_a", t_.torque_constant_nm_a, [&](double k) { return k / turns; }),
+                    told("kv_rpm_per_v", t_.kv_rpm_per_v, [&](double kv) { return 1 / (kv * kRpm) / turns; }),
+                    told("no_load_speed_rpm", t_.no_load_speed_rpm,
+                         [&](double n) { return (s_.inverter.bus_v - drop) / (n * kRpm) / turns; })});
+  }
+
+  // What a file has to have, and a sheet may not print.
+  void estimate(double k_e) {
+    auto& m = s_.motor;
+    if (!knows("inertia_kgm2") && knows("resistance_ohm")) {
+      m.inertia_kgm2 = kTimeConstant * k_e * k_e / (2 * m.resistance_ohm);
+      assume("motor.inertia_kgm2", m.inertia_kgm2, "kg m^2", "a mechanical time constant of 15 ms");
+    }
+    const bool limits = lines_.contains("sensors.limit_a");
+    if (!limits && knows("rated_current_a") && knows("resistance_ohm") && lines_.contains("inverter.bus_v")) {
+      // The limit's current must be one that bus and winding can give, or no start could count on it.
+      s_.sensors.limit_a = std::min(2.5 * m.rated_current_a, 0.3 * s_.inverter.bus_v / m.resistance_ohm);
+      assume("sensors.limit_a", s_.sensors.limit_a, "A",
+             "2.5 times the rated current, or 0.6 of what the bus drives through two phases");
+    }
+  }
+  void assume(const std::string& key, double value, const char* unit, const char* why) {
+    lines_[key] = 1;
+    s_.drive.assumed.push_back(fmt::format("{}: {:.4g} {}, estimated: {}", key, value, unit, why));
+  }
+
+  void say(const std::string& key, const std::string& text) { problems_.push_back({"motor." + key, text}); }
+
+  const SheetTerms& t_;
+  design::Settings& s_;
+  Lines& lines_;
+  std::vector<TermProblem> problems_;
+};
+
+}  // namespace
+
+std::optional<std::string> disagreement(const std::string& what, const Told& first, const Told& other) {
+  if (std::abs(other.value / first.value - 1) <= kAgree) return std::nullopt;
+  return fmt::format("{} is {:.4g} by {} and {:.4g} by {}; they must agree within {:g} %, leave the wrong one out", what, first.value, first.by,
+                     other.value, other.by, 100 * kAgree);
+}
+
+std::vector<TermProblem> take_terms(const SheetTerms& terms, design::Settings& settings, Lines& lines) {
+  return Taker(terms, settings, lines).take();
+}
+
+}  // namespace steplock
