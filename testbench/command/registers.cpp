@@ -25,7 +25,7 @@ void add_registers_command(CLI::App& app, int& exit_code) {
   add("--markdown", "as a page: docs/registers.md", registers::markdown);
   add("--c-header", "for C: rtl/host/steplock_registers.h", registers::c_header);
   add("--systemrdl", "in SystemRDL 2.0: rtl/host/steplock.rdl", registers::systemrdl);
-  add("--ip-xact", "in IP-XACT (IEEE 1685-2014): rtl/host/steplock.xml", registers::ip_xact);
+  add("--ip-xact", "in IP-XACT (IEEE 1685-2014), alone: tools/ip_xact puts bus, ports and files around it", registers::ip_xact);
   kind->require_option(1);
   command->callback([printers, &exit_code] {
     for (const auto& print : *printers) print();

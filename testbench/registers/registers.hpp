@@ -5,7 +5,7 @@
 //     markdown    docs/registers.md                    docs/sinusoidal_registers.md
 //     c_header    rtl/host/steplock_registers.h        rtl/host/steplock_sinusoidal_registers.h
 //     systemrdl   rtl/host/steplock.rdl                rtl/host/steplock_sinusoidal.rdl
-//     ip_xact     rtl/host/steplock.xml                rtl/host/steplock_sinusoidal.xml (IEEE 1685-2014)
+//     ip_xact     the registers of rtl/host/steplock.xml and steplock_sinusoidal.xml (IEEE 1685-2014; tools/ip_xact)
 //
 // Doc: docs/registers.md   Test: tests/testbench/registers_test.cpp
 #pragma once

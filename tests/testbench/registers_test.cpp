@@ -23,13 +23,19 @@ std::string committed(const std::string& path) {
   return text.str();
 }
 
+std::string memory_maps(const std::string& xml) {
+  const std::size_t from = xml.find("<ipxact:memoryMaps>"), to = xml.find("</ipxact:memoryMaps>");
+  EXPECT_LT(from, to);
+  return xml.substr(from, to - from);
+}
+
 TEST(Registers, EveryPrintIsCurrent) {
   for (const Map* map : {&six_step(), &sinusoidal()}) {
     const std::string stem = std::string("rtl/host/") + map->stem;
     EXPECT_EQ(markdown(*map), committed(page_of(*map))) << "steplock registers" << map->option << " --markdown";
     EXPECT_EQ(c_header(*map), committed(stem + "_registers.h")) << "--c-header";
     EXPECT_EQ(systemrdl(*map), committed(stem + ".rdl")) << "--systemrdl";
-    EXPECT_EQ(ip_xact(*map), committed(stem + ".xml")) << "--ip-xact";
+    EXPECT_EQ(memory_maps(ip_xact(*map)), memory_maps(committed(stem + ".xml"))) << "tools/ip_xact puts the rest around it";
   }
 }
 

@@ -91,7 +91,8 @@ TEST(SheetTerms, WhatCannotBeIsRefusedAtItsOwnLine) {
             "x.toml:5: motor.poles gives 6.5 for motor.pole_pairs, which is a whole number; poles are even");
   EXPECT_THAT(one(kSheet + "kv_rpm_per_v = 900000"), HasSubstr("x.toml:10: motor.kv_rpm_per_v gives motor.flux_vs = "));
   EXPECT_THAT(one(kSheet + "kv_rpm_per_v = 0"), HasSubstr("x.toml:10: motor.kv_rpm_per_v is 0; it must lie in"));
-  EXPECT_THAT(one(kSheet + "kv_rpm_per_v = 270\nshape = \"table\"\ntable = [1, 0, -1, 0]"), HasSubstr("motor.kv_rpm_per_v says nothing of a phase"));
+  EXPECT_THAT(one(kSheet + "kv_rpm_per_v = 270\nshape = \"table\"\ntable = [1, 0, -1, 0]"),
+              HasSubstr("motor.kv_rpm_per_v says nothing of a phase"));
   EXPECT_THAT(one(kOwn + "viscous_nms = 1e-5\nno_load_current_a = 2"), HasSubstr("give motor.coulomb_nm instead"));
   EXPECT_THAT(one(kSheet + "torque_constant_nm = 0.035"), HasSubstr("did you mean torque_constant_nm_a?"));
 }
@@ -111,7 +112,8 @@ TEST(SheetTerms, InertiaAndLimitAreEstimatedAndNamed) {
   EXPECT_DOUBLE_EQ(s.sensors.limit_a, 30);
   const double k_e = 30 / M_PI / 270;
   EXPECT_DOUBLE_EQ(s.motor.inertia_kgm2, 15e-3 * k_e * k_e / 0.11);
-  EXPECT_THAT(s.drive.assumed, ElementsAre(HasSubstr("motor.inertia_kgm2: 0.0001706 kg m^2, estimated"), HasSubstr("sensors.limit_a: 30 A, estimated")));
+  EXPECT_THAT(s.drive.assumed, ElementsAre(HasSubstr("motor.inertia_kgm2: 0.0001706 kg m^2, estimated"),
+                                           HasSubstr("sensors.limit_a: 30 A, estimated")));
   // What bus and winding cannot give is no limit.
   const std::string weak = file_with("poles = 14\nresistance_line_ohm = 4\ninductance_line_h = 60e-6\nkv_rpm_per_v = 270\nrated_current_a = 12");
   std::string limited = weak;
