@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   DataSheet sheet;
   std::string out;
-  bool force = false;
+  bool force = false, every_key = false;
 };
 
 bool told_nothing(const DataSheet& sheet) {
@@ -62,7 +62,8 @@ int make(Arguments& arguments) {
     throw BadInput(fmt::format("steplock new: {} is there already; name another one by --out, or add --force", path.string()));
   }
   if (told_nothing(arguments.sheet)) ask(arguments.sheet);
-  const std::string text = drive_file_of(arguments.sheet);
+  std::string text = drive_file_of(arguments.sheet);
+  if (arguments.every_key) text = with_every_key(text, path.string());
   // What the loader, the plant and the design library say of it, before anything is written.
   DriveFile file = parse_drive_file(text, path.string());
   check_drive_file(file);
@@ -94,6 +95,7 @@ void add_new_command(CLI::App& app, int& exit_code) {
   command->add_option("--clock-mhz", arguments->sheet.clock_mhz, "of the FPGA")->check(CLI::Range(1, 400))->capture_default_str();
   command->add_option("--pwm-khz", arguments->sheet.pwm_khz, "of the bridge")->check(CLI::Range(1, 500))->capture_default_str();
   command->add_option("--out", arguments->out, "the file (default: NAME.toml)");
+  command->add_flag("--template", arguments->every_key, "every other key as well, as a comment with its default, unit and meaning");
   command->add_flag("--force", arguments->force, "write over a file that is there");
   command->footer("Example: steplock new outrunner --bus 24 --poles 14 --kv 270 --resistance-line 0.11 --inductance-line 60e-6 --rated-current 12");
   command->callback([arguments, &exit_code] { exit_code = make(*arguments); });

@@ -37,6 +37,9 @@ struct DriveFile {
 DriveFile load_drive_file(const std::string& path);  // throws BadInput
 DriveFile parse_drive_file(const std::string& text, const std::string& path);
 
+// The same file with every key that it does not give as a comment in its section.  Throws BadInput where `text` is no drive file.
+std::string with_every_key(const std::string& text, const std::string& path);
+
 // The motor, bridge and sensors that the settings describe.
 plant::Parameters plant_parameters(const design::Settings&);
 plant::AdcParameters adc_parameters(const design::Settings&);

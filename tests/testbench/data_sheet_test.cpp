@@ -2,12 +2,14 @@
 #include "testbench/data_sheet/data_sheet.hpp"
 
 #include <gmock/gmock.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "model/design/design.hpp"
+#include "model/design/settings_keys.hpp"
 #include "model/design/words.hpp"
 #include "testbench/run/check.hpp"
 
@@ -88,6 +90,46 @@ TEST(DataSheet, WhatSaysTheSameThingTwiceHasToAgree) {
   sheet = outrunner();
   sheet.pole_pairs = 14;  // poles, not pairs
   EXPECT_THAT(refusal(sheet), HasSubstr("7 by --poles and 14 by --pole-pairs"));
+}
+
+void expect_same(const design::Settings& a, const design::Settings& b) {
+  for_each_key(a, [&](const design::Key& key, const auto& x) {
+    for_each_key(b, [&](const design::Key& other, const auto& y) {
+      if constexpr (std::is_same_v<decltype(x), decltype(y)>) {
+        EXPECT_TRUE(key.section != other.section || key.name != other.name || x == y) << key.section << "." << key.name;
+      }
+    });
+  });
+}
+
+// Each key stands there, once; the defaults that it names are those, so that the file with all of them makes the same drive.
+TEST(DataSheet, ATemplateHasEveryKeyWithItsDefault) {
+  const std::string made = drive_file_of(outrunner()), all = with_every_key(made, "new.toml");
+  std::string uncommented = all;
+  int keys = 0, worked_out = 0;
+  const design::Settings defaults;
+  for_each_key(defaults, [&](const design::Key& key, const auto&) {
+    constexpr auto kKind = design::DriveKind::kSixStep;
+    if (!design::belongs(key.section, kKind) || !design::belongs(key.section, key.name, kKind)) return;
+    ++keys;
+    const std::size_t section = all.find(fmt::format("\n[{}]\n", key.section));
+    ASSERT_NE(section, all.npos) << key.section;
+    const std::string here = all.substr(section, all.find("\n[", section + 2) - section);
+    const std::string given = fmt::format("\n{} = ", key.name), comment = fmt::format("\n# {} = ", key.name);
+    EXPECT_NE(here.find(given) == here.npos, here.find(comment) == here.npos) << key.section << "." << key.name;
+    const std::size_t at = uncommented.find(comment, uncommented.find(fmt::format("\n[{}]\n", key.section)));
+    if (here.find(comment) == here.npos) return;
+    if (uncommented[at + comment.size()] == ' ') {
+      ++worked_out;
+    } else {
+      uncommented.erase(at + 1, 2);
+    }
+  });
+  EXPECT_GT(keys, 100);
+  EXPECT_GT(worked_out, 10);
+  const auto of = [](const std::string& text) { return parse_drive_file(text, "new.toml").settings; };
+  expect_same(of(all), of(made));
+  expect_same(of(uncommented), of(made));
 }
 
 TEST(DataSheet, NamesAllThatIsMissingAtOnce) {
