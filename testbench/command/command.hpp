@@ -45,5 +45,6 @@ void add_keys_command(CLI::App&, int& exit_code);
 void add_new_command(CLI::App&, int& exit_code);
 void add_motors_command(CLI::App&, int& exit_code);
 void add_registers_command(CLI::App&, int& exit_code);
+void add_report_command(CLI::App&, int& exit_code);
 
 }  // namespace steplock

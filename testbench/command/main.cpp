@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   add_new_command(app, exit_code);
   add_motors_command(app, exit_code);
   add_registers_command(app, exit_code);
+  add_report_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
