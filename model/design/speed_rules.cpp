@@ -14,12 +14,12 @@ constexpr double kPi = std::numbers::pi;
 
 double steps_per_radian(int pole_pairs) { return 6 * pole_pairs / (2 * kPi); }
 
-// The steepest ramp up to `most`, steps/s^2, at whose end no rotor of the envelope passes the set speed by more than 6 %,
+// The steepest ramp up to `most`, steps/s^2, at whose end no rotor of the envelope passes the set speed by more than 5 %,
 // of the tenth that a start may: the dip in which it meets its load, ticks and the duty's slew take the rest.  With the least
 // flux, which damps least, on either bus: which one swings further depends on how long the ramp is.  A rotor that is too heavy
 // for the ramp follows the limit's current.
 double settles(const Settings& s, const Design& d, double most) {
-  constexpr double kPasses = 0.06;
+  constexpr double kPasses = 0.05;
   constexpr int kInertias = 16;
   const auto& p = d.parameters.speed;
   const auto& e = s.envelope;

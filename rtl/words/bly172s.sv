@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd20),
       .words_start_brake_duty_i(16'd40605),
       .words_speed_target_i(26'd178957),
-      .words_speed_slew_i(20'd306),
+      .words_speed_slew_i(20'd288),
       .words_speed_kp_i(16'd1011),
       .words_speed_ki_i(16'd3485),
       .words_speed_bemf_i(16'd5445),

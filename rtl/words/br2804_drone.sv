@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd119),
       .words_start_brake_duty_i(16'd44547),
       .words_speed_target_i(26'd1002159),
-      .words_speed_slew_i(20'd3132),
+      .words_speed_slew_i(20'd1253),
       .words_speed_kp_i(16'd41272),
       .words_speed_ki_i(16'd22524),
       .words_speed_bemf_i(16'd6936),

@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd184),
       .words_start_brake_duty_i(16'd40548),
       .words_speed_target_i(26'd34360),
-      .words_speed_slew_i(20'd34),
+      .words_speed_slew_i(20'd23),
       .words_speed_kp_i(16'd9864),
       .words_speed_ki_i(16'd1711),
       .words_speed_bemf_i(16'd9721),

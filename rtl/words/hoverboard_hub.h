@@ -25,7 +25,7 @@ static const struct steplock_word hoverboard_hub_words[] = {
     {STEPLOCK_START_CATCH, 0x07d000a7u},
     {STEPLOCK_START_BRAKE, 0x91ec0019u},
     {STEPLOCK_SPEED_TARGET, 0x0001a36eu},
-    {STEPLOCK_SPEED_SLEW, 0x0000004fu},
+    {STEPLOCK_SPEED_SLEW, 0x0000003bu},
     {STEPLOCK_SPEED_GAIN, 0x07cb061bu},
     {STEPLOCK_SPEED_BEMF, 0x3235185bu},
     {STEPLOCK_SPEED_DUTY, 0x8000028fu},

@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd25),
       .words_start_brake_duty_i(16'd37356),
       .words_speed_target_i(26'd107374),
-      .words_speed_slew_i(20'd79),
+      .words_speed_slew_i(20'd59),
       .words_speed_kp_i(16'd1563),
       .words_speed_ki_i(16'd1995),
       .words_speed_bemf_i(16'd6235),

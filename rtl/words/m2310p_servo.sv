@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd20),
       .words_start_brake_duty_i(16'd43950),
       .words_speed_target_i(26'd214748),
-      .words_speed_slew_i(20'd498),
+      .words_speed_slew_i(20'd469),
       .words_speed_kp_i(16'd821),
       .words_speed_ki_i(16'd4237),
       .words_speed_bemf_i(16'd5517),

@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd20),
       .words_start_brake_duty_i(16'd39204),
       .words_speed_target_i(26'd429497),
-      .words_speed_slew_i(20'd783),
+      .words_speed_slew_i(20'd439),
       .words_speed_kp_i(16'd9069),
       .words_speed_ki_i(16'd14473),
       .words_speed_bemf_i(16'd9422),

@@ -93,7 +93,7 @@ module six_step_fixed (
       .words_start_brake_i(12'd43),
       .words_start_brake_duty_i(16'd40244),
       .words_speed_target_i(26'd429497),
-      .words_speed_slew_i(20'd557),
+      .words_speed_slew_i(20'd312),
       .words_speed_kp_i(16'd14739),
       .words_speed_ki_i(16'd12400),
       .words_speed_bemf_i(16'd7359),

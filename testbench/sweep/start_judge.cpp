@@ -54,7 +54,7 @@ void StartJudge::caused(const plant::State& s, bool claimed_lock, bool pulled_in
 }
 
 void StartJudge::claims(bool lock, double time) {
-  lock_at_ = slipped_at_ = astray_at_ = full_at_ = findings_.speed_time_s = std::nullopt;
+  lock_at_ = slipped_at_ = astray_at_ = full_at_ = highest_at_ = findings_.speed_time_s = std::nullopt;
   slips_before_ = findings_.slips;
   if (lock) {
     lock_at_ = time;
@@ -100,6 +100,16 @@ bool StartJudge::bus_gives_no_more(double time, double duty) {
   return full_at_ && time - *full_at_ >= std::max(1.0, settings_.held());
 }
 
+// Told apart from one that has arrived: the end of a ramp is passed after the speed was first near the set speed.
+bool StartJudge::rises(double time) {
+  const double rpm = mean_rpm(kAtSpeedTurns) * way();
+  if (!highest_at_ || rpm > (1 + kCreeps) * highest_rpm_) {
+    highest_at_ = time;
+    highest_rpm_ = rpm;
+  }
+  return time - *highest_at_ < kRisesTurns * settings_.electrical_turn_s();
+}
+
 void StartJudge::judge(double time, double drive_rpm, double duty) {
   findings_.end_s = time;
   if (!lock_at_ || decided()) return;
@@ -115,13 +125,14 @@ void StartJudge::judge(double time, double drive_rpm, double duty) {
   }
   const double set = settings_.set_rpm;
   if (marks_.size() <= kAtSpeedTurns) return;
+  const bool higher = rises(time) && findings_.peak_speed;
   if (std::abs(mean_rpm(kAtSpeedTurns) - set) > kAtSpeed * std::abs(set)) {
     const bool below = mean_rpm(kAtSpeedTurns) * way() < std::abs(set);
     if (below && bus_gives_no_more(time, duty)) findings_.beyond = "bus";
     return;
   }
   if (!findings_.speed_time_s) findings_.speed_time_s = time - settings_.run_s;
-  if (time - *lock_at_ < settings_.held()) return;
+  if (time - *lock_at_ < settings_.held() || higher) return;
   findings_.beyond = beyond();
   findings_.outcome = findings_.beyond.empty() ? Outcome::kStarted : Outcome::kRough;
 }

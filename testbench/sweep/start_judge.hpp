@@ -2,7 +2,8 @@
 // a witness that is the same for every kind of drive.
 //
 //     started          locked, without a slip since, for held_turns electrical turns (of the set speed) and held_s,
-//                      the last kAtSpeedTurns of them within kAtSpeed of the set speed
+//                      the last kAtSpeedTurns of them within kAtSpeed of the set speed; one that stood has also had its highest
+//                      speed: for kRisesTurns it has become no faster (by kCreeps)
 //     rough            the same, but beyond a bound of current, kick, speed or time (model/design/bounds.hpp)
 //     latched          the fault is latched
 //     silent_step_out  a slip, or the rotor stands, or the drive's speed is not the rotor's (by a quarter),
@@ -81,7 +82,7 @@ struct Findings {
 class StartJudge {
  public:
   static constexpr double kAtSpeed = 0.03, kNoticeTime = 0.5,
-                          kOtherSpeed = 0.25, kStandStill = 0.01, kSlow = 0.02, kCreeps = 0.001;
+                          kOtherSpeed = 0.25, kStandStill = 0.01, kSlow = 0.02, kCreeps = 0.001, kRisesTurns = 24;
   static constexpr std::size_t kAtSpeedTurns = 6;
 
   explicit StartJudge(const WitnessSettings& settings) : settings_(settings) {}
@@ -108,6 +109,7 @@ class StartJudge {
   };
   void judge(double time, double drive_rpm, double duty);
   bool bus_gives_no_more(double time, double duty);
+  bool rises(double time);
   std::string beyond() const;  // which bounds
   double mean_rpm(std::size_t turns) const;  // over the last ones
   bool other_speed(double drive_rpm) const;
@@ -120,6 +122,8 @@ class StartJudge {
   std::uint64_t slips_before_ = 0;  // of earlier claims
   std::optional<double> full_at_;   // the duty has been at its highest since, and the speed was full_rpm_
   double full_rpm_ = 0;
+  std::optional<double> highest_at_;  // of this lock: no faster since than highest_rpm_
+  double highest_rpm_ = 0;
   double next_look_ = 0;
   std::deque<Mark> marks_;  // one per electrical turn of set speed, the last kAtSpeedTurns
 };

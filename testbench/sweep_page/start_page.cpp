@@ -76,7 +76,7 @@ std::string goals(const Json& j, const Goals& g) {
   const auto below = [&](const char* what, const char* key, const char* part, double bound) {
     if (j[key][part].is_null()) return;
     const double x = j[key][part].get<double>();
-    t += fmt::format("| {} | at most {:g} | {:.3g} | {} |\n", what, bound, x, x <= bound ? "yes" : "no");
+    t += fmt::format("| {} | at most {:g} | {:.4g} | {} |\n", what, bound, x, x <= bound ? "yes" : "no");
   };
   const Json& inside = j["inside"];
   double least = 1;

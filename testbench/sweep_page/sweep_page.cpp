@@ -84,9 +84,9 @@ std::vector<Figure> sweep_figures(const SweepSetup& setup, const std::vector<Row
                         .caption = "Share of the runs inside the envelope that had locked, for good, by then."},
                        lock));
   all.push_back(shares(setup, rows,
-                       {.name = "peak_current", .title = "Peak phase current", .axis = "current, A",
+                       {.name = "peak_current", .title = "Peak phase current", .axis = "current, over the drive's limit",
                         .caption = "Share of the runs inside the envelope whose current never was higher."},
-                       [](const Row& r) { return std::optional(r.findings.peak_current_a); }));
+                       [&](const Row& r) { return peak_over_limit(setup, r); }));
   const auto inertia = [](const Row& r) { return r.conditions.inertia; };
   Figure f{.name = "inertia", .title = "Inertia", .axis = "factor of inertia",
            .caption = "Each dot is a run: how long it took to lock, and how many tries failed before.",

@@ -96,6 +96,18 @@ TEST(Witness, ALockIsWatchedForItsTurnsAndItsTime) {
   }
 }
 
+// A ramp's end is passed after the speed was first within 3 % of the set speed: a run that ended there would not show by how much.
+TEST(Witness, OneThatStoodIsWatchedUntilItGrowsNoFaster) {
+  for (const bool stood : {true, false}) {
+    Story story({.run_s = 0, .set_rpm = 600, .at_rest = stood, .held_turns = 1});
+    story.enter(State::kRun);
+    for (int k = 0; k < 4; ++k) story.turns(1, 58.5 + 0.6 * k);  // 585 to 603 r/min, ten turns of each
+    EXPECT_EQ(story.findings().outcome, stood ? Outcome::kUnfinished : Outcome::kStarted);
+    story.turns(2.2, 60);  // of the last highest speed 10 turns, and 22 of less: more than 24 since it rose
+    EXPECT_EQ(story.findings().outcome, Outcome::kStarted);
+  }
+}
+
 // Each bound, kept by a hair and passed by a hair.
 TEST(Witness, AStartBeyondABoundIsRough) {
   constexpr design::StartBounds kBounds = {.current_a = 5, .kick_deg = 90, .speed = 1.2, .lock_s = 1.005};
