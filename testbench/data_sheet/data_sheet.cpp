@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "testbench/drive_file/drive_file.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
@@ -13,7 +12,6 @@
 namespace steplock {
 namespace {
 
-constexpr double kRpm = std::numbers::pi / 30;  // rad/s
 
 class Reader {
  public:
@@ -100,12 +98,12 @@ std::string drive_file_of(const DataSheet& sheet) {
                                         {told("--inductance-line", sheet.inductance_line_h, [](double l) { return l; }),
                                          told("--inductance-phase", sheet.inductance_phase_h, [](double l) { return 2 * l; })},
                                         "--inductance-line or --inductance-phase");
-  const double idle_drop = sheet.no_load_current_a.value_or(0) * line;
+  const double idle = sheet.no_load_current_a.value_or(0);
   const double k_e = read.one_of("the back-EMF constant in V s/rad",
                                  {told("--torque-constant", sheet.torque_constant_nm_a, [](double k) { return k; }),
-                                  told("--kv", sheet.kv_rpm_per_v, [](double kv) { return 1 / (kv * kRpm); }),
+                                  told("--kv", sheet.kv_rpm_per_v, [](double kv) { return k_e_of_kv(kv); }),
                                   told("--no-load-speed", sheet.no_load_speed_rpm,
-                                       [&](double n) { return (bus - idle_drop) / (n * kRpm); })},
+                                       [&](double n) { return k_e_without_load(bus, idle, line, n); })},
                                  "--kv, --torque-constant or --no-load-speed");
   const double rated = read.one_of("the rated current",
                                    {told("--rated-current", sheet.rated_current_a, [](double i) { return i; }),
@@ -113,16 +111,15 @@ std::string drive_file_of(const DataSheet& sheet) {
                                    "--rated-current or --rated-torque");
   read.check();
 
-  // The limit's current must be one that bus and winding can give, or no start could count on it.
   const double stalled = bus / line;
-  const double limit = read.or_assumed(sheet.limit_a, std::min(2.5 * rated, 0.6 * stalled), "sensors.limit_a",
+  const double limit = read.or_assumed(sheet.limit_a, estimated_limit(rated, stalled), "sensors.limit_a",
                                        "2.5 times the rated current, or 0.6 of what the bus drives through two phases");
   if (limit > 0.9 * stalled) {
     read.say(fmt::format("the limit is {:.4g} A, and {:g} V drive {:.4g} A through two phases; at most 0.9 of it, --limit {:.4g}", limit, bus,
                          stalled, 0.9 * stalled));
   }
   if (limit < rated) read.say(fmt::format("the limit is {:.4g} A, less than the rated current of {:.4g} A; raise --limit", limit, rated));
-  const double no_load = bus / k_e / kRpm;
+  const double no_load = bus / k_e / kRadPerSecond;
   const double speed = read.or_assumed(sheet.speed_rpm, std::round(0.6 * no_load), "scenario.speed_rpm",
                                        fmt::format("0.6 of the {:.0f} r/min that the back-EMF allows on this bus", no_load));
   if (speed > 0.9 * no_load) {
@@ -130,7 +127,7 @@ std::string drive_file_of(const DataSheet& sheet) {
                          no_load, bus, 0.9 * no_load));
   }
   read.check();
-  const double inertia = 1e-7 * read.or_assumed(sheet.inertia_gcm2, 1e7 * 15e-3 * k_e * k_e / line, "motor.inertia_kgm2",
+  const double inertia = 1e-7 * read.or_assumed(sheet.inertia_gcm2, 1e7 * estimated_inertia(k_e, line), "motor.inertia_kgm2",
                                                 "a mechanical time constant of 15 ms; the gains of the speed control follow from it");
   const double friction = sheet.no_load_current_a ? *sheet.no_load_current_a * k_e : 0.02 * k_e * rated;
   read.assume("motor.coulomb_nm", sheet.no_load_current_a ? "all of the current without load is dry friction" : "2 % of the rated torque");
@@ -139,6 +136,7 @@ std::string drive_file_of(const DataSheet& sheet) {
   read.assume("sensors.comparator_offset_v", "4 in 10,000 of the bus, as dividers of 0.1 % and a comparator of some mV have");
   read.assume("load.inertia_kgm2", "the rotor's own once more, and no other load");
 
+  const design::Shape shape = sheet.trapezoidal ? design::Shape::kTrapezoidal : design::Shape::kSinusoidal;
   std::string assumed;
   for (const std::string& a : read.assumed()) assumed += fmt::format("  \"{}\",\n", a);
   return fmt::format(R"(# Written by `steplock new` from a data sheet.  Change what you know better; docs/drive_file.md has every key.
@@ -183,8 +181,8 @@ speed_rpm = {:g}
 duration_s = 3
 )",
                      sheet.name, assumed, line / 2, line, inductance / 2,
-                     k_e / ((sheet.trapezoidal ? 2 : std::numbers::sqrt3) * pairs), k_e, 1 / (k_e * kRpm), k_e, pairs,
-                     sheet.trapezoidal ? "trapezoidal" : "sinusoidal", inertia, friction, rated, inertia, bus,
+                     k_e / k_e_per_flux(shape, pairs), k_e, 1 / (k_e * kRadPerSecond), k_e, pairs,
+                     design::enum_words(shape)[static_cast<std::size_t>(shape)], inertia, friction, rated, inertia, bus,
                      std::min(10.0, line / 20), std::min(10.0, line / 40), 4e-4 * bus, -4e-4 * bus, 2e-4 * bus, 2e-4 * bus, limit,
                      sheet.clock_mhz, sheet.pwm_khz, speed);
 }

@@ -1,9 +1,6 @@
 // A drive file from what a motor's data sheet prints.
 //
-//     k_e     back-EMF constant, peak, of two terminals, V s/rad mechanical:  60 / (2 pi KV) = K_t
-//             = (bus - I0 R_line) / no-load speed
-//     flux    k_e / (sqrt 3 pole_pairs) of a sinusoidal motor, k_e / (2 pole_pairs) of a trapezoidal one
-//     R, L    of a phase: half of what is measured between two terminals
+// What follows from what is in testbench/drive_file/sheet_terms.hpp, whose formulas a drive file in such terms takes, too.
 //
 // What says the same thing twice has to agree within 10 %.  What is not given and can be estimated is, and the file
 // says so in `assumed`.

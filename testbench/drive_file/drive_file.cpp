@@ -73,8 +73,11 @@ class Loader {
     SheetTerms terms;
     for_each_term(terms, [this](const Key& key, auto& value) { take(key, value); });
     for (const TermProblem& p : take_terms(terms, file_.settings, file_.line_of)) say_at(file_.line_of.at(p.key), p.text);
-    for (const auto& [key, problem] : missing_) {
-      if (!file_.line_of.contains(key)) problems_.push_back(problem);
+    for (const Missing& m : missing_) {
+      // What a term tells, or an estimate would, lacks something else, which is named itself.
+      const bool told =
+          std::ranges::any_of(m.terms, [&](std::string_view term) { return file_.line_of.contains(fmt::format("motor.{}", term)); });
+      if (!file_.line_of.contains(m.key) && !told && !(is_estimated(m.key) && !problems_.empty())) problems_.push_back(m.problem);
     }
     find_unknown();
     return std::move(problems_);
@@ -97,11 +100,12 @@ class Loader {
         table && table->is_table() ? table->as_table()->get(name) : nullptr;
     if (!node) {
       if (key.required && !(table && !table->is_table())) {
-        missing_.push_back({section + "." + name,
+        const auto terms = terms_of(section, name);
+        missing_.push_back({section + "." + name, terms,
                             {table ? line_of(*table) : 1,
-                             fmt::format("{}.{} is missing; add it{}: {}{}", section, name,
+                             fmt::format("{}.{} is missing; add it{}: {}{}{}", section, name,
                                          key.unit.empty() ? "" : fmt::format(" in {}", key.unit), key.about,
-                                         terms_of(section, name))}});
+                                         terms.empty() ? "" : "; or ", fmt::join(terms, " or "))}});
       }
       return;
     }
@@ -110,14 +114,14 @@ class Loader {
     read(key, *node, value);
   }
 
-  // What a data sheet prints instead.
-  static std::string terms_of(const std::string& section, const std::string& name) {
+  // What a data sheet prints instead, in [motor] as well.
+  static std::vector<std::string_view> terms_of(const std::string& section, const std::string& name) {
     std::vector<std::string_view> terms;
     const SheetTerms none;
     for_each_term(none, [&](const Key& term, const auto&) {
       if (term.section == section && term.about.starts_with(name + ":")) terms.push_back(term.name);
     });
-    return terms.empty() ? "" : fmt::format("; or {}", fmt::join(terms, " or "));
+    return terms;
   }
 
   void read(const Key& key, const toml::node& node, double& value) {
@@ -287,7 +291,12 @@ class Loader {
   std::map<std::string, std::vector<std::string>> keys_;
   std::string where_;
   std::vector<Problem> problems_;
-  std::vector<std::pair<std::string, Problem>> missing_;  // required keys, unless something else tells them
+  struct Missing {
+    std::string key;
+    std::vector<std::string_view> terms;
+    Problem problem;
+  };
+  std::vector<Missing> missing_;  // required keys, unless something else tells them
 };
 
 [[noreturn]] void refuse(const std::string& path, std::vector<Problem> problems) {

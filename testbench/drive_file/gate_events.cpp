@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "testbench/drive_file/csv_cells.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock {
@@ -13,19 +14,6 @@ namespace {
 
 constexpr std::string_view kHeader = "time_s,uh,ul,vh,vl,wh,wl,load_nm";
 constexpr std::size_t kColumns = 8;
-
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    std::string_view cell = line.substr(0, comma);
-    while (cell.starts_with(' ')) cell.remove_prefix(1);
-    while (cell.ends_with(' ')) cell.remove_suffix(1);
-    cells.push_back(cell);
-    if (comma == line.npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
 
 }  // namespace
 
@@ -49,16 +37,16 @@ std::vector<plant::GateEvent> read_gate_events(std::istream& in, const std::stri
     return cell == "1";
   };
 
-  const std::vector<std::string_view> names = split(kHeader);
+  const std::vector<std::string_view> names = csv_cells(kHeader);
   while (std::getline(in, text)) {
     ++line;
     if (text.ends_with('\r')) text.pop_back();
     if (line == 1) {
-      if (split(text) != names) refuse(fmt::format("the first line must be {}", kHeader));
+      if (csv_cells(text) != names) refuse(fmt::format("the first line must be {}", kHeader));
       continue;
     }
     if (text.empty()) continue;
-    const std::vector<std::string_view> cells = split(text);
+    const std::vector<std::string_view> cells = csv_cells(text);
     if (cells.size() != kColumns) {
       refuse(fmt::format("{} columns; write {}: {}", cells.size(), kColumns, kHeader));
     }

@@ -4,43 +4,28 @@
 
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/drive_file.hpp"
+#include "testbench/drive_file/key_text.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
 namespace {
 
-std::string cell(double x) { return fmt::format("{:g}", x); }
-std::string cell(int x) { return fmt::format("{}", x); }
-std::string cell(bool x) { return x ? "true" : "false"; }
-std::string cell(const std::string& x) { return x; }
-std::string cell(const std::optional<double>& x) { return x ? cell(*x) : "worked out"; }
-std::string cell(const std::array<double, 3>& x) {
-  return fmt::format("[{:g}, {:g}, {:g}]", x[0], x[1], x[2]);
+// As the file has it, but where a table says it plainer.
+template <class T>
+std::string cell(const T& x) {
+  return toml_text(x);
 }
-std::string cell(const std::array<double, 2>& x) { return fmt::format("[{:g}, {:g}]", x[0], x[1]); }
+std::string cell(const std::string& x) { return x; }
+std::string cell(const std::optional<double>& x) { return x ? toml_text(*x) : "worked out"; }
 template <class T>
 std::string cell(const std::vector<T>& x) {
-  if (x.empty()) return "empty";
-  return fmt::format("[{}]", fmt::join(x, ", "));
-}
-template <class E>
-  requires std::is_enum_v<E>
-std::string cell(E x) {
-  return fmt::format("\"{}\"", enum_words(E{})[static_cast<std::size_t>(x)]);
-}
-
-template <class E>
-std::string choices() {
-  std::string all;
-  for (const char* word : enum_words(E{})) all += fmt::format("{}{}", all.empty() ? "" : ", ", word);
-  return all;
+  return x.empty() ? "empty" : toml_text(x);
 }
 
 template <class T>
-std::string range(const design::Key& key, const T&) {
-  if constexpr (std::is_enum_v<T>) return choices<T>();
-  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string> ||
-                std::is_same_v<T, std::vector<std::string>>) {
+std::string range(const design::Key& key, const T& value) {
+  if constexpr (std::is_enum_v<T>) return choices(value);
+  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>) {
     return "";
   } else {
     return fmt::format("{:g} to {:g}", key.low, key.high);

@@ -10,9 +10,7 @@
 namespace steplock {
 namespace {
 
-constexpr double kRpm = std::numbers::pi / 30;  // rad/s
 constexpr double kAgree = 0.1;
-constexpr double kTimeConstant = 15e-3;  // s, mechanical, of a motor whose inertia nobody tells
 
 class Taker {
  public:
@@ -27,7 +25,7 @@ class Taker {
     decide("inertia_kgm2", m.inertia_kgm2, {told("inertia_gcm2", t_.inertia_gcm2, [](double j) { return 1e-7 * j; })});
     flux();
     if (!knows("flux_vs")) return std::move(problems_);
-    const double k_e = m.flux_vs * flux_turns();
+    const double k_e = m.flux_vs * k_e_per_flux(m.shape, m.pole_pairs);
     // A sinusoidal drive's current is the peak of a phase.
     const double per_ampere = s_.drive.kind == design::DriveKind::kSinusoidal ? 1.5 * m.pole_pairs * m.flux_vs : k_e;
     decide("rated_current_a", m.rated_current_a,
@@ -44,9 +42,6 @@ class Taker {
  private:
   static double half(double x) { return x / 2; }
   bool knows(const char* key) const { return lines_.contains(std::string("motor.") + key); }
-  // V s/rad between two terminals, mechanical, per V s of a phase, electrical.
-  double flux_turns() const { return (s_.motor.shape == design::Shape::kTrapezoidal ? 2 : std::numbers::sqrt3) * s_.motor.pole_pairs; }
-
   template <class Of>
   static std::optional<Told> told(const char* by, const std::optional<double>& given, Of&& of) {
     if (!given) return std::nullopt;
@@ -96,26 +91,34 @@ class Taker {
       const char* by = t_.torque_constant_nm_a ? "torque_constant_nm_a" : t_.kv_rpm_per_v ? "kv_rpm_per_v" : "no_load_speed_rpm";
       return say(by, fmt::format("motor.{} says nothing of a phase with motor.shape = \"table\"; give motor.flux_vs", by));
     }
-    const double turns = flux_turns();
-    const double drop = t_.no_load_current_a.value_or(0) * 2 * m.resistance_ohm;
+    const double per_flux = k_e_per_flux(m.shape, m.pole_pairs), idle = t_.no_load_current_a.value_or(0);
+    std::optional<Told> by_speed;
+    if (lines_.contains("inverter.bus_v")) {
+      by_speed = told("no_load_speed_rpm", t_.no_load_speed_rpm, [&](double n) {
+        return k_e_without_load(s_.inverter.bus_v, idle, 2 * m.resistance_ohm, n) / per_flux;
+      });
+    }
     decide("flux_vs", m.flux_vs,
-                   {told("torque_constant_nm_a", t_.torque_constant_nm_a, [&](double k) { return k / turns; }),
-                    told("kv_rpm_per_v", t_.kv_rpm_per_v, [&](double kv) { return 1 / (kv * kRpm) / turns; }),
-                    told("no_load_speed_rpm", t_.no_load_speed_rpm,
-                         [&](double n) { return (s_.inverter.bus_v - drop) / (n * kRpm) / turns; })});
+           {told("torque_constant_nm_a", t_.torque_constant_nm_a, [&](double k) { return k / per_flux; }),
+            told("kv_rpm_per_v", t_.kv_rpm_per_v, [&](double kv) { return k_e_of_kv(kv) / per_flux; }), by_speed});
   }
 
   // What a file has to have, and a sheet may not print.
   void estimate(double k_e) {
     auto& m = s_.motor;
     if (!knows("inertia_kgm2") && knows("resistance_ohm")) {
-      m.inertia_kgm2 = kTimeConstant * k_e * k_e / (2 * m.resistance_ohm);
+      m.inertia_kgm2 = estimated_inertia(k_e, 2 * m.resistance_ohm);
       assume("motor.inertia_kgm2", m.inertia_kgm2, "kg m^2", "a mechanical time constant of 15 ms");
     }
     const bool limits = lines_.contains("sensors.limit_a");
     if (!limits && knows("rated_current_a") && knows("resistance_ohm") && lines_.contains("inverter.bus_v")) {
-      // The limit's current must be one that bus and winding can give, or no start could count on it.
-      s_.sensors.limit_a = std::min(2.5 * m.rated_current_a, 0.3 * s_.inverter.bus_v / m.resistance_ohm);
+      const double stalled = s_.inverter.bus_v / (2 * m.resistance_ohm);
+      s_.sensors.limit_a = estimated_limit(m.rated_current_a, stalled);
+      if (s_.sensors.limit_a < m.rated_current_a) {
+        say("rated_current_a", fmt::format("motor.rated_current_a is {:.4g} A, and inverter.bus_v drives {:.4g} A through two phases; at most 0.6 of "
+                                           "it, or give sensors.limit_a",
+                                           m.rated_current_a, stalled));
+      }
       assume("sensors.limit_a", s_.sensors.limit_a, "A",
              "2.5 times the rated current, or 0.6 of what the bus drives through two phases");
     }

@@ -17,7 +17,9 @@
 // Doc: docs/first_motor.md   Test: tests/testbench/sheet_terms_test.cpp
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +35,21 @@ struct Told {
 };
 // What to say where they are more than 10 % apart; no text where they agree.
 std::optional<std::string> disagreement(const std::string& what, const Told& first, const Told& other);
+
+// k_e: back-EMF constant, peak, of two terminals, V s/rad mechanical.
+inline constexpr double kRadPerSecond = std::numbers::pi / 30;  // of 1 r/min
+inline double k_e_of_kv(double rpm_per_v) { return 1 / (rpm_per_v * kRadPerSecond); }
+inline double k_e_without_load(double bus_v, double current, double line_ohm, double rpm) {
+  return (bus_v - current * line_ohm) / (rpm * kRadPerSecond);
+}
+// Of k_e for one V s of a phase, electrical.
+inline double k_e_per_flux(design::Shape shape, double pole_pairs) {
+  return (shape == design::Shape::kTrapezoidal ? 2 : std::numbers::sqrt3) * pole_pairs;
+}
+// What is taken where nobody tells: a mechanical time constant of 15 ms, and a current that bus and winding can give, or no
+// start could count on it.
+inline double estimated_inertia(double k_e, double line_ohm) { return 15e-3 * k_e * k_e / line_ohm; }
+inline double estimated_limit(double rated_a, double stalled_a) { return std::min(2.5 * rated_a, 0.6 * stalled_a); }
 
 // Nothing is what the file does not give.
 struct SheetTerms {
@@ -63,6 +80,9 @@ struct TermProblem {
   std::string key;  // which of those that the file gives
   std::string text;
 };
+
+// A key whose value is estimated as soon as all else is there.
+constexpr bool is_estimated(std::string_view key) { return key == "motor.inertia_kgm2" || key == "sensors.limit_a"; }
 
 // Writes what follows from the terms into the settings, and the lines of the keys that it follows from.
 std::vector<TermProblem> take_terms(const SheetTerms&, design::Settings&, Lines&);

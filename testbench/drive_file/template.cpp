@@ -8,35 +8,13 @@
 
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/drive_file.hpp"
+#include "testbench/drive_file/key_text.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
 namespace {
 
 constexpr int kColumn = 36;  // where the meaning begins
-
-std::string toml(double x) { return fmt::format("{:g}", x); }
-std::string toml(int x) { return fmt::format("{}", x); }
-std::string toml(bool x) { return x ? "true" : "false"; }
-std::string toml(const std::string& x) { return fmt::format("\"{}\"", x); }
-std::string toml(const std::optional<double>& x) { return x ? toml(*x) : ""; }
-template <class T, std::size_t N>
-std::string toml(const std::array<T, N>& x) {
-  return fmt::format("[{:g}]", fmt::join(x, ", "));
-}
-std::string toml(const std::vector<double>& x) { return fmt::format("[{:g}]", fmt::join(x, ", ")); }
-std::string toml(const std::vector<std::string>& x) { return x.empty() ? "[]" : fmt::format("[\"{}\"]", fmt::join(x, "\", \"")); }
-template <class E>
-  requires std::is_enum_v<E>
-std::string toml(E x) {
-  return fmt::format("\"{}\"", design::enum_words(E{})[static_cast<std::size_t>(x)]);
-}
-
-template <class T>
-std::string choices(const T&) {
-  if constexpr (std::is_enum_v<T>) return fmt::format(": {}", fmt::join(design::enum_words(T{}), ", "));
-  return "";
-}
 
 // `[section]`s with their lines; what stands before the first one is that of "".
 using Sections = std::vector<std::pair<std::string, std::vector<std::string>>>;
@@ -66,9 +44,9 @@ std::string with_every_key(const std::string& text, const std::string& path) {
     const design::DriveKind kind = file.settings.drive.kind;
     if (file.line_of.contains(section + "." + name)) return;
     if (!design::belongs(section, kind) || !design::belongs(section, name, kind)) return;
-    const std::string line = fmt::format("# {} = {}", name, toml(value));
-    const std::string unit = key.unit.empty() ? "" : fmt::format("{}, ", key.unit);
-    comments[section].push_back(fmt::format("{:<{}} # {}{}{}", line, kColumn, unit, key.about, choices(value)));
+    const std::string line = fmt::format("# {} = {}", name, toml_text(value));
+    const std::string unit = key.unit.empty() ? "" : fmt::format("{}, ", key.unit), words = choices(value);
+    comments[section].push_back(fmt::format("{:<{}} # {}{}{}{}", line, kColumn, unit, key.about, words.empty() ? "" : ": ", words));
   };
   const design::Settings defaults;
   for_each_key(defaults, comment);

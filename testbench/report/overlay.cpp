@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "testbench/drive_file/csv_cells.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 #include "testbench/report/page.hpp"
 #include "testbench/report/report.hpp"
@@ -21,13 +22,6 @@ using Json = nlohmann::ordered_json;
 std::pair<std::string, std::string> names(const RunFolder& a, const RunFolder& b) {
   if (a.path.filename() != b.path.filename()) return {a.path.filename().string(), b.path.filename().string()};
   return {a.path.string(), b.path.string()};
-}
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> all;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
-  return all;
 }
 
 // y(file) of each run over its time; `from` is what counts as 0.
@@ -53,15 +47,8 @@ std::vector<double> largest_current(const RunFolder& run, const std::string& fil
   return most;
 }
 
-std::string text(const Json& v) {
-  if (v.is_null()) return "-";
-  if (v.is_string()) return v.get<std::string>();
-  if (v.is_number_float()) return fmt::format("{:.6g}", v.get<double>());
-  return v.dump();
-}
-
 std::string difference(const Json& a, const Json& b) {
-  if (!a.is_number() || !b.is_number()) return text(a) == text(b) ? "" : "differs";
+  if (!a.is_number() || !b.is_number()) return number_text(a) == number_text(b) ? "" : "differs";
   const double x = a.get<double>(), y = b.get<double>();
   if (x == y) return "";
   return x == 0 ? fmt::format("{:+.4g}", y) : fmt::format("{:+.4g} ({:+.3g} %)", y - x, 100 * (y / x - 1));
@@ -86,14 +73,14 @@ std::vector<double> RunFolder::column(const std::string& file, const std::string
   std::ifstream in(path / file);
   std::string line;
   if (!std::getline(in, line)) return {};
-  const auto header = cells(line);
+  const auto header = csv_cells(line);
   const auto at = std::ranges::find(header, name) - header.begin();
   std::vector<double> values;
   if (at == std::ssize(header)) return values;
   for (int number = 2; std::getline(in, line); ++number) {
-    const auto row = cells(line);
+    const auto row = csv_cells(line);
     try {
-      values.push_back(std::stod(row.at(static_cast<std::size_t>(at))));
+      values.push_back(std::stod(std::string(row.at(static_cast<std::size_t>(at)))));
     } catch (const std::exception&) {
       throw BadInput(fmt::format("{}:{}: {} is no number here; run it again", (path / file).string(), number, name));
     }
@@ -131,17 +118,17 @@ std::vector<Figure> overlay_figures(const RunFolder& a, const RunFolder& b) {
 std::string overlay_page(const RunFolder& a, const RunFolder& b, const std::vector<Figure>& figures, const std::filesystem::path& out) {
   const auto [name_a, name_b] = names(a, b);
   std::string page = fmt::format("<h1>{} and {}</h1>\n", escaped(name_a), escaped(name_b));
-  for (const Figure& f : figures) {
-    page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", inline_svg(out / (f.name + ".svg")), escaped(f.caption));
-  }
+  std::vector<PageFigure> drawn;
+  for (const Figure& f : figures) drawn.push_back({f.caption, inline_svg(out / (f.name + ".svg"))});
+  page += figures_html(drawn);
   page += fmt::format("<h2>All numbers</h2>\n<div class=\"box\"><table>\n<tr><th></th><th>{}</th><th>{}</th><th>difference</th></tr>\n",
                       escaped(name_a), escaped(name_b));
   const Json of_a = Json::parse(a.summary).flatten(), of_b = Json::parse(b.summary).flatten();
   const auto row = [&](std::string key, const Json& x, const Json& y) {
     key = key.substr(1);
     std::ranges::replace(key, '/', '.');
-    page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(text(x)), escaped(text(y)),
-                        difference(x, y));
+    page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(number_text(x)),
+                        escaped(number_text(y)), difference(x, y));
   };
   for (const auto& [key, value] : of_a.items()) row(key, value, of_b.contains(key) ? of_b[key] : Json());
   for (const auto& [key, value] : of_b.items()) {

@@ -34,13 +34,6 @@ std::string row(const std::string& a, const std::string& b) {
   return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", a, b);
 }
 
-std::string number_text(const nlohmann::ordered_json& v) {
-  if (v.is_null()) return "-";
-  if (v.is_string()) return v.get<std::string>();
-  if (v.is_number_float()) return fmt::format("{:.6g}", v.get<double>());
-  return v.dump();
-}
-
 std::string all_numbers(const nlohmann::ordered_json& json) {
   std::string rows;
   for (const auto& [name, value] : json.items()) {
@@ -121,6 +114,21 @@ PageContent page_content(const design::Settings& s, const Summary& sum, const Re
   return page;
 }
 
+std::string number_text(const nlohmann::ordered_json& v) {
+  if (v.is_null()) return "-";
+  if (v.is_string()) return v.get<std::string>();
+  if (v.is_number_float()) return fmt::format("{:.6g}", v.get<double>());
+  return v.dump();
+}
+
+std::string figures_html(const std::vector<PageFigure>& figures) {
+  std::string all;
+  for (const PageFigure& f : figures) {
+    all += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg, escaped(f.caption));
+  }
+  return all;
+}
+
 std::string report_page(const PageContent& content, const std::vector<PageFigure>& figures) {
   const bool well = content.failures.empty();
   std::string page = fmt::format("<h1>{}<span class=\"verdict {}\">{}</span></h1>\n<p class=\"sub\">{}</p>\n",
@@ -138,10 +146,7 @@ std::string report_page(const PageContent& content, const std::vector<PageFigure
     page += fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", escaped(figure), escaped(name));
   }
   page += "</div>\n<h2>What happened</h2>\n";
-  for (const PageFigure& f : figures) {
-    page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg,
-                        escaped(f.caption));
-  }
+  page += figures_html(figures);
 
   page += "<h2>The drive's states</h2>\n<div class=\"box\"><table>\n"
           "<tr><th>time</th><th>state</th><th>reason</th></tr>\n";

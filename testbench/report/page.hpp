@@ -38,6 +38,11 @@ PageContent page_content(const design::Settings&, const Summary&, const Record&)
 
 std::string report_page(const PageContent&, const std::vector<PageFigure>&);
 
+// Each with its caption below it.
+std::string figures_html(const std::vector<PageFigure>&);
+// A value of a summary as a table shows it.
+std::string number_text(const nlohmann::ordered_json&);
+
 // Title and body in the frame and style that all pages share.
 std::string html_page(const std::string& title, const std::string& body);
 

@@ -127,10 +127,7 @@ std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
                        const std::vector<PageFigure>& figures) {
   if (setup.kind.matrix == Matrix::kDisturb) {
     std::string page = "<h1>Disturbances</h1>\n<pre>" + escaped(sweep_text(setup, rows)) + "</pre>\n";
-    for (const PageFigure& f : figures) {
-      page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg, escaped(f.caption));
-    }
-    return html_page("Sweep", page);
+    return html_page("Sweep", page + figures_html(figures));
   }
   const Json j = sweep_json(setup, rows);
   const bool well = passed(setup, rows);
@@ -149,9 +146,7 @@ std::string sweep_page(const SweepSetup& setup, const std::vector<Row>& rows,
                         "{} unfinished.</p>\n", o["runs"].get<int>(), o["started"].get<int>(), o["rough"].get<int>(),
                         o["latched"].get<int>(), o["silent_step_outs"].get<int>(), o["unfinished"].get<int>());
   }
-  for (const PageFigure& f : figures) {
-    page += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg, escaped(f.caption));
-  }
+  page += figures_html(figures);
   const auto failed = failures(rows);
   if (failed.empty()) return html_page("Sweep", page);
   page += "<h2>Failed</h2>\n<div class=\"box\"><table>\n<tr><th>replay</th><th>outcome</th><th>reason</th>"

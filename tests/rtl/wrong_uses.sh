@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What a drive does when it is used wrongly, in Verilator: docs/wrong_uses.md.
-#   wrong_uses.sh --print WORK        the table, some minutes
+#   wrong_uses.sh --print WORK        its rows, into the page; some minutes
 #   wrong_uses.sh --check WORK        the uses that end within 310 ms again: fails if the page's rows are others, or if the page, whose other
 #                                     rows take minutes, is of another core, bench or list of words than these
 set -euo pipefail
@@ -27,8 +27,14 @@ said=$(cat "$work"/*.log | grep -c '^|') asked=$(echo "$uses" | wc -l)
 [ "$said" = "$asked" ] && [ "$asked" -ge 15 ] || { echo "$said rows of $asked uses; $page should have fifteen that end soon"; exit 1; }
 rows=$(grep -h '^|' "$work"/*.log | sort -t'|' -k2n)
 if [ "$mode" = --print ]; then
-  echo "$rows"
-  echo "$of"
+  # A row where the page has the one of that number, and of what they are.
+  awk -F'|' -v of="$of" 'NR == FNR { row[$2 + 0] = $0; next }
+    /^\| [0-9]/ { print row[$2 + 0]; delete row[$2 + 0]; next }
+    /^<!-- of / { print of; next }
+    { print }
+    END { for (use in row) { print "the page has no row " use > "/dev/stderr"; exit 1 } }' <(echo "$rows") "$page" >"$work/page.md"
+  cp "$work/page.md" "$page"
+  echo "wrote $page"
   exit
 fi
 missing=$(echo "$rows" | grep -v -x -F -f "$page" || true)

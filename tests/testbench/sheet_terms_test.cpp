@@ -104,6 +104,20 @@ TEST(SheetTerms, WhatIsMissingNamesTheTermsThatWouldDo) {
               HasSubstr("motor.pole_pairs is missing; add it: electrical per mechanical turns; or poles"));
 }
 
+// What was given, and lacks something else, is not called missing.
+TEST(SheetTerms, OnlyWhatNothingTellsIsMissing) {
+  EXPECT_EQ(refusal("kv_rpm_per_v = 270\nresistance_line_ohm = 0.11\ninductance_line_h = 60e-6\nrated_current_a = 12"),
+            "x.toml:4: motor.pole_pairs is missing; add it: electrical per mechanical turns; or poles");
+  std::string text = file_with(kSheet + "no_load_speed_rpm = 6420");
+  text.erase(text.find("bus_v = 24\n"), 11);
+  try {
+    parse_drive_file(text, "x.toml");
+    FAIL() << "no bus";
+  } catch (const BadInput& e) {
+    EXPECT_STREQ(e.what(), "x.toml:11: inverter.bus_v is missing; add it in V: of the source");
+  }
+}
+
 TEST(SheetTerms, InertiaAndLimitAreEstimatedAndNamed) {
   const std::string text = file_with("poles = 14\nresistance_line_ohm = 0.11\ninductance_line_h = 60e-6\nkv_rpm_per_v = 270\nrated_current_a = 12");
   std::string without = text;
@@ -115,10 +129,18 @@ TEST(SheetTerms, InertiaAndLimitAreEstimatedAndNamed) {
   EXPECT_THAT(s.drive.assumed, ElementsAre(HasSubstr("motor.inertia_kgm2: 0.0001706 kg m^2, estimated"),
                                            HasSubstr("sensors.limit_a: 30 A, estimated")));
   // What bus and winding cannot give is no limit.
-  const std::string weak = file_with("poles = 14\nresistance_line_ohm = 4\ninductance_line_h = 60e-6\nkv_rpm_per_v = 270\nrated_current_a = 12");
+  const std::string weak = file_with("poles = 14\nresistance_line_ohm = 4\ninductance_line_h = 60e-6\nkv_rpm_per_v = 270\nrated_current_a = 3");
   std::string limited = weak;
   limited.erase(limited.find("[sensors]"), std::string("[sensors]\nlimit_a = 30\n").size());
   EXPECT_DOUBLE_EQ(parse_drive_file(limited, "x.toml").settings.sensors.limit_a, 0.6 * 24 / 4);
+  limited.replace(limited.find("rated_current_a = 3"), 19, "rated_current_a = 4");
+  try {
+    parse_drive_file(limited, "x.toml");
+    FAIL() << "the limit would be below the rated current";
+  } catch (const BadInput& e) {
+    EXPECT_STREQ(e.what(), "x.toml:9: motor.rated_current_a is 4 A, and inverter.bus_v drives 6 A through two phases; at most 0.6 of it, or give "
+                           "sensors.limit_a");
+  }
   EXPECT_TRUE(parse_drive_file(file_with(kOwn), "x.toml").settings.drive.assumed.empty());
 }
 

@@ -77,7 +77,7 @@ plain() {
       # The commutated current is gone; and the lightest rotor turns through 60 electrical degrees.
       look = 1.1 * l * v("envelope.inductance.2") * limit / (v("envelope.bus.1") * bus + 2 * v("inverter.diode_drop_v"))
       say("start.look", look)
-      hand_over = value["start.hand_over_rpm"] ? v("start.hand_over_rpm") * p / 10 : 0
+      hand_over = given["start.hand_over_rpm"] ? v("start.hand_over_rpm") * p / 10 : 0
       if (!hand_over) {
         doubt = most(most(abs(v("sensors.comparator_offset_v.1")), abs(v("sensors.comparator_offset_v.2"))), abs(v("sensors.comparator_offset_v.3")))
         doubt += v("sensors.comparator_hysteresis_v") / 2 + 3 * v("sensors.comparator_noise_v")
@@ -92,7 +92,7 @@ plain() {
         light = sqrt(2 * pi / 3 / p * v("envelope.inertia.1") * j / (k_e * v("envelope.flux.2") * flows))
         say("start.probe", most(least(0.35 * light, 1.5 / (1.25 * hand_over) - look), 1.5 * look))
       }
-      current = value["start.start_current_a"] ? v("start.start_current_a") : 1.5 * limit
+      current = given["start.start_current_a"] ? v("start.start_current_a") : 1.5 * limit
       say("start.start_current", current)
       if (said["control.chopping"] ~ /complementary/) {
         say("start.start_duty", least(0.95, current * r / bus + v("inverter.dead_time_s") * v("control.pwm_hz")))
@@ -100,7 +100,7 @@ plain() {
         drop = v("inverter.diode_drop_v")
         say("start.start_duty", least(0.95, (current * r + drop) / (bus + drop) + v("inverter.dead_time_s") * v("control.pwm_hz")))
       }
-      brake = value["start.brake_current_a"] ? v("start.brake_current_a") : 0.7 * limit
+      brake = given["start.brake_current_a"] ? v("start.brake_current_a") : 0.7 * limit
       say("start.brake_duty", least(1.999, 1 + brake * r / bus))
 
       # The PI cancels a fast pole; for a slow one both poles of the closed loop coincide.
