@@ -25,6 +25,7 @@ module current_limit (
     input  logic [7:0]  words_blanking_i,  // clocks after switch-on in which the comparator is not believed
     input  logic [11:0] words_off_time_i,  // clocks; 0 disables the current limit
     output logic        on_o,  // what is left of the pulse
+    output logic        cut_o,  // off-time
     output logic        hit_o,  // one clock, the first of an off-time
     output logic [3:0]  stuck_o  // cuts in a row without release, stops at 15
 );
@@ -39,7 +40,7 @@ module current_limit (
   wire heard = on_i && none;
   wire cut_ends = cut && due;
   wire hit_next = heard && comparator_i && words_off_time_i != 12'd0;
-  wire released_either = released || !comparator_i;  // line 51
+  wire released_either = released || !comparator_i;  // line 52
 
   always_ff @(posedge clk) begin
     if (hit_next) begin
@@ -67,7 +68,7 @@ module current_limit (
         stuck <= 4'd0;
       end else begin
         logic [4:0] stuck_next_sum;
-        stuck_next_sum = {1'b0, stuck} + 5'd1;  // line 47
+        stuck_next_sum = {1'b0, stuck} + 5'd1;  // line 48
         if (!(stuck_next_sum[4] && stuck_next_sum[3:0] != 4'd15)) begin
           stuck <= stuck_next_sum[3:0];
         end
@@ -87,6 +88,7 @@ module current_limit (
   end
 
   assign on_o = on_i && !cut;
+  assign cut_o = cut;
   assign hit_o = hit;
   assign stuck_o = stuck;
 endmodule

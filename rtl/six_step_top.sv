@@ -507,6 +507,7 @@ module six_step_top #(
   wire [2:0] commutation_sum_2 = hall_step - 3'd1;  // commutation.hpp:43
 
   wire limit_on;
+  wire limit_cut;
   wire limit_hit;
   wire [3:0] limit_stuck;
   current_limit limit (
@@ -518,6 +519,7 @@ module six_step_top #(
       .words_blanking_i(words_limit_blanking_i),
       .words_off_time_i(words_limit_off_time_i),
       .on_o(limit_on),
+      .cut_o(limit_cut),
       .hit_o(limit_hit),
       .stuck_o(limit_stuck)
   );
@@ -537,7 +539,7 @@ module six_step_top #(
       .legs_wh_i(hall_2 ? hall_step[2] && !hall_step[1] : legs_wh),
       .legs_wl_i(hall_2 ? commutation_sum_2[2:1] == 2'd0 : legs_wl),
       .chop_i(limit_on),
-      .complementary_i(words_pwm_complementary_i),
+      .complementary_i(words_pwm_complementary_i && !(limit_cut && start_running)),
       .uh_o(commutation_uh),
       .ul_o(commutation_ul),
       .vh_o(commutation_vh),
@@ -657,7 +659,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 255
+    still <= words_speed_target_i == 26'd0;  // line 258
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -674,14 +676,14 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 238
+    lags <= detector_error[15];  // line 241
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
     crossing <= bemf_crossing;
     hurries <= detector_hurries;
-    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 271
+    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 274
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;

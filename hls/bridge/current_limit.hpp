@@ -3,7 +3,8 @@
 // Each switch-on begins with `blanking` clocks in which the comparator is not believed.  From then on a
 // high comparator cuts the pulse: off for `off_time` clocks whatever the PWM does, then the PWM rules
 // again, and the next switch-on is blanked anew.  With all gates off in a cut (`fast`) the bus takes the current down as
-// steeply as it drove it up, so a quarter of the off-time is enough, and more of the limit's current is left.
+// steeply as it drove it up, so a quarter of the off-time is enough, and more of the limit's current is left.  The off-time
+// is that of a rotor at rest: of one that runs the back-EMF would take the current through zero, if a low side were on (`cut`).
 //
 // A current that the limit has in hand falls below it in the off-time.  Cuts in a row in which it
 // never did are counted: a shorted winding, or a shunt that lies.
@@ -31,12 +32,13 @@ class CurrentLimit {
 
   struct Out {
     bool on = false;    // what is left of the pulse
+    bool cut = false;   // off-time
     bool hit = false;   // one clock, the first of an off-time
     UInt<4> stuck = 0;  // cuts in a row without release, stops at 15
   };
 
   Out tick(const In& in) {
-    const Out out{.on = in.on && !cut_, .hit = hit_, .stuck = stuck_};
+    const Out out{.on = in.on && !cut_, .cut = cut_, .hit = hit_, .stuck = stuck_};
 
     const bool heard = in.on && none_;
     const bool hit = heard && in.comparator && in.words.off_time != 0;

@@ -222,7 +222,10 @@ class SixStepTop {
     const auto request = commutation_.tick({.pattern = start.pattern,
                                             .legs = hall ? Commutation::legs(hall_step) : legs_,
                                             .chop = limit.on,
-                                            .complementary = words.pwm.complementary});
+                                            // What the limit cuts of a rotor that runs freewheels through the diode:
+                                            // the off-time that a rotor at rest needs would let its back-EMF drive
+                                            // the current through zero, and beyond where no shunt sees it.
+                                            .complementary = words.pwm.complementary && !(limit.cut && start.running)});
     const auto gates = guard_.tick({.request = request,
                                     .enable = start.enable && command.configured,
                                     .fault = pins.fault,

@@ -122,7 +122,9 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 
-  const Gates wanted = gates_wanted(mode(), vco_.step(), limit_.on(), p_.pwm.complementary);
+  // A rotor that runs would drive the current through zero in the limit's off-time: the diode does not let it.
+  const bool freewheel = p_.pwm.complementary && !(limit_.cut() && sequence_.locked());
+  const Gates wanted = gates_wanted(mode(), vco_.step(), limit_.on(), freewheel);
   guard_.update(t, wanted, mode() != Mode::kOff);
 
   next_ = std::min(

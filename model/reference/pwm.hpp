@@ -87,6 +87,7 @@ class CurrentLimit {
   }
 
   bool on() const { return on_; }
+  bool cut() const { return cut_; }     // off-time
   bool hit() const { return hit_; }     // cut in this update
   int stuck() const { return stuck_; }  // hits in a row without a release in the off-time
 

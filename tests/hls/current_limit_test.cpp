@@ -93,6 +93,20 @@ TEST(CurrentLimit, TheHitIsTheFirstClockOfTheOffTime) {
   EXPECT_FALSE(dut.tick(limit(true, true, 0, 5)).hit);
 }
 
+// Off is what the PWM does; cut what the limit does, from its hit on.
+TEST(CurrentLimit, ACutIsToldInEachOfItsClocksAndInNoOther) {
+  CurrentLimit dut;
+  std::mt19937 random(3);
+  int left = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const auto out = dut.tick(limit(random() % 2, random() % 3 == 0, 3, 7));
+    if (out.hit) left = 7;
+    ASSERT_EQ(out.cut, left > 0) << i;
+    ASSERT_FALSE(out.cut && out.on) << i;
+    if (left > 0) --left;
+  }
+}
+
 TEST(CurrentLimit, AfterACutTheSwitchOnIsBlankedAnew) {
   CurrentLimit dut;
   dut.tick(limit(false, false, 10, 5));

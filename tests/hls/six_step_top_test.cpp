@@ -113,6 +113,32 @@ TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
   EXPECT_FALSE(top.tick(in).gates.uh);
 }
 
+// A cut of a rotor that runs leaves the chopped leg to its diode, or its back-EMF would drive the current on through zero; a cut
+// at rest closes the low side, and so does the PWM's own pause.
+TEST(SixStepTop, WhatTheLimitCutsOfARotorThatRunsFreewheelsThroughTheDiode) {
+  constexpr int kOffTime = 50, kGuard = 3;  // clocks: quick_words's; from a request to its gate
+  Chaos chaos;
+  int since_hit = 1000, since_run = 0, same_step = 0, cut_low = 0, paused_low = 0, low_in_a_cut_at_rest = 0;
+  SixStepTop::Out last;
+  for (int i = 0; i < 2000000; ++i) {
+    const auto out = chaos.clock_of();
+    const bool hit = out.counts.limit_hits != last.counts.limit_hits && out.counts.limit_hits != 0;
+    since_hit = hit ? 0 : since_hit + 1;
+    since_run = out.locked ? since_run + 1 : 0;
+    same_step = out.step == last.step ? same_step + 1 : 0;
+    const Gates legs = Commutation::legs(out.step);
+    const bool low = (legs.uh && out.gates.ul) || (legs.vh && out.gates.vl) || (legs.wh && out.gates.wl);
+    const bool cut = since_hit > kGuard && since_hit < kOffTime - kGuard;
+    if (same_step > kGuard && low && since_run > kOffTime) (cut ? cut_low : paused_low)++;
+    // The pattern of a rotor at rest chops U and V, whatever the step.
+    if (out.state == State::kReset && cut && out.gates.ul) ++low_in_a_cut_at_rest;
+    last = out;
+  }
+  EXPECT_EQ(cut_low, 0);
+  EXPECT_GT(paused_low, 100) << "the control";
+  EXPECT_GT(low_in_a_cut_at_rest, 100) << "the control";
+}
+
 // Without a decoder no start looks for a rotor that turns; all else stays, clock by clock.
 TEST(SixStepTop, WithoutTheHallDecoderItIsTheDriveThatDoesNotObserve) {
   Chaos chaos;
