@@ -79,7 +79,8 @@ class LoopFilter {
  public:
   explicit LoopFilter(const design::LoopParameters& p) : p_(p) {}
 
-  void load(double f) { mean_ = f_ = f; }
+  void load(double f) { load(f, f); }
+  void load(double mean, double f) { mean_ = mean, f_ = f; }
 
   // Run for long, and now at this frequency with this error.
   void join(double f, double error) {
@@ -92,19 +93,20 @@ class LoopFilter {
   // One crossing, coefficients per step.
   void step(double error) {
     const double e = compensated(error), gained = e * f_;
-    integrate(p_.integral * gained);
-    const double v = std::clamp(mean_ + p_.proportional * gained, 0.0, p_.maximum);
-    f_ += p_.pole * (v - f_);
+    if (!winds_up(gained)) mean_ += p_.integral * gained;
+    const double v = mean_ + p_.proportional * gained;
+    f_ = std::clamp(f_ + p_.pole * (v - f_), p_.minimum, p_.maximum);
   }
   // `dt` seconds with this error, coefficients per second.
   void run(double error, double dt) {
-    const double e = compensated(error), slope = p_.integral * e, decay = std::exp(-p_.pole * dt);
+    const double e = compensated(error), decay = std::exp(-p_.pole * dt);
+    const double slope = winds_up(e) ? 0 : p_.integral * e;
     // Exact for the ramp `slope`: where f would stand behind the mean in the long run, and the
     // rest of the distance to it.
     const double behind = p_.proportional * e - slope / p_.pole;
     const double away = f_ - mean_ - behind;
-    integrate(slope * dt);
-    f_ = std::clamp(mean_ + behind + away * decay, 0.0, p_.maximum);
+    mean_ += slope * dt;
+    f_ = std::clamp(mean_ + behind + away * decay, p_.minimum, p_.maximum);
   }
   // Newton's iteration for 1 / period, from the turns that passed in the last period.
   void catch_up(double turns) {
@@ -113,14 +115,12 @@ class LoopFilter {
   }
 
   double frequency() const { return f_; }
+  double mean() const { return mean_; }
 
  private:
   double compensated_at(double error, double f) const { return error + p_.delay * f; }
   double compensated(double error) const { return compensated_at(error, f_); }
-  void integrate(double amount) {
-    const bool winds_up = (amount > 0 && f_ >= p_.maximum) || (amount < 0 && f_ <= p_.minimum);
-    if (!winds_up) mean_ = std::clamp(mean_ + amount, p_.minimum, p_.maximum);
-  }
+  bool winds_up(double e) const { return (e > 0 && f_ >= p_.maximum) || (e < 0 && f_ <= p_.minimum); }
 
   design::LoopParameters p_;
   double mean_ = 0, f_ = 0;

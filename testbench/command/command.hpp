@@ -36,6 +36,7 @@ void add_run_command(CLI::App&, int& exit_code);
 void add_sweep_command(CLI::App&, int& exit_code);
 void add_merge_command(CLI::App&, int& exit_code);
 void add_compare_command(CLI::App&, int& exit_code);
+void add_coefficients_command(CLI::App&, int& exit_code);
 void add_design_command(CLI::App&, int& exit_code);
 void add_paper_command(CLI::App&, int& exit_code);
 void add_range_command(CLI::App&, int& exit_code);

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   add_sweep_command(app, exit_code);
   add_merge_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_coefficients_command(app, exit_code);
   add_design_command(app, exit_code);
   add_paper_command(app, exit_code);
   add_range_command(app, exit_code);

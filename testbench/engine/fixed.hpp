@@ -115,6 +115,8 @@ class FixedEngine {
     return view_of(out_, clock_hz_, static_cast<int>(in_.words.loop.divide.raw()));
   }
   const SixStepTop::Out& output() const { return out_; }
+  const SkippingTop& top() const { return top_; }
+  const Words& words() const { return in_.words; }  // with the set speed of now
 
  private:
   // A tick and how many more are quiet, at most `most`.

@@ -60,6 +60,12 @@ class SkippingTop : public SixStepTop {
     if (more > 0) out.step_phase = skip(in, out, more);
     return 1 + more;
   }
+  // What speed control is told in the next clock beside the frequency.
+  bool at_tick() const { return tick_; }
+  bool limited() const { return limited_; }
+  bool without_crossing() const { return update_ && !good_; }
+  bool hurries() const { return hurries_; }
+  bool freewheels() const { return freewheels_; }
   bool operator==(const SkippingTop&) const = default;
 
  private:

@@ -105,7 +105,7 @@ TEST(ReferenceSpeedControl, LowersTheDutyWhereFreewheelingIsLongAndTheIntegralIs
     control.follow(0.3, 0.3, 300);
     const double error = rise / 8192 / (slow.ki * kTick);
     control.tick(300 + error, 300, false, false, true);
-    EXPECT_NEAR(control.duty(), 0.3 + (rise < 1 ? 0 : -2 * slow.duty_slew * kTick), 1e-12);
+    EXPECT_NEAR(control.duty(), 0.3 + (rise < 1 ? rise / 8192 : -2 * slow.duty_slew * kTick), 1e-12);
   }
 }
 
