@@ -105,6 +105,7 @@ PageContent page_content(const design::Settings& s, const Summary& sum, const Re
       {fmt::format("{:.1f} rpm", sum.ripple.rms_rpm), "speed ripple, rms"},
       {fmt::format("{:.2f}°", sum.commutation_error_rms_deg), "commutation error, rms"},
       {fmt::format("{:.2f} A", sum.peak_current_a), "peak phase current"},
+      {sum.loaded_power ? fmt::format("{:.1f} %", 100 * sum.loaded_power->efficiency()) : "-", "efficiency under the load step"},
       {fmt::format("{}", sum.step_outs), "steps slipped"},
       {fmt::format("{:.1f} M/s", sum.clocks_per_cpu_second / 1e6), "clocks simulated"}};
   for (const std::string& line : sum.advice) page.failures.push_back("advice: " + line);

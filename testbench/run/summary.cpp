@@ -68,6 +68,7 @@ void judge_steady(Summary& sum, const Record& record, double from, double to, do
   const Span p = span(record.overview, from, to);
   sum.steady = speed_in(p, set_rpm);
   sum.ripple = ripple(record.overview, from, to);
+  sum.power = power(record.overview, from, to);
   if (!p) return;
   const Totals &a = p.first->totals, &b = p.last->totals;
   sum.rms_current_a = std::sqrt((b.current_squared - a.current_squared) / p.length());
@@ -88,6 +89,7 @@ void judge_load_step(Summary& sum, const design::Settings& s, const Record& reco
   const double set = signed_set_speed(s, n.reverse);
   sum.load_step_nm = load_step_nm;
   sum.loaded = speed_in(span(record.overview, last_fifth(from, to), to), set);
+  sum.loaded_power = power(record.overview, last_fifth(from, to), to);
   double least = std::abs(set);
   for (const Sample& x : record.overview) {
     if (x.time >= from && x.time <= to) least = std::min(least, std::abs(rpm(x.plant.speed)));

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "testbench/run/float_errors.hpp"
+#include "testbench/run/power.hpp"
 #include "testbench/run/ripple.hpp"
 #include "testbench/run/run_drive.hpp"
 
@@ -40,6 +41,8 @@ struct Summary {
   double set_speed_rpm = 0;
   SpeedResult steady;
   Ripple ripple;                           // of the true speed, steady
+  Power power;                             // steady
+  std::optional<Power> loaded_power;       // in the last fifth of the load step
   double phase_error_rms_deg = 0;          // phase detector, steady
   double commutation_error_mean_deg = 0, commutation_error_rms_deg = 0;  // true angle, steady
   double peak_current_a = 0, rms_current_a = 0, current_bound_a = 0;

@@ -51,6 +51,7 @@ Json to_json(const Summary& s) {
   j["mean_speed_rpm"] = number(s.steady.mean_rpm);
   j["speed_error_percent"] = number(s.steady.error_percent);
   to_json(j, s.ripple);
+  j["power"] = to_json(s.power);
   j["steady_from_s"] = number(s.steady.from_s);
   j["steady_to_s"] = number(s.steady.to_s);
   j["phase_error_rms_deg"] = number(s.phase_error_rms_deg);
@@ -62,6 +63,7 @@ Json to_json(const Summary& s) {
   j["load_step_nm"] = number(s.load_step_nm);
   j["load_dip_percent"] = number(s.load_dip_percent);
   j["loaded"] = s.loaded ? speed(*s.loaded) : Json(nullptr);
+  j["loaded_power"] = s.loaded_power ? to_json(*s.loaded_power) : Json(nullptr);
   j["reverse_time_s"] = number(s.reverse_time_s);
   j["reversed"] = s.reversed ? speed(*s.reversed) : Json(nullptr);
   j["crossings"] = s.crossings;
@@ -96,9 +98,11 @@ std::string to_text(const Summary& s) {
                                   s.commutation_error_mean_deg, s.commutation_error_rms_deg));
   line("phase current", fmt::format("peak {:.2f} A of at most {:.2f} A, rms {:.2f} A steady", s.peak_current_a,
                                     s.current_bound_a, s.rms_current_a));
+  line("power", to_text(s.power));
   if (s.loaded) {
     line("load step", fmt::format("{:.4g} N m: dips {:.2f} %, then {:+.4f} %", *s.load_step_nm,
                                   *s.load_dip_percent, s.loaded->error_percent));
+    line("power under it", to_text(*s.loaded_power));
   }
   if (s.reversed) {
     line("reversal", fmt::format("locked after {}, {:.2f} rpm, error {:+.4f} %",

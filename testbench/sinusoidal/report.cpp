@@ -47,6 +47,7 @@ PageContent page_content(const design::Settings& s, const Result& r, const Recor
                 {fmt::format("{:.2f}°", r.delta_theta_rms_deg), "error of the estimated angle, rms"},
                 {fmt::format("{:.2f} A", r.peak_current_a), "peak phase current"},
                 {r.load_dip_percent ? fmt::format("{:.1f} %", *r.load_dip_percent) : "-", "dip under the load step"},
+                {r.loaded_power ? fmt::format("{:.1f} %", 100 * r.loaded_power->efficiency()) : "-", "efficiency under the load step"},
                 {r.cpu_s > 0 ? fmt::format("{:.1f} M/s", static_cast<double>(r.clocks) / r.cpu_s / 1e6) : "-",
                  "clocks simulated"}};
   for (const StateChange& c : record.changes) {

@@ -37,6 +37,7 @@ void judge_steady(Result& r, const std::vector<Sample>& samples, double from, do
   if (!a || !b || b->time <= a->time) return;
   r.mean_rpm = mean_rpm(*a, *b);
   r.ripple = ripple(samples, a->time, b->time);
+  r.power = power(samples, a->time, b->time);
   for (const Sample& x : samples) {
     if (x.time >= a->time && x.time <= b->time) r.delta_theta_worst_deg = std::max(r.delta_theta_worst_deg, std::abs(x.delta_theta_deg));
   }
@@ -69,6 +70,7 @@ void judge_load(Result& r, const design::Settings& s, const std::vector<Sample>&
   if (a && b && b->time > a->time) {
     r.loaded_error_percent =
         100 * (mean_rpm(*a, *b) - r.set_speed_rpm) / std::abs(r.set_speed_rpm);
+    r.loaded_power = power(samples, a->time, b->time);
   }
 }
 
@@ -174,6 +176,8 @@ nlohmann::ordered_json to_json(const Result& r) {
   put("mean_rpm", r.mean_rpm);
   put("speed_error_percent", r.speed_error_percent);
   to_json(j, r.ripple);
+  j["power"] = to_json(r.power);
+  j["loaded_power"] = r.loaded_power ? to_json(*r.loaded_power) : nlohmann::ordered_json(nullptr);
   put("delta_theta_mean_deg", r.delta_theta_mean_deg);
   put("delta_theta_rms_deg", r.delta_theta_rms_deg);
   put("delta_theta_worst_deg", r.delta_theta_worst_deg);
@@ -222,6 +226,8 @@ std::string to_text(const Result& r) {
                                   r.loaded_error_percent.value_or(0),
                                   r.loaded_delta_theta_worst_deg.value_or(0)));
   }
+  line("power", to_text(r.power));
+  if (r.loaded_power) line("power under load", to_text(*r.loaded_power));
   if (r.stopped_rpm) line("stop", fmt::format("{:.2f} rpm at the end", *r.stopped_rpm));
   line("fault", r.reasons.empty() ? r.fault
                                   : fmt::format("{} (tries failed: {})", r.fault, fmt::join(r.reasons, ", ")));

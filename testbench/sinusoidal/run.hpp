@@ -18,6 +18,7 @@
 #include "testbench/report/report.hpp"
 #include "testbench/run/drive_loop.hpp"
 #include "testbench/run/float_errors.hpp"
+#include "testbench/run/power.hpp"
 #include "testbench/run/ripple.hpp"
 #include "testbench/sinusoidal/float_engine.hpp"
 #include "testbench/sinusoidal/recorder.hpp"
@@ -73,6 +74,8 @@ struct Result {
   std::vector<std::string> reasons;      // of every try that failed
   double set_speed_rpm = 0, mean_rpm = 0, speed_error_percent = 0;
   Ripple ripple;                         // of the true speed, steady
+  Power power;                           // steady
+  std::optional<Power> loaded_power;     // in the last fifth of the load step
   double delta_theta_mean_deg = 0, delta_theta_rms_deg = 0, delta_theta_worst_deg = 0;  // steady
   double rms_current_a = 0, peak_current_a = 0, current_bound_a = 0;
   std::optional<double> load_step_nm, load_dip_percent, loaded_error_percent;

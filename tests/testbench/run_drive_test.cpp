@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {
@@ -23,6 +25,12 @@ TEST_P(EachEngine, StartsLocksHoldsSpeedTakesTheLoadReversesAndStops) {
   EXPECT_EQ(s.shoot_throughs, 0u);
   // The plant's own books balance to its tolerance, 1e-7 per step.
   EXPECT_LT(std::abs(s.energy_residual), 1e-5);
+  // And so do the powers of a span; what the load gets is torque times speed.
+  ASSERT_TRUE(s.loaded_power.has_value());
+  const Power& p = *s.loaded_power;
+  EXPECT_NEAR(p.load, *s.load_step_nm * s.loaded->mean_rpm * std::numbers::pi / 30, 1e-6 * p.load);
+  EXPECT_NEAR(p.input, p.copper + p.switches + p.bus_resistance + p.friction + p.load + p.stored, 1e-5 * p.input);
+  EXPECT_GT(p.copper, 1e-3 * p.input);
 }
 
 INSTANTIATE_TEST_SUITE_P(RunDrive, EachEngine,

@@ -22,6 +22,10 @@ Record record_at(double rpm) {
     s.watch.bits = static_cast<std::uint32_t>(state) << Watch::kState |
                    std::uint32_t{state == State::kRun} << Watch::kLocked;
     s.totals.current_squared = 4 * s.time;  // 2 A rms
+    s.plant.energy.supplied = 3 + 100 * s.time;
+    s.plant.energy.load = 80 * s.time;
+    s.plant.energy.copper = 9 * s.time, s.plant.energy.bridge = 5 * s.time, s.plant.energy.bus_resistance = 1 * s.time;
+    s.plant.energy.friction = 3 * s.time, s.plant.energy.kinetic = 7 + 2 * s.time;
     s.totals.commutations = static_cast<std::uint64_t>(i);
     s.totals.commutation_deg = 3.0 * i;     // 3 degrees late, always
     s.totals.commutation_squared = 9.0 * i;
@@ -55,6 +59,20 @@ TEST(Summary, FiguresFollowFromTheRecord) {
   EXPECT_NEAR(s.commutation_error_rms_deg, 3, 1e-6);
   EXPECT_NEAR(s.phase_error_rms_deg, 5, 1e-6);
   EXPECT_TRUE(s.failures().empty()) << why(s);
+}
+
+TEST(Summary, PowersAreTheEnergiesOfTheSpan) {
+  const Power p = summarise(steady_only(), {}, record_at(3000)).power;
+  EXPECT_NEAR(p.input, 100, 1e-6);
+  EXPECT_NEAR(p.load, 80, 1e-6);
+  EXPECT_NEAR(p.copper, 9, 1e-6);
+  EXPECT_NEAR(p.switches, 5, 1e-6);
+  EXPECT_NEAR(p.bus_resistance, 1, 1e-6);
+  EXPECT_NEAR(p.friction, 3, 1e-6);
+  EXPECT_NEAR(p.stored, 2, 1e-6);
+  EXPECT_NEAR(p.efficiency(), 0.8, 1e-9);
+  EXPECT_EQ(to_json(p)["efficiency_percent"], 80);
+  EXPECT_EQ(Power{}.efficiency(), 0) << "nothing comes in";
 }
 
 // The mean of a rotor that swings says nothing of it.

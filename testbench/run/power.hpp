@@ -1,0 +1,43 @@
+// Where the power goes in a span: from the source to the load, and into heat on the way.
+//
+//     input = copper + switches + bus_resistance + friction + load + what is stored (rotor, windings, capacitor)
+//
+// Differences of the plant's running energies (model/plant/plant.hpp), so that no sample between them matters.  Iron losses are
+// no part of the plant.
+//
+// Doc: docs/report.md   Test: tests/testbench/summary_test.cpp, run_drive_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "model/plant/plant.hpp"
+
+namespace steplock {
+
+// All in W, means over the span; zeros if it has no two samples.
+struct Power {
+  double from_s = 0, to_s = 0;
+  double input = 0, copper = 0, switches = 0, bus_resistance = 0, friction = 0, load = 0, stored = 0;
+  // Of the input, what the load gets; 0 where nothing comes in.
+  double efficiency() const { return input > 0 ? load / input : 0; }
+};
+
+Power power_between(double from_s, const plant::Energy& from, double to_s, const plant::Energy& to);
+
+// Over the samples of either drive from `from` to `to`.
+template <class Sample>
+Power power(const std::vector<Sample>& samples, double from, double to) {
+  const auto first = std::ranges::lower_bound(samples, from, {}, &Sample::time);
+  const auto end = std::ranges::upper_bound(samples, to, {}, &Sample::time);
+  if (end - first < 2) return {};
+  const Sample& last = *(end - 1);
+  return power_between(first->time, first->plant.energy, last.time, last.plant.energy);
+}
+
+nlohmann::ordered_json to_json(const Power&);
+std::string to_text(const Power&);
+
+}  // namespace steplock
