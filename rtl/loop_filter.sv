@@ -20,7 +20,7 @@
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
 //     latency      24 clocks per product: about 150 from update to frequency; an update that comes
-//                  while busy is passed over
+//                  while busy is ignored
 //     registers    about 310 bits     multipliers  none (one serial)
 //
 // Law: hls/six_step/loop_filter_law.hpp   Doc: docs/blocks/loop_filter.md   Test: tests/hls/loop_filter_test.cpp

@@ -12,7 +12,7 @@ set_property -dict {PACKAGE_PIN E3 IOSTANDARD LVCMOS33} [get_ports clk_100mhz]
 create_clock -name oscillator -period 10.0 [get_ports clk_100mhz]
 create_generated_clock -name clk [get_pins pll/CLKOUT0]
 
-# Reset button (low when pressed), buttons BTN0 to BTN2 (high), lamps LD4 and LD5
+# Reset button (low when pressed), buttons BTN0 to BTN2 (high), LEDs LD4 and LD5
 set_property -dict {PACKAGE_PIN C2 IOSTANDARD LVCMOS33} [get_ports button_reset_n]
 set_property -dict {PACKAGE_PIN D9 IOSTANDARD LVCMOS33} [get_ports button_run]
 set_property -dict {PACKAGE_PIN C9 IOSTANDARD LVCMOS33} [get_ports button_reverse]

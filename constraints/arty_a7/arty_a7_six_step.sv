@@ -1,4 +1,4 @@
-// Arty A7-35T: PLL, pads, reset and lamps around six_step_fixed, the drive of one motor (steplock design
+// Arty A7-35T: PLL, pads, reset and LEDs around six_step_fixed, the drive of one motor (steplock design
 // FILE --verilog).  The PLL makes 50 MHz of the board's 100 MHz.
 //
 // Doc: docs/boards.md   Pins: arty_a7.xdc   Test: tests/boards/CMakeLists.txt

@@ -1,4 +1,4 @@
-// DE10-Nano: pads, reset and lamps around six_step_fixed, the drive of one motor (steplock design FILE
+// DE10-Nano: pads, reset and LEDs around six_step_fixed, the drive of one motor (steplock design FILE
 // --verilog).  It runs from the FPGA's 50 MHz oscillator itself; no PLL, and nothing of the processor.
 //
 // Doc: docs/boards.md   Pins: de10_nano.qsf   Test: tests/boards/CMakeLists.txt

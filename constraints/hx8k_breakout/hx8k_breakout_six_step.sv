@@ -1,4 +1,4 @@
-// iCE40-HX8K breakout board: PLL, pads, reset and lamps around six_step_fixed, the drive of one motor
+// iCE40-HX8K breakout board: PLL, pads, reset and LEDs around six_step_fixed, the drive of one motor
 // (steplock design FILE --verilog).  The PLL makes 36 MHz of the board's 12 MHz.
 //
 // Doc: docs/boards.md   Pins: hx8k_breakout.pcf   Test: tests/boards/CMakeLists.txt

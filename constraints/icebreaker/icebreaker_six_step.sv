@@ -1,4 +1,4 @@
-// iCEBreaker: pads, reset and lamps around six_step_fixed, the drive of one motor (steplock design
+// iCEBreaker: pads, reset and LEDs around six_step_fixed, the drive of one motor (steplock design
 // FILE --verilog).  It runs from the 12 MHz oscillator itself; no PLL.  The FPGA's own oscillator watches that one: where it stops, the
 // gates are off 3 us later.
 //

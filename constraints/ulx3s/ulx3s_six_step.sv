@@ -1,4 +1,4 @@
-// ULX3S: pads, reset and lamps around six_step_fixed, the drive of one motor (steplock design FILE
+// ULX3S: pads, reset and LEDs around six_step_fixed, the drive of one motor (steplock design FILE
 // --verilog).  It runs from the 25 MHz oscillator itself; no PLL.
 //
 // Doc: docs/boards.md   Pins: ulx3s.lpf   Test: tests/boards/CMakeLists.txt

@@ -1,4 +1,4 @@
-// UPduino 3: oscillator, pads, reset and lamps around six_step_fixed, the drive of one motor (steplock
+// UPduino 3: oscillator, pads, reset and LEDs around six_step_fixed, the drive of one motor (steplock
 // design FILE --verilog).  The FPGA's own oscillator, 48 MHz / 4, needs no jumper and is good to 10 %:
 // so is the speed.
 //
@@ -48,7 +48,7 @@ module upduino_six_step (
   SB_RGBA_DRV #(
       .CURRENT_MODE("0b1"),  // half: 2 mA each
       .RGB0_CURRENT("0b000001"), .RGB1_CURRENT("0b000001"), .RGB2_CURRENT("0b000001")
-  ) lamps (
+  ) leds (
       .CURREN(1'b1), .RGBLEDEN(1'b1), .RGB0PWM(locked), .RGB1PWM(1'b0), .RGB2PWM(fault),
       .RGB0(led_green), .RGB1(led_blue), .RGB2(led_red)
   );

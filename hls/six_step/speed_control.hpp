@@ -21,7 +21,7 @@
 // One product at a time, one addition to it, then one bound after the other by one comparator.
 //
 //     latency      at most 140 clocks after the tick, with shift 15; a tick that comes earlier is
-//                  passed over
+//                  ignored
 //     registers    about 320 bits     multipliers  none (one serial)
 //
 // Law: hls/six_step/speed_control_law.hpp   Doc: docs/blocks/speed_control.md   Test: tests/hls/speed_control_test.cpp
