@@ -6,6 +6,7 @@
 
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/paper/matsui1996.hpp"
+#include "testbench/run/units.hpp"
 
 namespace steplock::matsui1996 {
 namespace {
@@ -21,6 +22,7 @@ Figure angles(const design::Settings& drive, design::Estimator estimator, double
   Curve real{"rotor", palette::kTrue, {}, 2.2}, estimated{"theta_c", palette::kDrive, {}};
   estimated.dots = true;
   Curve delta{"delta theta", palette::kU, {}};
+  Curve turns{"rotor", palette::kTrue, {}}, believed{"believed", palette::kDrive, {}};
   const double from = rig->time(), end = 2 * 60 / rpm / drive.motor.pole_pairs;
   for (int n = 1; rig->time() - from < end; ++n) {
     // Just before the next sample's strobe: what is shown belongs to the last one.
@@ -30,6 +32,8 @@ Figure angles(const design::Settings& drive, design::Estimator estimator, double
         {ms, seen + rig->delta_deg() - 360 * std::floor((seen + rig->delta_deg()) / 360)});
     estimated.points.push_back({ms, seen});
     delta.points.push_back({ms, rig->delta_deg()});
+    turns.points.push_back({ms, steplock::rpm(rig->state().speed)});
+    believed.points.push_back({ms, rig->view().speed_rpm});
   }
   return {.name = std::move(name),
           .title = std::move(title),
@@ -37,7 +41,8 @@ Figure angles(const design::Settings& drive, design::Estimator estimator, double
           .caption = fmt::format("Two electrical turns at {:g} r/min, {:g} % torque, engine fixed.",
                                  rpm, 100 * torque),
           .panels = {{.label = "angle, deg", .curves = {real, estimated}, .weight = 1.6},
-                     {.label = "delta theta, deg", .curves = {delta}}}};
+                     {.label = "delta theta, deg", .curves = {delta}},
+                     {.label = "speed, r/min", .curves = {turns, believed}}}};
 }
 
 struct Grid {
