@@ -115,7 +115,6 @@ class LoopFilter {
   }
 
   double frequency() const { return f_; }
-  double mean() const { return mean_; }
 
  private:
   double compensated_at(double error, double f) const { return error + p_.delay * f; }

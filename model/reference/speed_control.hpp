@@ -70,7 +70,6 @@ class SpeedControl {
 
   double duty() const { return duty_; }
   double reference() const { return reference_; }
-  double integral() const { return integral_; }
   // Whether the next integral meets a bound above or below, and how near in duty that was to be otherwise.
   bool at_high() const { return at_high_; }
   bool at_low() const { return at_low_; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/design/design.hpp"
 #include "testbench/compare/corner_inputs.hpp"
@@ -38,14 +39,26 @@ const Coefficient kCoefficients[] = {
 };
 #undef STEPLOCK_OF
 
+// What the words stand for, instead of what was wanted.
+design::Parameters meant(design::Parameters p, const design::Quantised& q) {
+  for (const design::WordRow& row : q.rows) {
+    for (const Coefficient& c : kCoefficients) {
+      if (row.name == c.name) c.of(p) = row.meant;
+    }
+  }
+  // Per second the word is the part that a tick takes.
+  if (p.loop.form == design::LoopForm::kPerSecond) p.loop.pole = -std::log1p(-p.loop.pole) / p.pwm.tick();
+  return p;
+}
+
 // Of either kind of input the greater part of its bound.
 std::vector<LawError> worst_errors(const Told& told, const design::Parameters& p) {
   std::vector<LawError> all = law_errors(told.run, p, told.clock_hz);
   const auto corners = law_errors(told.corners, p, told.clock_hz);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::size_t updates = all[k].updates + corners[k].updates, unlike = all[k].unlike;
-    if (corners[k].of_bound() > all[k].of_bound()) all[k] = corners[k];
-    all[k].updates = updates, all[k].unlike = unlike;
+    LawError& mine = all[k];
+    mine.updates += corners[k].updates;
+    if (corners[k].of_bound() > mine.of_bound()) mine.worst = corners[k].worst, mine.bound = corners[k].bound, mine.at_s = corners[k].at_s;
   }
   return all;
 }
@@ -96,7 +109,8 @@ std::vector<Sensitivity> sensitivities(const Told& told) {
 }
 
 bool CoefficientsOf::passed() const {
-  return within(errors) && std::ranges::all_of(coefficients, &Sensitivity::noticed);
+  const auto like = [](const LawError& e) { return e.unlike == 0; };
+  return within(errors) && std::ranges::all_of(errors, like) && std::ranges::all_of(coefficients, &Sensitivity::noticed);
 }
 
 CoefficientsOf coefficients_of(const std::string& drive, const Told& told) {
@@ -123,13 +137,18 @@ std::string coefficients_page(const std::vector<CoefficientsOf>& drives) {
     for (const auto& d : drives) page += fmt::format(" | {:.2g} of {}", d.errors[k].of_bound(), d.errors[k].updates);
     page += " |\n";
   }
-  page += "| law not as block";
-  for (const auto& d : drives) {
-    std::size_t unlike = 0;
-    for (const auto& e : d.errors) unlike += e.unlike;
-    page += fmt::format(" | {}", unlike);
-  }
-  return page + " |\n";
+  const auto row = [&](const char* name, std::size_t LawError::*count) {
+    page += fmt::format("| {}", name);
+    for (const auto& d : drives) {
+      std::size_t all = 0;
+      for (const auto& e : d.errors) all += e.*count;
+      page += fmt::format(" | {}", all);
+    }
+    page += " |\n";
+  };
+  row("disturbed", &LawError::disturbed);
+  row("law not as block", &LawError::unlike);
+  return page;
 }
 
 }  // namespace steplock

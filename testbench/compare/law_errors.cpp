@@ -67,9 +67,10 @@ class LoopBeside {
     const double was = value(law_.x);
     law_.update(u.in);
     const double moved = (value(law_.x) - was) * kPlace;
-    // The law begins without the four places that no output shows, and keeps that distance.
+    // The law begins without the four places that no output shows, and stays less than a place away: two outputs, cut to whole
+    // places, then differ by one at most, and a difference changes by two.
     const double apart = value(law_.frequency()) - value(u.after);
-    found.unlike += std::abs(apart - apart_) > 1;
+    found.unlike += std::abs(apart - apart_) > 2;
     apart_ = apart;
     const double error = std::ldexp(double(w.error.raw()), -16);
     if (per_step_) {
@@ -127,19 +128,19 @@ class SpeedBeside {
     if (u.in.mode != SpeedMode::kControl) {
       reference_.follow(duty(u.after), duty(u.after), f);
       ei_ = er_ = ed_ = 0;
-      apart_ = since_ = 0;
-      parted_ = true;
+      since_ = 0;
+      parted_ = undisturbed_ = true;
       return;
     }
-    const int apart = int(law_.duty.raw()) - int(u.after.raw());
-    found.unlike += std::abs(apart - apart_) > 1;
-    apart_ = apart;
+    found.disturbed += u.disturbed;
+    undisturbed_ = undisturbed_ && !u.disturbed;
+    found.unlike += undisturbed_ && law_.duty != u.after;
     reference_.tick(double(u.in.target.raw()) * hertz_, f, u.in.limited, u.in.hurries, u.in.freewheels);
     if (law_.reference < set_before) er_ += hertz_;  // upwards the slew is exact
     const double e = er_ + hertz_;
     ei_ += 0x1p-31 + p_.ki * tick_ * (parted_ ? std::abs(reference_.reference() - f) + e : e);
     const int move = std::abs(int(law_.duty.raw()) - int(was.raw()));
-    const bool slews = move >= int(u.in.words.duty_slew.raw()) || reference_.margin() == 0 || reference_.at_high() || reference_.at_low();
+    const bool slews = move >= int(u.in.words.duty_slew.raw()) || reference_.at_high() || reference_.at_low();
     const double fresh = 2 * kPlace + ei_ + p_.kp * e;
     const bool rests = move == 0 && (law_.duty == u.in.words.minimum || law_.duty == u.in.words.maximum);
     ed_ = rests                                 ? std::max(ed_ - p_.duty_slew * tick_, fresh)
@@ -170,32 +171,13 @@ class SpeedBeside {
   SpeedControlLaw law_;
   reference::SpeedControl reference_;
   double tick_, hertz_;  // s; steps/s of a last place of a frequency
-  int since_ = 0, apart_ = 0;
+  int since_ = 0;
+  bool undisturbed_ = true;  // no input changed in mid-update since control began
   bool parted_ = true;  // one of the two may hold its integral, for a bound that the other has not met
   double ei_ = 0, er_ = 0, ed_ = 0;  // duty; steps/s; duty
 };
 
 }  // namespace
-
-design::Parameters meant(const design::Parameters& wanted, const design::Quantised& q) {
-  design::Parameters p = wanted;
-  auto& l = p.loop;
-  auto& v = p.speed;
-  const double tick = p.pwm.tick();
-  for (const design::WordRow& row : q.rows) {
-    const auto is = [&](const char* name, double& to) {
-      if (row.name == name) to = row.meant;
-    };
-    is("loop.expected", l.expected), is("loop.lead_error", l.lead_error), is("loop.delay", l.delay);
-    is("loop.ki", l.integral), is("loop.kp", l.proportional), is("loop.pole", l.pole);
-    is("loop.minimum", l.minimum), is("loop.maximum", l.maximum);
-    is("speed.target", v.target), is("speed.slew", v.slew), is("speed.kp", v.kp), is("speed.ki", v.ki);
-    is("speed.bemf", v.bemf), is("speed.loaded", v.loaded), is("speed.minimum", v.minimum);
-    is("speed.maximum", v.maximum), is("speed.duty_slew", v.duty_slew);
-  }
-  if (l.form == design::LoopForm::kPerSecond) l.pole = -std::log1p(-l.pole) / tick;
-  return p;
-}
 
 std::vector<LawError> law_errors(const LawInputs& told, const design::Parameters& p, double clock_hz) {
   const double tick = p.pwm.tick();

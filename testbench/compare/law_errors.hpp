@@ -31,7 +31,6 @@
 #include <vector>
 
 #include "model/design/parameters.hpp"
-#include "model/design/words.hpp"
 #include "testbench/compare/law_inputs.hpp"
 
 namespace steplock {
@@ -39,14 +38,12 @@ namespace steplock {
 struct LawError {
   std::string signal, unit;
   std::size_t updates = 0;
-  std::size_t unlike = 0;  // of them the law did not do what the block did: an input changed while the block was at work
+  std::size_t disturbed = 0;  // in which an input changed while the block was at work, which the law takes for whole
+  std::size_t unlike = 0;     // not disturbed, nor any before in their span, and the law did not do what the block did
   double worst = 0, bound = 0, at_s = 0;  // at the update whose error is the greatest part of its bound
   double of_bound() const { return worst == 0 ? 0 : bound == 0 ? 1e9 : worst / bound; }
   bool within() const { return of_bound() <= 1; }
 };
-
-// The parameters for which the words stand, as far as detector, loop and speed control know them.
-design::Parameters meant(const design::Parameters&, const design::Quantised&);
 
 // Detector, loop filter, speed control.  `reference`: its parameters.
 std::vector<LawError> law_errors(const LawInputs&, const design::Parameters& reference, double clock_hz);

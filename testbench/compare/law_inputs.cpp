@@ -30,7 +30,16 @@ class ListeningEngine {
     fixed_.tick();
     ++clock_;
     look();
-    if (ticks) tell_speed(hurries, freewheels);
+    if (ticks) {
+      tell_speed(hurries, freewheels);
+      told_at_ = clock_;
+    } else if (asked_speed_ && clock_ - told_at_ <= kAtWork) {
+      const SpeedControlLaw::In& in = told_.speed.back().in;
+      const bool same = fixed_.output().frequency == in.frequency && fixed_.top().hurries() == in.hurries &&
+                        fixed_.top().freewheels() == in.freewheels && !fixed_.top().limited() &&
+                        controls(fixed_.output().locked) == (in.mode == SpeedMode::kControl);
+      told_.speed.back().disturbed |= !same;
+    }
   }
   std::uint64_t quiet() const {
     const std::uint64_t clocks = fixed_.quiet();
@@ -51,6 +60,8 @@ class ListeningEngine {
 
  private:
   using Out = SixStepTop::Out;
+  static constexpr std::uint64_t kAtWork = 140;         // clocks: speed_control.hpp's latency
+  static constexpr std::uint64_t kLoopAtWork = 7 * 24;  // clocks: loop_filter.hpp's six products, and bounds
 
   double time() const { return static_cast<double>(clock_) / clock_hz_; }
 
@@ -67,6 +78,8 @@ class ListeningEngine {
     const Out& out = fixed_.output();
     const bool tracks = words_.source == Source::kBemf && (out.locked || out.state == State::kPullIn);
     if (!tracks) {
+      // An update that the end of tracking overtook has no answer.
+      if (asked_loop_ && clock_ - loop_at_ <= kLoopAtWork) told_.loop.pop_back(), asked_loop_ = false;
       answer_loop();
       watched_ = tracked_ = false;
       return;
@@ -91,6 +104,7 @@ class ListeningEngine {
                                  .hand_over = w.start.hand_over, .stall = w.protection.stall},
                           .before = out.frequency, .begins = !tracked_});
     tracked_ = asked_loop_ = true;
+    loop_at_ = clock_;
   }
 
   void tell_speed(bool hurries, bool freewheels) {
@@ -132,7 +146,7 @@ class ListeningEngine {
   Words words_;
   HostCommand command_;
   double clock_hz_;
-  std::uint64_t clock_ = 0, shake_;
+  std::uint64_t clock_ = 0, shake_, told_at_ = 0, loop_at_ = 0;
   LawInputs told_;
   Phase last_crossing_ = 0;
   int in_pull_in_ = 0;  // ticks

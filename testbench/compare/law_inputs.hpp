@@ -15,7 +15,7 @@ namespace steplock {
 struct DetectorInput {
   double time = 0;                // s
   bool crossing = false;          // else the step ended without one
-  bool before_seen = false;       // the level before a crossing showed in it
+  bool before_seen = false;       // the level before a crossing showed in it; of a run told by the answer, of corners given
   Phase crossing_phase = 0;       // u0.16
   PhaseError error = 0;           // s0.16: the block's answer
   bool begins = false;            // the step before was not watched
@@ -30,6 +30,7 @@ struct SpeedInput {
   double time = 0;
   SpeedControlLaw::In in;  // kControl, or the duty that the block put out, as kFixed
   Duty after = 0;          // u1.15: the block's answer
+  bool disturbed = false;  // an input changed while the block was at work
 };
 struct LawInputs {
   std::vector<DetectorInput> detector;
@@ -37,7 +38,7 @@ struct LawInputs {
   std::vector<SpeedInput> speed;
 };
 
-// Runs the scenario with the blocks.  `shaken`: the host asks for another set speed 32 times meanwhile, so that neither loop ever rests.
+// Runs the scenario with the blocks.  `shaken`: the host asks for another set speed time and again, so that neither loop ever rests.
 LawInputs law_inputs(const design::Settings&, double angle_deg, bool shaken, const std::function<bool(double done)>& progress = {});
 
 }  // namespace steplock

@@ -34,10 +34,10 @@ TEST_P(LawErrors, AreWithinWhatWordsDrop) {
   }
 }
 
-// What is held against the reference is what the blocks did, but where an input changed while one was at work.
+// What is held against the reference is what the blocks did, until an input changed while one was at work.
 TEST_P(LawErrors, AreThoseOfTheBlocks) {
   for (const LawError& e : law_errors(told().run, told().parameters, told().clock_hz)) {
-    EXPECT_LT(e.unlike, e.updates / 50 + 1) << e.signal;
+    EXPECT_EQ(e.unlike, 0u) << e.signal;
   }
 }
 
@@ -56,7 +56,8 @@ TEST_P(LawErrors, ThatABlockMakesAreNoticed) {
   const auto found = law_errors(wrong, told().parameters, told().clock_hz);
   EXPECT_FALSE(found[1].within());
   EXPECT_FALSE(found[2].within());
-  EXPECT_GT(found[1].unlike, found[1].updates / 50);
+  EXPECT_GT(found[1].unlike, 0u);
+  EXPECT_GT(found[2].unlike, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Drives, LawErrors, testing::Values("bly172s", "amano2003"), [](const auto& info) { return info.param; });
