@@ -34,7 +34,8 @@ struct CoefficientsOf {
   std::string drive;
   std::vector<LawError> errors;          // in run and corners, with the words' own coefficients
   std::vector<Sensitivity> coefficients;
-  bool passed() const;                   // the law as the block, the reference within its bounds, and every change that is asked for beyond them
+  // The law is as the block, the reference within its bounds, and every change that is asked for beyond them.
+  bool passed() const;
 };
 CoefficientsOf coefficients_of(const std::string& drive, const Told&);
 

@@ -79,10 +79,9 @@ std::vector<SpeedInput> speed_corners(const Words& w) {
   const auto tick = [&](SpeedMode mode, double f, double target, bool limited = false, bool hurries = false,
                         bool freewheels = false) {
     const auto part = [&](double x) { return Frequency::of(std::uint64_t(x * double(w.speed.target.raw()))); };
-    SpeedInput u{.in = {.mode = mode, .fixed_duty = mode == SpeedMode::kFixed ? 0x3000 : 0, .frequency = part(f), .target = part(target),
-                        .limited = limited,
-                        .hurries = hurries, .freewheels = freewheels, .period = w.pwm.period, .slip = w.protection.slip,
-                        .words = w.speed}};
+    SpeedInput u{.in = {.mode = mode, .fixed_duty = mode == SpeedMode::kFixed ? 0x3000 : 0, .frequency = part(f),
+                        .target = part(target), .limited = limited, .hurries = hurries, .freewheels = freewheels,
+                        .period = w.pwm.period, .slip = w.protection.slip, .words = w.speed}};
     law.tick(u.in);
     u.after = law.duty;
     told.push_back(u);
