@@ -503,9 +503,6 @@ module six_step_top #(
       .tick_o(pwm_tick)
   );
 
-  wire [2:0] commutation_sum = hall_step - 3'd3;  // commutation.hpp:39
-  wire [2:0] commutation_sum_2 = hall_step - 3'd1;  // commutation.hpp:43
-
   wire limit_on;
   wire limit_cut;
   wire limit_hit;
@@ -515,7 +512,7 @@ module six_step_top #(
       .rst(rst),
       .on_i(pwm_on),
       .comparator_i(synchroniser_limit),
-      .fast_i(follow && !rotor_sure),
+      .fast_i(start_running || (follow && !rotor_sure)),
       .words_blanking_i(words_limit_blanking_i),
       .words_off_time_i(words_limit_off_time_i),
       .on_o(limit_on),
@@ -524,6 +521,9 @@ module six_step_top #(
       .stuck_o(limit_stuck)
   );
 
+  wire [2:0] commutation_sum = hall_step - 3'd3;  // commutation.hpp:39
+  wire [2:0] commutation_sum_2 = hall_step - 3'd1;  // commutation.hpp:43
+
   wire commutation_uh;
   wire commutation_ul;
   wire commutation_vh;
@@ -531,7 +531,7 @@ module six_step_top #(
   wire commutation_wh;
   wire commutation_wl;
   commutation commutation (
-      .pattern_bits_i(start_pattern_bits),
+      .pattern_bits_i((limit_cut && start_running) ? 5'd0 : start_pattern_bits),
       .legs_uh_i(hall_2 ? hall_step[2:1] == 2'd0 : legs_uh),
       .legs_ul_i(hall_2 ? commutation_sum[2:1] == 2'd0 : legs_ul),
       .legs_vh_i(hall_2 ? $signed(hall_step) > 3'sd1 : legs_vh),
@@ -539,7 +539,7 @@ module six_step_top #(
       .legs_wh_i(hall_2 ? hall_step[2] && !hall_step[1] : legs_wh),
       .legs_wl_i(hall_2 ? commutation_sum_2[2:1] == 2'd0 : legs_wl),
       .chop_i(limit_on),
-      .complementary_i(words_pwm_complementary_i && !(limit_cut && start_running)),
+      .complementary_i(words_pwm_complementary_i),
       .uh_o(commutation_uh),
       .ul_o(commutation_ul),
       .vh_o(commutation_vh),
@@ -659,7 +659,7 @@ module six_step_top #(
   wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 258
+    still <= words_speed_target_i == 26'd0;  // line 259
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -676,14 +676,14 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 241
+    lags <= detector_error[15];  // line 242
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
     reverse <= start_reverse;
     crossing <= bemf_crossing;
     hurries <= detector_hurries;
-    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 274
+    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 275
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;

@@ -3,8 +3,7 @@
 // Each switch-on begins with `blanking` clocks in which the comparator is not believed.  From then on a
 // high comparator cuts the pulse: off for `off_time` clocks whatever the PWM does, then the PWM rules
 // again, and the next switch-on is blanked anew.  With all gates off in a cut (`fast`) the bus takes the current down as
-// steeply as it drove it up, so a quarter of the off-time is enough, and more of the limit's current is left.  The off-time
-// is that of a rotor at rest: of one that runs the back-EMF would take the current through zero, if a low side were on (`cut`).
+// steeply as it drove it up, so a quarter of the off-time is enough, and more of the limit's current is left.
 //
 // A current that the limit has in hand falls below it in the off-time.  Cuts in a row in which it
 // never did are counted: a shorted winding, or a shunt that lies.

@@ -52,7 +52,7 @@ inline constexpr auto kWordRows = std::make_tuple(
         "After switch-on, time in which the limit comparator is not believed."),
     word<&Words::limit, &LimitWords::off_time>(
         "CURRENT_LIMIT", "off_time", 0x88, 16, Access::kKeyed, "clocks",
-        "Off-time after a hit; 0 disables the limit. A quarter of it while a hit turns all gates off: until the rotor is followed."),
+        "Off-time after a hit; 0 disables the limit. A quarter of it while a hit turns all gates off: until the rotor is followed, and while the drive runs."),
     word<&Words::bemf, &BemfWords::sampling>(
         "BEMF", "sampling", 0x8c, 0, Access::kStopped, "",
         "Comparators are sampled in 0 on-time, 1 off-time, 2 both."),

@@ -217,15 +217,16 @@ class SixStepTop {
                                 .minimum = words.pwm.minimum,
                                 .centred = words.pwm.centred,
                                 .tick_periods = words.pwm.tick_periods});
-    const auto limit =
-        limit_.tick({.on = pwm.on, .comparator = pins.limit, .fast = follow_ && !rotor.sure, .words = words.limit});
-    const auto request = commutation_.tick({.pattern = start.pattern,
+    const auto limit = limit_.tick({.on = pwm.on,
+                                    .comparator = pins.limit,
+                                    .fast = start.running || (follow_ && !rotor.sure),
+                                    .words = words.limit});
+    // A cut of a rotor that runs turns all gates off.  With a low side on, the back-EMF would drive the current on, where no
+    // shunt sees it, and nothing but that side's diode would take the outgoing winding's current down.
+    const auto request = commutation_.tick({.pattern = start.pattern.when(!(limit.cut && start.running)),
                                             .legs = hall ? Commutation::legs(hall_step) : legs_,
                                             .chop = limit.on,
-                                            // What the limit cuts of a rotor that runs freewheels through the diode:
-                                            // the off-time that a rotor at rest needs would let its back-EMF drive
-                                            // the current through zero, and beyond where no shunt sees it.
-                                            .complementary = words.pwm.complementary && !(limit.cut && start.running)});
+                                            .complementary = words.pwm.complementary});
     const auto gates = guard_.tick({.request = request,
                                     .enable = start.enable && command.configured,
                                     .fault = pins.fault,

@@ -65,7 +65,7 @@ double load_step_torque(const Settings&);
 // s, from a switch-on to the gate's answer: so long the current limit's comparator is not believed, or not heard.
 double unbelieved(const Settings&);
 
-// s, of a start that follows the rotor: a quarter of the off-time, with all gates off, is to undo what that time did.
+// s: a quarter of the off-time, with all gates off, is to undo what that time did.
 double least_off_time(const Settings&);
 
 }  // namespace steplock::design

@@ -140,7 +140,7 @@ void check_start(Findings& found, const Settings& s, const Design& d) {
       found.add(name, " is ", current, " A; must be below sensors.limit_a, ", s.sensors.limit_a);
     }
   }
-  if (p.start.method == Method::kFollow && p.limit.off_time > 0 && p.limit.off_time < least_off_time(s)) {
+  if (p.limit.off_time > 0 && p.limit.off_time < least_off_time(s)) {
     found.add("control.limit_off_time_s is ", p.limit.off_time, " s; must be at least ", least_off_time(s),
               " s, or 0: in a quarter of it, with all gates off, the current falls by what it rose while the comparator was not believed; or lower control.limit_blanking_s");
   }

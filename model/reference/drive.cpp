@@ -50,7 +50,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
                      const std::optional<Bridge>& bridge) {
   assert(t <= next_ * (1 + 1e-12));
   pwm_.update(t);
-  limit_.update(t, pwm_.on(), pins.limit, following() && !follower_.sure());
+  limit_.update(t, pwm_.on(), pins.limit, sequence_.locked() || (following() && !follower_.sure()));
   limited_ |= limit_.hit();
   vco_.update(t, sequence_.reverse());
   bemf_.update(t, pins, bridge.value_or(Bridge{vco_.step(), limit_.on()}), vco_.phase(t),
@@ -122,9 +122,9 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   if (sequence_.entered()) enter_state(t);
   if (pwm_.tick()) on_tick(t);
 
-  // A rotor that runs would drive the current through zero in the limit's off-time: the diode does not let it.
-  const bool freewheel = p_.pwm.complementary && !(limit_.cut() && sequence_.locked());
-  const Gates wanted = gates_wanted(mode(), vco_.step(), limit_.on(), freewheel);
+  // A cut of a rotor that runs turns all gates off, so that the bus takes every winding's current down.
+  const Mode asked = limit_.cut() && sequence_.locked() ? Mode::kOff : mode();
+  const Gates wanted = gates_wanted(asked, vco_.step(), limit_.on(), p_.pwm.complementary);
   guard_.update(t, wanted, mode() != Mode::kOff);
 
   next_ = std::min(

@@ -2,7 +2,7 @@
 //
 //     on while lead <= t - start < lead + duty * period,   lead = 0, or centred (1 - duty) / 2
 //     the limit cuts for off_time when the comparator answers, from `blanking` after switch-on on; for a quarter of it
-//     where a cut turns all gates off, so that the bus takes the current down
+//     where a cut turns all gates off (a drive that runs, or looks for its rotor), so that the bus takes the current down
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_pwm_test.cpp
 #pragma once

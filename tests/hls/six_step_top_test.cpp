@@ -113,12 +113,13 @@ TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
   EXPECT_FALSE(top.tick(in).gates.uh);
 }
 
-// A cut of a rotor that runs leaves the chopped leg to its diode, or its back-EMF would drive the current on through zero; a cut
-// at rest closes the low side, and so does the PWM's own pause.
-TEST(SixStepTop, WhatTheLimitCutsOfARotorThatRunsFreewheelsThroughTheDiode) {
+// A cut of a rotor that runs turns all gates off for a quarter of the off-time, or its back-EMF would drive the current on through
+// zero; a cut at rest closes the low side for all of it, and so does the PWM's own pause.
+TEST(SixStepTop, ACutOfARotorThatRunsTurnsAllGatesOffForAQuarterOfTheOffTime) {
   constexpr int kOffTime = 50, kGuard = 3;  // clocks: quick_words's; from a request to its gate
   Chaos chaos;
-  int since_hit = 1000, since_run = 0, same_step = 0, cut_low = 0, paused_low = 0, low_in_a_cut_at_rest = 0;
+  int since_hit = 1000, since_run = 0, same_step = 0, on_in_a_cut = 0, cuts = 0, paused_low = 0, low_in_a_cut_at_rest = 0;
+  int soonest = 1000;  // clocks from a hit to the next high side
   SixStepTop::Out last;
   for (int i = 0; i < 2000000; ++i) {
     const auto out = chaos.clock_of();
@@ -128,13 +129,17 @@ TEST(SixStepTop, WhatTheLimitCutsOfARotorThatRunsFreewheelsThroughTheDiode) {
     same_step = out.step == last.step ? same_step + 1 : 0;
     const Gates legs = Commutation::legs(out.step);
     const bool low = (legs.uh && out.gates.ul) || (legs.vh && out.gates.vl) || (legs.wh && out.gates.wl);
-    const bool cut = since_hit > kGuard && since_hit < kOffTime - kGuard;
-    if (same_step > kGuard && low && since_run > kOffTime) (cut ? cut_low : paused_low)++;
+    const bool runs = since_run > kOffTime;
+    if (runs && since_hit > kGuard && since_hit < kOffTime / 4) ++cuts, on_in_a_cut += any(out.gates);
+    if (runs && since_hit > kOffTime && same_step > kGuard && low) ++paused_low;
+    if (runs && since_hit > kGuard && (out.gates.uh || out.gates.vh || out.gates.wh)) soonest = std::min(soonest, since_hit);
     // The pattern of a rotor at rest chops U and V, whatever the step.
-    if (out.state == State::kReset && cut && out.gates.ul) ++low_in_a_cut_at_rest;
+    if (out.state == State::kReset && since_hit > kOffTime / 2 && since_hit < kOffTime - kGuard && out.gates.ul) ++low_in_a_cut_at_rest;
     last = out;
   }
-  EXPECT_EQ(cut_low, 0);
+  EXPECT_EQ(on_in_a_cut, 0);
+  EXPECT_GT(cuts, 100);
+  EXPECT_LT(soonest, kOffTime / 2);
   EXPECT_GT(paused_low, 100) << "the control";
   EXPECT_GT(low_in_a_cut_at_rest, 100) << "the control";
 }
