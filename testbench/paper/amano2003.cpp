@@ -27,6 +27,8 @@ PaperPage amano2003_page(const design::Settings& file, const PaperOptions& optio
            "the same here (`start.method = \"ramp\"`), after a look for a turning rotor and one position pattern more; the default of other "
            "drives follows the rotor"},
           {"speed control", "its law is not printed", "PI"},
+          {"off-time of the current limit (Fig. 9)", "its length, and which gates are off in it, are not printed",
+           "all gates, for a quarter of `control.limit_off_time_s`, once the drive runs"},
           {"Hall sensors of Fig. 13", "their placement is not printed", "several, and the nearest"}}};
   const auto sections = {start_sequence, loop_response, locked_state, steady_state, current_control,
                          varied_load,    high_speed,    against_hall, light_rotor};
