@@ -146,7 +146,8 @@ PaperSection current_control(const design::Settings& drive, const PaperOptions& 
   const auto& fine = t.record.steady;
   section.figures.push_back(
       {.name = "fig9", .title = "Fig. 9: current limit", .axis = "time, ms",
-       .caption = "Two electrical turns: shunt current, the gate that the limit turns off, phase current.",
+       .caption = "Two electrical turns: shunt current, the high sides' gates, phase current. While the limit cuts, all gates are off, and "
+                  "the current flows back into the bus, through the shunt the other way.",
        .panels = {{.label = "shunt, A",
                    .curves = {curve_of(fine, "shunt", palette::kTrue,
                                        [](const Sample& x) { return x.plant.shunt_current; }, 4000)}},

@@ -6,6 +6,7 @@
 #   checksum     another checksum, as if of other inputs
 #   missing      a module without a row
 #   measured     measuring gives something else than the page shows, though all checksums agree
+#   comments     none: the module has another header, which no checksum sees, and must take as many cells
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 cd "$root"
@@ -32,5 +33,14 @@ case $1 in
       "$(command -v nextpnr-ice40)" >"$work/nextpnr-ice40"
     chmod +x "$work/nextpnr-ice40"
     PATH=$work:$PATH refused "is not what is measured" size apb ;;
+  comments)
+    # shellcheck source=tools/measured.sh
+    . tools/measured.sh
+    for lines in 0 1 40; do
+      mkdir "$work/$lines"
+      { for ((i = 0; i < lines; ++i)); do echo "// Another line."; done; cat rtl/sinusoidal_sequence.sv; } >"$work/$lines/sinusoidal_sequence.sv"
+      cells "--hx8k --package ct256" "" sinusoidal_sequence "$work/$lines/sinusoidal_sequence.sv" | tee -a "$work/taken"
+    done
+    [ "$(sort -u "$work/taken" | wc -l)" = 1 ] ;;
   *) echo "stale_page.sh: no flaw '$1'" >&2; exit 2 ;;
 esac
