@@ -1,11 +1,15 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
 #include "testbench/drive/drive.hpp"
+#include "testbench/report/watch_chart.hpp"
+#include "testbench/run/units.hpp"
 #include "testbench/sweep/row.hpp"
 
 namespace steplock {
@@ -14,7 +18,7 @@ namespace {
 struct Arguments {
   std::string file, out;
   EngineKind engine = EngineKind::kRtl;
-  bool json = false, trace = false, compare = false, lockstep = false;
+  bool json = false, trace = false, compare = false, lockstep = false, watch = false;
   std::optional<double> angle_deg;
   std::optional<int> seed;
   std::optional<std::uint64_t> replay;
@@ -117,11 +121,22 @@ int run(const Arguments& arguments, const DriveFile& file) {
   {
     Interrupt interrupt;
     ProgressBar bar(fmt::format("{} ({})", file.settings.drive.name, name_of(options.engine)));
+    const design::ScenarioSection& n = file.settings.scenario;
+    WatchChart chart(n.duration_s, n.reverse ? -n.speed_rpm : n.speed_rpm);
+    Redrawn screen;
+    if (arguments.watch) {
+      options.watch = [&](const plant::State& now, const char* state) {
+        const auto [least, greatest] = std::ranges::minmax(now.current);
+        chart.add(now.time, rpm(now.speed), std::max(-least, greatest), state);
+      };
+    }
     options.progress = [&](double done) {
-      bar.show(done);
+      if (arguments.watch) screen.draw(chart.text());
+      else bar.show(done);
       return !interrupt.asked();
     };
     record = Drive::run(file.settings, options);
+    if (arguments.watch) screen.draw(chart.text());
     summary = Drive::summarise(file.settings, options, record);
     if (arguments.compare && !summary.interrupted) {
       summary.float_errors = Drive::shadow(file.settings, summary, [&](double done) {
@@ -151,6 +166,7 @@ int run_or_replay(const Arguments& arguments) {
   if (arguments.lockstep && arguments.engine != EngineKind::kRtl) {
     throw BadInput("--lockstep holds the RTL against its source; leave --engine out, or give it rtl");
   }
+  if (arguments.watch && isatty(STDERR_FILENO) == 0) throw BadInput("--watch draws on a terminal, and standard error is none; leave it out");
   DriveFile file = open_drive_file(arguments.file);
   if (arguments.seed) file.settings.sensors.seed = *arguments.seed;
   return with_drive(file.settings, [&](auto drive) {
@@ -180,6 +196,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   CLI::Option* lockstep = command->add_flag(
       "--lockstep", arguments->lockstep,
       "hold the C++ source beside the RTL: every output on every clock, or the run fails");
+  CLI::Option* watch = command->add_flag("--watch", arguments->watch, "draw speed and current on the terminal while it runs");
   command->add_flag("--trace", arguments->trace, "write wave.fst and wave.gtkw for GTKWave");
   CLI::Option* angle = command->add_option("--angle", arguments->angle_deg,
                       "electrical degrees of the rotor at the start (default: the file's)");
@@ -188,7 +205,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("--replay", arguments->replay,
                       "seed of one run of a sweep, from its runs.csv: that run alone, instead of the "
                       "file's scenario")
-      ->excludes(compare)->excludes(angle)->excludes(seed)->excludes(lockstep);
+      ->excludes(compare)->excludes(angle)->excludes(seed)->excludes(lockstep)->excludes(watch);
   command->footer("Example: steplock run drives/amano2003.toml --engine fixed --angle 60 --json");
   command->callback([arguments, &exit_code] { exit_code = run_or_replay(*arguments); });
 }

@@ -36,6 +36,16 @@ void ProgressBar::show(double done, const std::string& what) {
   std::fflush(stderr);
 }
 
+void Redrawn::draw(const std::string& text) {
+  if (lines_ > 0) fmt::print(stderr, "\033[{}A", lines_);
+  for (const char c : text) {
+    if (c == '\n') fmt::print(stderr, "\033[K");
+    std::fputc(c, stderr);
+  }
+  std::fflush(stderr);
+  lines_ = std::ranges::count(text, '\n');
+}
+
 Interrupt::Interrupt() {
   interrupted = 0;
   std::signal(SIGINT, on_interrupt);

@@ -17,6 +17,15 @@ class ProgressBar {
   bool terminal_;
 };
 
+// Text of always as many lines on standard error, each time over the last.
+class Redrawn {
+ public:
+  void draw(const std::string& text);
+
+ private:
+  long lines_ = 0;
+};
+
 // From construction on, the first Ctrl-C only sets a flag; the second one ends the program.
 class Interrupt {
  public:

@@ -49,6 +49,7 @@ struct DriveView {
 
 const char* name_of(State);
 const char* name_of(Reason);
+inline const char* state_name(Watch watch) { return name_of(watch.state()); }
 
 // What firmware and the fault pin tell the drive while it runs.
 struct HostCommand {

@@ -18,8 +18,8 @@ PaperPage amano2003_page(const design::Settings& file, const PaperOptions& optio
           "angle.", name_of(options.engine)),
       .departures = {
           {"phase detector", "compares the divided VCO with the back-EMF of one winding: once a turn (Figs. 2, 3, N = 6)",
-           "compares all three windings, at each of the six steps of a turn (`loop.detector = \"every_step\"`); with one crossing a "
-           "turn the paper's filter is unstable at hand-over, [below](#fig-6-bode-plot-of-the-open-loop)"},
+           "compares all three windings, at each of the six steps of a turn (`loop.detector = \"every_step\"`); the "
+           "paper's, with its filter, is unstable at hand-over: [run below](#the-papers-own-detector-one-crossing-a-turn)"},
           {"inertias", "printed in kg cm^2", "read in kg m^2"},
           {"winding of Figs. 8, 11 and 12", "that of Table 1, by which its speeds cannot be reached", "fewer turns, as each section says"},
           {"dry friction, the fan's drag, the limit's current", "not printed", "assumed, as the drive file says"},
@@ -31,7 +31,7 @@ PaperPage amano2003_page(const design::Settings& file, const PaperOptions& optio
            "all gates, for a quarter of `control.limit_off_time_s`, once the drive runs"},
           {"Hall sensors of Fig. 13", "their placement is not printed", "several, and the nearest"}}};
   const auto sections = {start_sequence, loop_response, locked_state, steady_state, current_control,
-                         varied_load,    high_speed,    against_hall, light_rotor};
+                         varied_load,    high_speed,    against_hall, own_detector, light_rotor};
   options.check_sections(1, static_cast<int>(sections.size()));
   int number = 0;
   for (const auto& section : sections) {

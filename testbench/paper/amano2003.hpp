@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "model/design/design.hpp"
 #include "model/design/settings.hpp"
 #include "testbench/paper/paper_options.hpp"
 #include "testbench/paper/paper_page.hpp"
@@ -24,6 +25,8 @@ struct Trial {
   Record record;
 };
 Trial run_trial(const design::Settings&, const PaperOptions&, EngineKind, const std::string& what);
+// The same of a drive that the design library refuses.
+Trial run_refused(const design::Settings&, const PaperOptions&, EngineKind, const std::string& what);
 
 // The scenario without load step, reversal and stop: to `rpm`, and on for the rest of `seconds`.
 design::Settings steady_run(design::Settings, double rpm, double seconds);
@@ -37,11 +40,15 @@ design::Settings per_step_loop(design::Settings);
 // The paper's kind of loop, designed again by Eqs. (15)-(17) around a greater mean frequency.
 design::Settings redesigned_loop(design::Settings, double f_m_hz);
 
+// Phase margin at this speed, degrees, of a loop that learns of one crossing a turn.
+double margin_once_per_turn(const design::Design&, int pole_pairs, double rpm);
+
 // r/min at which the back-EMF of this winding takes the whole bus.
 double no_load_rpm(const design::Settings&);
 
 PaperSection start_sequence(const design::Settings&, const PaperOptions&);   // Fig. 5
 PaperSection loop_response(const design::Settings&, const PaperOptions&);    // Fig. 6
+PaperSection own_detector(const design::Settings&, const PaperOptions&);     // one crossing a turn
 PaperSection locked_state(const design::Settings&, const PaperOptions&);     // Fig. 7
 PaperSection steady_state(const design::Settings&, const PaperOptions&);     // Fig. 8
 PaperSection current_control(const design::Settings&, const PaperOptions&);  // Fig. 9

@@ -12,22 +12,6 @@ namespace {
 
 constexpr double kPhaseLead = 55;  // degrees, Fig. 6
 
-struct Crossover {
-  double omega = 0, margin_deg = 0;
-};
-
-// Between the two measured points around 0 dB, on straight lines over log frequency.
-Crossover crossover(const std::vector<LoopPoint>& points) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const LoopPoint &a = points[i - 1], &b = points[i];
-    if (a.gain_db() < 0 || b.gain_db() >= 0) continue;
-    const double part = a.gain_db() / (a.gain_db() - b.gain_db());
-    return {a.omega * std::pow(b.omega / a.omega, part),
-            180 + a.phase_deg() + part * (b.phase_deg() - a.phase_deg())};
-  }
-  return {};
-}
-
 Figure bode_figure(const design::PerSecond& filter, double tick, double interval,
                    const std::vector<LoopPoint>& measured) {
   Figure f{.name = "fig6",
@@ -59,10 +43,6 @@ Figure bode_figure(const design::PerSecond& filter, double tick, double interval
   f.panels[0].curves.push_back(gain);
   f.panels[1].curves.push_back(phase);
   return f;
-}
-
-double margin_per_turn(const design::PerSecond& filter, double tick, double turn) {
-  return design::margins(design::open_loop_sampled(filter, tick, turn), 1, 500).phase_deg;
 }
 
 }  // namespace
@@ -98,10 +78,10 @@ PaperSection loop_response(const design::Settings& drive, const PaperOptions& op
           {"phase margin, measured", "deg", {}, "not printed", seen.margin_deg,
            fmt::format("{:+.1f} deg of the sampled computation", seen.margin_deg - sampled.phase_deg)},
           {fmt::format("the same with one crossing a turn, at {:.0f} r/min, computed", e.rpm), "deg", {}, "not printed",
-           margin_per_turn(filter, tick, 6 * interval),
+           margin_once_per_turn(d, drive.motor.pole_pairs, e.rpm),
            "the paper's detector: six times as long from error to error"},
           {fmt::format("and at hand-over, {:.0f} r/min", d.hand_over_rpm), "deg", {}, "not printed",
-           margin_per_turn(filter, tick, 6 * interval * e.rpm / d.hand_over_rpm), "below 0 the loop is unstable"},
+           margin_once_per_turn(d, drive.motor.pole_pairs, d.hand_over_rpm), "below 0 the loop is unstable"},
       },
       .figures = {bode_figure(filter, tick, interval, measured)}};
 }

@@ -10,6 +10,11 @@ Trial run_trial(const design::Settings& s, const PaperOptions& options, EngineKi
                 const std::string& what) {
   const std::vector<std::string> problems = design::problems(s);
   if (!problems.empty()) throw std::runtime_error(what + ": " + problems.front());
+  return run_refused(s, options, engine, what);
+}
+
+Trial run_refused(const design::Settings& s, const PaperOptions& options, EngineKind engine,
+                  const std::string& what) {
   bool stopped = false;
   RunOptions run{.engine = engine,
                  .angle_deg = s.scenario.start_angle_deg,

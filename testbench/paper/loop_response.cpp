@@ -113,4 +113,15 @@ std::vector<LoopPoint> measure_loop(const design::Settings& settings, const Loop
   return points;
 }
 
+Crossover crossover(const std::vector<LoopPoint>& points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const LoopPoint &a = points[i - 1], &b = points[i];
+    if (a.gain_db() < 0 || b.gain_db() >= 0) continue;
+    const double part = a.gain_db() / (a.gain_db() - b.gain_db());
+    return {a.omega * std::pow(b.omega / a.omega, part),
+            180 + a.phase_deg() + part * (b.phase_deg() - a.phase_deg())};
+  }
+  return {};
+}
+
 }  // namespace steplock

@@ -34,6 +34,12 @@ struct LoopExperiment {
 // Throws std::runtime_error if the drive does not hold the lock.
 std::vector<LoopPoint> measure_loop(const design::Settings&, const LoopExperiment&);
 
+struct Crossover {
+  double omega = 0, margin_deg = 0;  // rad/s; phase margin
+};
+// Between the two measured points around 0 dB, on straight lines over log frequency.
+Crossover crossover(const std::vector<LoopPoint>&);
+
 // Which tones fit the phases of these commutations (turns against seconds), beside a steady turning.
 std::vector<std::complex<double>> tones_in(const std::vector<double>& times,
                                            const std::vector<double>& turns,

@@ -149,6 +149,10 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     // Placed by hand as well: gnuplot's own label goes out of the figure where numbers are long.
     add("set label 101 {} at screen 0.012, screen {:.4f} center rotate by 90 textcolor rgb '#52606d'\n",
         quoted(p.label), (at + below) / 2);
+    if (p.range) add("set yrange [{:g}:{:g}]\n", p.range->first, p.range->second);
+    std::string names;
+    for (const Tick& t : p.ticks) names += fmt::format("{}{} {:g}", names.empty() ? "" : ", ", quoted(t.text), t.at);
+    if (!names.empty()) add("set ytics ({}) font ',10'\n", names);
     s += p.extra;
     std::string curves;
     for (std::size_t j = 0; j < p.curves.size(); ++j) {
@@ -159,7 +163,7 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
                             c.width, quoted(c.title));
     }
     add("plot {}\n", curves);
-    if (!p.extra.empty()) add("set yrange [*:*]\nset ytics auto\n");
+    if (p.range || !p.ticks.empty() || !p.extra.empty()) add("set yrange [*:*]\nset ytics auto\n");
     at = below;
   }
   add("unset multiplot\nset output\n");

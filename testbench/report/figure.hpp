@@ -4,7 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace steplock {
@@ -22,11 +24,18 @@ struct Curve {
   bool dots = false;          // points, not joined
 };
 
+struct Tick {
+  double at;
+  std::string text;
+};
+
 struct Panel {
   std::string label;          // of the vertical axis
   std::vector<Curve> curves = {};
   double weight = 1;          // share of the height
-  std::string extra = {};        // gnuplot lines for this panel alone: tics, ranges
+  std::optional<std::pair<double, double>> range = {};  // of that axis, if the curves do not tell it
+  std::vector<Tick> ticks = {};  // names in place of its numbers
+  std::string extra = {};        // gnuplot lines for this panel alone
 };
 
 struct Mark {

@@ -12,6 +12,7 @@
 #include "testbench/drive_file/drive_file.hpp"
 #include "testbench/report/page.hpp"
 #include "testbench/report/report.hpp"
+#include "testbench/report/zoom.hpp"
 
 namespace steplock {
 namespace {
@@ -119,7 +120,7 @@ std::string overlay_page(const RunFolder& a, const RunFolder& b, const std::vect
   const auto [name_a, name_b] = names(a, b);
   std::string page = fmt::format("<h1>{} and {}</h1>\n", escaped(name_a), escaped(name_b));
   std::vector<PageFigure> drawn;
-  for (const Figure& f : figures) drawn.push_back({f.caption, inline_svg(out / (f.name + ".svg"))});
+  for (const Figure& f : figures) drawn.push_back({f.caption, inline_svg(out / (f.name + ".svg")), zoom_body(f)});
   page += figures_html(drawn);
   page += fmt::format("<h2>All numbers</h2>\n<div class=\"box\"><table>\n<tr><th></th><th>{}</th><th>{}</th><th>difference</th></tr>\n",
                       escaped(name_a), escaped(name_b));
@@ -134,7 +135,7 @@ std::string overlay_page(const RunFolder& a, const RunFolder& b, const std::vect
   for (const auto& [key, value] : of_b.items()) {
     if (!of_a.contains(key)) row(key, Json(), value);
   }
-  return html_page(name_a + " and " + name_b, page + "</table></div>\n");
+  return html_page(name_a + " and " + name_b, page + "</table></div>\n", zoom_head());
 }
 
 }  // namespace steplock

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "testbench/report/zoom.hpp"
+
 namespace steplock {
 namespace {
 
@@ -64,13 +66,13 @@ std::string float_errors(const FloatErrors& e) {
 
 }  // namespace
 
-std::string html_page(const std::string& title, const std::string& body) {
+std::string html_page(const std::string& title, const std::string& body, const std::string& head) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{} - Steplock</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}"
+      "<title>{} - Steplock</title>\n<style>{}</style>\n{}</head>\n<body>\n<main>\n{}"
       "</main>\n</body>\n</html>\n",
-      title, kStyle, body);
+      title, kStyle, head, body);
 }
 
 std::string escaped(const std::string& text) {
@@ -102,7 +104,8 @@ PageContent page_content(const design::Settings& s, const Summary& sum, const Re
       {sum.start_time_s ? fmt::format("{:.3f} s", *sum.start_time_s) : "never", "from run to set speed"},
       {fmt::format("{:.1f} rpm", sum.steady.mean_rpm), fmt::format("mean speed, set {:g}", sum.set_speed_rpm)},
       {fmt::format("{:+.3f} %", sum.steady.error_percent), "error of the mean speed"},
-      {fmt::format("{:.1f} rpm", sum.ripple.rms_rpm), "speed ripple, rms"},
+      {fmt::format("{:.1f} rpm", sum.ripple.speed_rpm.rms), "speed ripple, rms"},
+      {fmt::format("{:.3g} N m", sum.ripple.torque_nm.rms), "torque ripple, rms"},
       {fmt::format("{:.2f}°", sum.commutation_error_rms_deg), "commutation error, rms"},
       {fmt::format("{:.2f} A", sum.peak_current_a), "peak phase current"},
       {sum.loaded_power ? fmt::format("{:.1f} %", 100 * sum.loaded_power->efficiency()) : "-", "efficiency under the load step"},
@@ -125,7 +128,7 @@ std::string number_text(const nlohmann::ordered_json& v) {
 std::string figures_html(const std::vector<PageFigure>& figures) {
   std::string all;
   for (const PageFigure& f : figures) {
-    all += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n", f.svg, escaped(f.caption));
+    all += fmt::format("<figure>\n{}\n{}<figcaption>{}</figcaption>\n</figure>\n", f.svg, f.zoom, escaped(f.caption));
   }
   return all;
 }
@@ -165,7 +168,7 @@ std::string report_page(const PageContent& content, const std::vector<PageFigure
     page += "<p>Assumed, because nobody publishes it:</p>\n";
     list(content.drive.assumed);
   }
-  return html_page(escaped(content.drive.name), page + "</div>\n");
+  return html_page(escaped(content.drive.name), page + "</div>\n", zoom_head());
 }
 
 }  // namespace steplock

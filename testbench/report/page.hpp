@@ -1,5 +1,5 @@
 // A run as one self-contained HTML page: verdict, figures, numbers, what the drive did when, and where
-// the motor's numbers come from.  No script, no font, no link: it can be mailed.
+// the motor's numbers come from.  It loads nothing, so it can be mailed.
 //
 // Doc: docs/report.md   Test: tests/testbench/report_test.cpp
 #pragma once
@@ -16,6 +16,7 @@ namespace steplock {
 
 struct PageFigure {
   std::string caption, svg;
+  std::string zoom = {};  // zoom_body(): what makes it one that can be zoomed
 };
 
 // What the page of a run of either drive shows.  Text is plain; the page escapes it.
@@ -43,8 +44,8 @@ std::string figures_html(const std::vector<PageFigure>&);
 // A value of a summary as a table shows it.
 std::string number_text(const nlohmann::ordered_json&);
 
-// Title and body in the frame and style that all pages share.
-std::string html_page(const std::string& title, const std::string& body);
+// Title and body in the frame and style that all pages share; more for the head, such as zoom_head().
+std::string html_page(const std::string& title, const std::string& body, const std::string& head = {});
 
 // The text as HTML shows it.
 std::string escaped(const std::string&);

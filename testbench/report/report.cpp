@@ -7,6 +7,7 @@
 
 #include "testbench/report/csv.hpp"
 #include "testbench/report/run_figures.hpp"
+#include "testbench/report/zoom.hpp"
 #include "testbench/run/recorder.hpp"
 
 namespace steplock {
@@ -51,8 +52,9 @@ ReportFiles write_report(const fs::path& directory, const RunReport& report) {
       break;
     }
     files.paths.push_back(directory / (figure.name + ".svg"));
-    figures.push_back({figure.caption, inline_svg(files.paths.back())});
+    figures.push_back({figure.caption, inline_svg(files.paths.back()), zoom_body(figure)});
   }
+  if (zoom_head().empty()) files.warnings.push_back("the figures of report.html cannot be zoomed; install libjs-dygraphs");
   add("report.html", report_page(report.page, figures));
   return files;
 }

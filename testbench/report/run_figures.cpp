@@ -94,9 +94,9 @@ Figure whole_run(const design::Settings& s, const Record& record) {
                                     return static_cast<double>(x.watch.state());
                                   }), 1.4, true}},
                       .weight = 1.2,
-                      .extra = "set yrange [-0.5:10.5]\nset ytics ('idle' 0, 'observe' 1, 'brake' 2, "
-                               "'settle' 3, 'reset' 4, 'accelerate' 5, 'pull in' 6, 'run' 7, "
-                               "'slow down' 8, 'rest' 9, 'fault' 10) font ',10'\n"});
+                      .range = {{-0.5, 10.5}},
+                      .ticks = {{0, "idle"}, {1, "observe"}, {2, "brake"}, {3, "settle"}, {4, "reset"}, {5, "accelerate"},
+                                {6, "pull in"}, {7, "run"}, {8, "slow down"}, {9, "rest"}, {10, "fault"}}});
   for (const Event& e : timeline(s).events) {
     if (e.clock > 0) {
       f.marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
@@ -139,8 +139,8 @@ Figure steady(const Record& record) {
   f.panels = {emf, currents(record.steady, 1e3, origin), voltage};
 
   Panel gates{.label = "gates", .weight = 1.4,
-              .extra = "set yrange [-0.4:6.2]\nset ytics ('uh' 5.3, 'ul' 4.3, 'vh' 3.3, 'vl' 2.3, "
-                       "'wh' 1.3, 'wl' 0.3) font ',10'\n"};
+              .range = {{-0.4, 6.2}},
+              .ticks = {{5.3, "uh"}, {4.3, "ul"}, {3.3, "vh"}, {2.3, "vl"}, {1.3, "wh"}, {0.3, "wl"}}};
   for (int i = 0; i < 6; ++i) {
     gates.curves.push_back(curve("", kPhaseColor[static_cast<std::size_t>(i / 2)], 0.8,
                                  [i](const Sample& s) {

@@ -37,9 +37,10 @@ typename Recording::Record run_recorded(Engine& engine, const design::Settings& 
   const double cpu = cpu_seconds();
   auto reported = wall;
   bool interrupted = false;
-  constexpr std::uint64_t kChunk = 1 << 18;  // clocks between two looks at the wall clock
+  const std::uint64_t chunk = options.watch ? 1 << 15 : 1 << 18;  // clocks between two looks at the wall clock
   while (simulation.clock() < events.clocks && !interrupted) {
-    simulation.run_until(std::min(events.clocks, simulation.clock() + kChunk));
+    simulation.run_until(std::min(events.clocks, simulation.clock() + chunk));
+    if (options.watch) options.watch(plant.state(), state_name(engine.watch()));
     const auto now = Clock::now();
     if (options.progress && now - reported > std::chrono::milliseconds(100)) {
       reported = now;

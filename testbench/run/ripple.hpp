@@ -1,4 +1,4 @@
-// How far the rotor's true speed swings in a span, for a mean says nothing of it.
+// How far the rotor's true speed and the motor's torque swing in a span, for a mean says nothing of it.
 //
 // Doc: docs/report.md   Test: tests/testbench/summary_test.cpp
 #pragma once
@@ -13,28 +13,43 @@
 
 namespace steplock {
 
-struct Ripple {
-  double least_rpm = 0, greatest_rpm = 0;
-  double rms_rpm = 0;  // about the mean
+// Of a quantity that is sampled at equal times; zeros if it never was.
+struct Swing {
+  double least = 0, greatest = 0, mean = 0;
+  double rms = 0;  // about the mean
 };
 
-// Over the samples of either drive from `from` to `to`; zeros if there are none.
-template <class Sample>
-Ripple ripple(const std::vector<Sample>& samples, double from, double to) {
-  Ripple r;
+// Of value(sample), over the samples of either drive that take part.
+template <class Sample, class Value, class Takes>
+Swing swing(const std::vector<Sample>& samples, Value&& value, Takes&& takes) {
+  Swing w;
   double sum = 0, squares = 0, n = 0;
   for (const Sample& s : samples) {
-    if (s.time < from || s.time > to) continue;
-    const double now = rpm(s.plant.speed);
-    r.least_rpm = n == 0 ? now : std::min(r.least_rpm, now);
-    r.greatest_rpm = n == 0 ? now : std::max(r.greatest_rpm, now);
+    if (!takes(s)) continue;
+    const double now = value(s);
+    w.least = n == 0 ? now : std::min(w.least, now);
+    w.greatest = n == 0 ? now : std::max(w.greatest, now);
     sum += now, squares += now * now, ++n;
   }
-  if (n > 0) r.rms_rpm = std::sqrt(std::max(0.0, squares / n - sum / n * sum / n));
-  return r;
+  if (n > 0) w.mean = sum / n, w.rms = std::sqrt(std::max(0.0, squares / n - w.mean * w.mean));
+  return w;
 }
 
-void to_json(nlohmann::ordered_json& summary, const Ripple&);  // three keys more
-std::string to_text(const Ripple&);
+struct Ripple {
+  Swing speed_rpm;  // the rotor's
+  Swing torque_nm;  // electromagnetic, all phases
+};
+
+// Speed over the samples from `from` to `to`; torque over `fine` ones, which see the PWM: two electrical turns.
+template <class Sample>
+Ripple ripple(const std::vector<Sample>& samples, double from, double to, const std::vector<Sample>& fine) {
+  return {.speed_rpm = swing(samples, [](const Sample& s) { return rpm(s.plant.speed); },
+                             [&](const Sample& s) { return s.time >= from && s.time <= to; }),
+          .torque_nm = swing(fine, [](const Sample& s) { return s.plant.torque; }, [](const Sample&) { return true; })};
+}
+
+void to_json(nlohmann::ordered_json& summary, const Ripple&);  // seven keys more
+std::string speed_text(const Ripple&);
+std::string torque_text(const Ripple&);
 
 }  // namespace steplock

@@ -31,6 +31,8 @@ struct RunOptions {
   // Called some ten times a second with the fraction done; false stops the run, which then holds
   // what was simulated so far.
   std::function<bool(double done)> progress = {};
+  // Called every 32,768 clocks: motor, and the name of the drive's state.
+  std::function<void(const plant::State&, const char* state)> watch = {};
 };
 
 // The settings must be sound (check_drive_file()).

@@ -67,7 +67,7 @@ double last_fifth(double from, double to) { return to - (to - from) / 5; }
 void judge_steady(Summary& sum, const Record& record, double from, double to, double set_rpm) {
   const Span p = span(record.overview, from, to);
   sum.steady = speed_in(p, set_rpm);
-  sum.ripple = ripple(record.overview, from, to);
+  sum.ripple = ripple(record.overview, from, to, record.steady);
   sum.power = power(record.overview, from, to);
   if (!p) return;
   const Totals &a = p.first->totals, &b = p.last->totals;

@@ -40,7 +40,7 @@ struct Summary {
   std::optional<double> start_time_s;      // from `run` to set speed
   double set_speed_rpm = 0;
   SpeedResult steady;
-  Ripple ripple;                           // of the true speed, steady
+  Ripple ripple;                           // of true speed and torque, steady
   Power power;                             // steady
   std::optional<Power> loaded_power;       // in the last fifth of the load step
   double phase_error_rms_deg = 0;          // phase detector, steady

@@ -92,7 +92,8 @@ std::string to_text(const Summary& s) {
   line("at set speed", seconds(s.start_time_s) + " after run");
   line("speed", fmt::format("{:.2f} rpm, set {:g} rpm, error {:+.4f} %", s.steady.mean_rpm,
                             s.set_speed_rpm, s.steady.error_percent));
-  line("speed ripple", to_text(s.ripple));
+  line("speed ripple", speed_text(s.ripple));
+  line("torque", torque_text(s.ripple));
   line("phase error", fmt::format("{:.2f} deg rms (detector)", s.phase_error_rms_deg));
   line("commutation", fmt::format("{:+.2f} deg late on average, {:.2f} deg rms (true angle)",
                                   s.commutation_error_mean_deg, s.commutation_error_rms_deg));

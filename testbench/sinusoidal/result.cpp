@@ -31,12 +31,12 @@ std::optional<double> reached(const std::vector<Sample>& samples, double set) {
   return std::nullopt;
 }
 
-void judge_steady(Result& r, const std::vector<Sample>& samples, double from, double to) {
+void judge_steady(Result& r, const std::vector<Sample>& samples, const std::vector<Sample>& fine, double from, double to) {
   const Sample *a = at_or_after(samples, from + (to - from) / 2), *b = at_or_after(samples, to);
   if (!b && !samples.empty()) b = &samples.back();
   if (!a || !b || b->time <= a->time) return;
   r.mean_rpm = mean_rpm(*a, *b);
-  r.ripple = ripple(samples, a->time, b->time);
+  r.ripple = ripple(samples, a->time, b->time, fine);
   r.power = power(samples, a->time, b->time);
   for (const Sample& x : samples) {
     if (x.time >= a->time && x.time <= b->time) r.delta_theta_worst_deg = std::max(r.delta_theta_worst_deg, std::abs(x.delta_theta_deg));
@@ -115,7 +115,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
   if (const auto from = reached(samples, r.set_speed_rpm); from && *from < steady_end) {
     r.locked = true;
     r.speed_time_s = from;
-    judge_steady(r, samples, *from, steady_end);
+    judge_steady(r, samples, record.steady, *from, steady_end);
   }
   judge_load(r, s, samples);
   if (s.scenario.stop_s) r.stopped_rpm = rpm(samples.back().plant.speed);
@@ -215,7 +215,8 @@ std::string to_text(const Result& r) {
                              : "never");
   line("speed", fmt::format("{:.2f} rpm of {:g}, error {:+.4f} %", r.mean_rpm, r.set_speed_rpm,
                             r.speed_error_percent));
-  line("speed ripple", to_text(r.ripple));
+  line("speed ripple", speed_text(r.ripple));
+  line("torque", torque_text(r.ripple));
   line("delta theta", fmt::format("mean {:+.2f}, rms {:.2f}, at most {:.2f} degrees", r.delta_theta_mean_deg,
                                   r.delta_theta_rms_deg, r.delta_theta_worst_deg));
   line("current", fmt::format("{:.2f} A rms, peak {:.2f} A of at most {:.2f} A", r.rms_current_a, r.peak_current_a,

@@ -73,7 +73,7 @@ struct Result {
   std::string fault = "none";
   std::vector<std::string> reasons;      // of every try that failed
   double set_speed_rpm = 0, mean_rpm = 0, speed_error_percent = 0;
-  Ripple ripple;                         // of the true speed, steady
+  Ripple ripple;                         // of true speed and torque, steady
   Power power;                           // steady
   std::optional<Power> loaded_power;     // in the last fifth of the load step
   double delta_theta_mean_deg = 0, delta_theta_rms_deg = 0, delta_theta_worst_deg = 0;  // steady

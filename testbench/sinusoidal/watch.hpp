@@ -53,5 +53,6 @@ struct View {
 
 const char* name_of(State);
 const char* name_of(Reason);
+inline const char* state_name(Watch watch) { return name_of(watch.state()); }
 
 }  // namespace steplock::sinusoidal

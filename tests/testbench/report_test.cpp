@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "testbench/report/csv.hpp"
 #include "testbench/report/page.hpp"
+#include "testbench/report/zoom.hpp"
 #include "tests/testbench/own_folder.hpp"
 #include "tests/testbench/short_drive.hpp"
 
@@ -34,14 +36,31 @@ TEST(Report, AllFilesAreWrittenAndThePageNeedsNoOther) {
                            "steady.svg", "load_step.svg", "report.html"}) {
     EXPECT_GT(fs::file_size(out / name), 100u) << name;
   }
-  const std::string page = read(out / "report.html");
+  std::string page = read(out / "report.html");
+  const std::string library = zoom_head();
+  ASSERT_NE(page.find(library), page.npos) << "what it zooms with is in it; that this loads nothing, zoom.sh sees";
+  page.erase(page.find(library), library.size());
   EXPECT_NE(page.find("<svg"), page.npos);
   EXPECT_NE(page.find("passed"), page.npos);
-  for (const char* outside : {"<script", "href=\"http", "src=", "@import", "<link"}) {
+  for (const char* outside : {"href=\"http", "src=", "@import", "<link"}) {
     EXPECT_EQ(page.find(outside), page.npos) << outside;
   }
   EXPECT_EQ(nlohmann::json::parse(read(out / "summary.json"))["engine"], "float");
 }
+
+TEST(Report, AFigureThatZoomsHasItsPointsAndNothingThatEndsItsScript) {
+  const Figure f{.name = "f", .title = "T", .axis = "time, s",
+                 .panels = {{.label = "</script>", .curves = {{"a", "#000000", {{0, 1}, {0.25, std::nan("")}}}}}}, .marks = {{0.5, "load"}}};
+  const std::string body = zoom_body(f);
+  EXPECT_NE(body.find(R"("x":[0,0.25],"y":[1,null])"), body.npos) << body;
+  EXPECT_NE(body.find(R"("marks":[[0.5,"load"]])"), body.npos) << body;
+  EXPECT_EQ(body.find("</script>"), body.rfind("</script>")) << body;
+  Figure logarithmic = f;
+  logarithmic.logarithmic = true;
+  EXPECT_EQ(zoom_body(logarithmic), "");
+}
+
+TEST(Report, WithoutTheLibraryAPageHasItsPicturesAlone) { EXPECT_EQ(zoom_head(own_folder()), ""); }
 
 TEST(Report, CsvHasOneLineASampleAndAsManyCellsAsNames) {
   Sample s;

@@ -81,10 +81,29 @@ TEST(Summary, ASpeedThatSwingsHasARippleAndTheSameMean) {
   for (std::size_t i = 0; i < r.overview.size(); ++i) r.overview[i].plant.speed *= i % 2 == 0 ? 1.1 : 0.9;
   const Summary s = summarise(steady_only(), {}, r);
   EXPECT_NEAR(s.steady.mean_rpm, 3000, 1e-6) << "from the angle";
-  EXPECT_NEAR(s.ripple.least_rpm, 2700, 1e-6);
-  EXPECT_NEAR(s.ripple.greatest_rpm, 3300, 1e-6);
-  EXPECT_NEAR(s.ripple.rms_rpm, 300, 3);
+  EXPECT_NEAR(s.ripple.speed_rpm.least, 2700, 1e-6);
+  EXPECT_NEAR(s.ripple.speed_rpm.greatest, 3300, 1e-6);
+  EXPECT_NEAR(s.ripple.speed_rpm.rms, 300, 3);
   EXPECT_NE(to_text(s).find("2700.00 to 3300.00 rpm"), std::string::npos);
+}
+
+// A triangle of 2 N m about 5: its rms about the mean is 1 over the root of three, as a triangle's is.
+TEST(Summary, ATorqueHasARippleOverTheFineSamplesAlone) {
+  Record r = record_at(3000);
+  for (Sample& x : r.overview) x.plant.torque = 99;
+  constexpr int kSamples = 3000, kPeriod = 100;
+  for (int i = 0; i < kSamples; ++i) {
+    const double part = static_cast<double>(i % kPeriod) / kPeriod;
+    Sample x;
+    x.plant.torque = 5 + (part < 0.5 ? 4 * part - 1 : 3 - 4 * part);
+    r.steady.push_back(x);
+  }
+  const Summary s = summarise(steady_only(), {}, r);
+  EXPECT_NEAR(s.ripple.torque_nm.mean, 5, 1e-9);
+  EXPECT_NEAR(s.ripple.torque_nm.least, 4, 1e-9);
+  EXPECT_NEAR(s.ripple.torque_nm.greatest, 6, 1e-9);
+  EXPECT_NEAR(s.ripple.torque_nm.rms, 1 / std::sqrt(3), 1.0 / kPeriod);
+  EXPECT_NE(to_text(s).find("4 to 6 N m, 0.577 N m rms about 5"), std::string::npos) << to_text(s);
 }
 
 TEST(Summary, ASpeedErrorBeyondHalfAPercentFails) {
@@ -154,7 +173,7 @@ TEST(Summary, TheJsonHasEveryKeyThatUsersRelyOn) {
   const auto j = to_json(summarise(short_drive(), {}, record_at(3000)));
   for (const char* key :
        {"engine", "locked", "step_outs", "fault", "start_time_s", "lock_time_s", "set_speed_rpm",
-        "mean_speed_rpm", "speed_error_percent", "speed_least_rpm", "speed_greatest_rpm", "speed_ripple_rms_rpm",
+        "mean_speed_rpm", "speed_error_percent", "speed_least_rpm", "speed_greatest_rpm", "speed_ripple_rms_rpm", "torque_mean_nm", "torque_ripple_rms_nm",
         "phase_error_rms_deg", "peak_current_a", "current_bound_a",
         "rms_current_a", "clocks", "simulated_s", "wall_s", "commutation_error_rms_deg", "retries",
         "load_dip_percent", "reversed"}) {
