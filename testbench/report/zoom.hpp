@@ -1,5 +1,6 @@
-// What makes a figure of a page one that can be zoomed and read off (zoom.js): Dygraphs, which is in Debian, in the page itself, so that it works
-// offline and can be mailed.  Without script, or where Dygraphs is not installed, the figure's SVG is shown.
+// What makes a figure of a page one that can be zoomed and read off (zoom.js): Dygraphs, which is in Debian, in the page
+// itself, so that it works offline and can be mailed.  Without script, or where Dygraphs is not installed, the figure's SVG
+// is shown.
 //
 // Doc: docs/report.md   Test: tests/testbench/report_test.cpp, tests/testbench/zoom.sh
 #pragma once

@@ -4,7 +4,8 @@
 //     shift and drag    move; double click: all of it again
 //
 // figure is the element, with an SVG and a div.panels in it; data is what zoom.cpp writes:
-// {axis, marks: [[x, text]], panels: [{label, weight, range: [low, high] or null, ticks: [[y, text]], curves: [{title, color, width, steps, dots, x: [], y: []}]}]}
+// {axis, marks: [[x, text]], panels: [panel]}
+// panel: {label, weight, range: [low, high] or null, ticks: [[y, text]], curves: [{title, color, width, steps, dots, x: [], y: []}]}
 //
 // Doc: docs/report.md   Test: tests/testbench/zoom.sh
 
@@ -25,7 +26,7 @@ function steplockTable(curves) {
   return rows;
 }
 
-function steplockMarks(canvas, area, plot, marks) {
+function steplockMarks(canvas, area, plot, marks, named) {
   canvas.strokeStyle = canvas.fillStyle = '#9aa5b1';
   canvas.font = '11px sans-serif';
   for (const [x, text] of marks) {
@@ -35,7 +36,7 @@ function steplockMarks(canvas, area, plot, marks) {
     canvas.moveTo(at, area.y);
     canvas.lineTo(at, area.y + area.h);
     canvas.stroke();
-    canvas.fillText(text, at + 3, area.y + 11);
+    if (named) canvas.fillText(text, at + 3, area.y + 11);
   }
 }
 
@@ -63,7 +64,7 @@ function steplockZoom(figure, data) {
       labels: ['x', ...labels], series, ylabel: panel.label, xlabel: index === data.panels.length - 1 ? data.axis : '',
       connectSeparatedPoints: true, legend: panel.curves.some((curve) => curve.title) ? 'always' : 'follow', digitsAfterDecimal: 6,
       valueRange: panel.range, axes: {y: {axisLabelWidth: 60, ...names}}, drawCallback: follow,
-      underlayCallback: (canvas, area, plot) => steplockMarks(canvas, area, plot, index === 0 ? data.marks : data.marks.map(([x]) => [x, ''])),
+      underlayCallback: (canvas, area, plot) => steplockMarks(canvas, area, plot, data.marks, index === 0),
     }));
   });
   following = false;

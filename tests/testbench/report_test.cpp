@@ -50,7 +50,8 @@ TEST(Report, AllFilesAreWrittenAndThePageNeedsNoOther) {
 
 TEST(Report, AFigureThatZoomsHasItsPointsAndNothingThatEndsItsScript) {
   const Figure f{.name = "f", .title = "T", .axis = "time, s",
-                 .panels = {{.label = "</script>", .curves = {{"a", "#000000", {{0, 1}, {0.25, std::nan("")}}}}}}, .marks = {{0.5, "load"}}};
+                 .panels = {{.label = "</script>", .curves = {{"a", "#000000", {{0, 1}, {0.25, std::nan("")}}}}}},
+                 .marks = {{0.5, "load"}}};
   const std::string body = zoom_body(f);
   EXPECT_NE(body.find(R"("x":[0,0.25],"y":[1,null])"), body.npos) << body;
   EXPECT_NE(body.find(R"("marks":[[0.5,"load"]])"), body.npos) << body;
