@@ -101,9 +101,9 @@ TEST(Command, NewAsksWhenItIsToldNothing) {
 TEST(Command, APartOfAPageThatIsNotThereIsRefused) {
   const fs::path here = fresh("part");
   const std::string out = " --out " + (here / "out").string(), drives = STEPLOCK_DRIVES;
-  const Result paper = steplock("paper amano2003 --section 10 --drives " + drives + out);
+  const Result paper = steplock("paper amano2003 --section 11 --drives " + drives + out);
   EXPECT_EQ(paper.exit_code, 2);
-  EXPECT_EQ(paper.output, "--section 10 is not measured: name one of 1 to 9\n");
+  EXPECT_EQ(paper.output, "--section 11 is not measured: name one of 1 to 10\n");
   // Its first section is of all others.
   EXPECT_EQ(steplock("paper matsui1996 --section 1 --drives " + drives + out).output,
             "--section 1 is not measured: name one of 2 to 9\n");
