@@ -6,8 +6,8 @@
 //     float      the reference with its motor
 //
 // All on the start of a drive file, of either drive.  Time is CPU time; the least of the repetitions counts, because a busy
-// machine only ever adds.  What is watched is instructions, since times and even ratios of times are those of a machine: beside
-// a Verilated yardstick the RTL ran 1.9 and 1.2 times as fast on two machines as on a third, and the reference 1.1 and 0.8 times.
+// machine only ever adds.  What is watched is instructions, since times and even ratios of times are those of a machine: at
+// commit cf48881 ratios to a Verilated yardstick were 1.36 (bare) and 0.76 (float) of the page's in one run of CI.
 //
 //     cmake --build build -t benchmark_speed && build/bin/benchmark_speed > docs/speed.md
 //     build/bin/benchmark_speed --check docs/speed.md [ENGINE...]    counts again, of all engines unless told

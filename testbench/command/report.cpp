@@ -6,6 +6,7 @@
 #include "testbench/command/command.hpp"
 #include "testbench/report/overlay.hpp"
 #include "testbench/report/report.hpp"
+#include "testbench/report/zoom.hpp"
 
 namespace steplock {
 namespace {
@@ -20,6 +21,7 @@ int lay_over(const Arguments& arguments) {
   const std::vector<Figure> figures = overlay_figures(a, b);
   draw_all(figures, out);
   write_file(out / "overlay.html", overlay_page(a, b, figures, out));
+  if (zoom_head().empty()) fmt::print(stderr, "steplock: {}\n", kNoZoom);
   fmt::print("wrote {}\n", (out / "overlay.html").string());
   return kWell;
 }

@@ -54,7 +54,7 @@ ReportFiles write_report(const fs::path& directory, const RunReport& report) {
     files.paths.push_back(directory / (figure.name + ".svg"));
     figures.push_back({figure.caption, inline_svg(files.paths.back()), zoom_body(figure)});
   }
-  if (zoom_head().empty()) files.warnings.push_back("the figures of report.html cannot be zoomed; install libjs-dygraphs");
+  if (zoom_head().empty()) files.warnings.push_back(kNoZoom);
   add("report.html", report_page(report.page, figures));
   return files;
 }

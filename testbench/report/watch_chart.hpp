@@ -2,7 +2,7 @@
 //
 //     steplock run FILE --watch
 //
-// Doc: docs/steplock.md   Test: tests/testbench/watch_chart_test.cpp
+// Doc: docs/report.md   Test: tests/testbench/watch_chart_test.cpp
 #pragma once
 
 #include <array>

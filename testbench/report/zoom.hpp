@@ -16,6 +16,7 @@ inline constexpr const char* kDygraphs = "/usr/share/javascript/dygraphs";  // o
 
 // For the page's head: library, style and zoom.js.  Empty if the library is not in that folder.
 std::string zoom_head(const std::filesystem::path& library = kDygraphs);
+inline constexpr const char* kNoZoom = "the page's figures cannot be zoomed; install libjs-dygraphs";  // to be said then
 // For the figure's element, behind its SVG.  Empty if its axis is logarithmic.
 std::string zoom_body(const Figure&);
 
