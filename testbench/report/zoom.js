@@ -52,18 +52,19 @@ function steplockZoom(figure, data) {
   };
   data.panels.forEach((panel, index) => {
     const element = document.createElement('div');
-    element.style.cssText = `width: 100%; height: ${Math.round(110 * panel.weight) + 30}px`;
+    // Names of ticks need their lines.
+    element.style.cssText = `width: 100%; height: ${Math.max(Math.round(110 * panel.weight), 14 * panel.ticks.length) + 30}px`;
     figure.querySelector('.panels').append(element);
     const labels = panel.curves.map((curve, k) => (curve.title || panel.label) + '\u200b'.repeat(k));  // each its own
     const series = {};
     panel.curves.forEach((curve, k) => {
       series[labels[k]] = {color: curve.color, stepPlot: curve.steps, drawPoints: curve.dots, strokeWidth: curve.dots ? 0 : curve.width};
     });
-    const names = panel.ticks.length > 0 ? {ticker: () => panel.ticks.map(([v, label]) => ({v, label}))} : {};
+    const names = panel.ticks.length > 0 ? {axisLabelFontSize: 11, ticker: () => panel.ticks.map(([v, label]) => ({v, label}))} : {};
     plots.push(new Dygraph(element, steplockTable(panel.curves), {
       labels: ['x', ...labels], series, ylabel: panel.label, xlabel: index === data.panels.length - 1 ? data.axis : '',
       connectSeparatedPoints: true, legend: panel.curves.some((curve) => curve.title) ? 'always' : 'follow', digitsAfterDecimal: 6,
-      valueRange: panel.range, axes: {y: {axisLabelWidth: 60, ...names}}, drawCallback: follow,
+      valueRange: panel.range, axes: {y: {axisLabelWidth: 75, ...names}}, drawCallback: follow,
       underlayCallback: (canvas, area, plot) => steplockMarks(canvas, area, plot, data.marks, index === 0),
     }));
   });
