@@ -6,7 +6,7 @@
 //     reference  moves towards target by at most slew; not upwards while the current limit cuts
 //     e          = reference - frequency
 //     integral  += ki e >> shift        within [minimum, maximum]; frozen where it would wind up
-//     duty       = integral + (kp e >> shift)       within [minimum, maximum] and duty_slew
+//     duty       = integral + (kp e >> shift)       within maximum, then duty_slew, then minimum
 //     on_clocks  = duty * period
 //     slips      = duty > slip + (loaded frequency >> shift)    more than any right lock takes
 //
@@ -67,11 +67,12 @@ module speed_control (
   localparam logic [4:0] Stage_kIntegral = 5'd5;
   localparam logic [4:0] Stage_kAdd = 5'd6;
   localparam logic [4:0] Stage_kWhole = 5'd7;
+  localparam logic [4:0] Stage_kWholeLow = 5'd8;
   localparam logic [4:0] Stage_kWholeHigh = 5'd9;
   localparam logic [4:0] Stage_kProportional = 5'd10;
-  localparam logic [4:0] Stage_kLow = 5'd11;
-  localparam logic [4:0] Stage_kHigh = 5'd12;
-  localparam logic [4:0] Stage_kUp = 5'd13;
+  localparam logic [4:0] Stage_kHigh = 5'd11;
+  localparam logic [4:0] Stage_kUp = 5'd12;
+  localparam logic [4:0] Stage_kDown = 5'd13;
   localparam logic [4:0] Stage_kDuty = 5'd15;
   localparam logic [4:0] Stage_kOnClocks = 5'd16;
 
@@ -151,13 +152,13 @@ module speed_control (
   wire presets_next = at_bits[Stage_kIdle] ? presets_next_both : presets;  // line 217
   wire [16:0] at_bits_next_choice =
       control ? at_bits_next_joined :
-      at_bits[Stage_kBemf] ? 17'd1 << Stage_kHigh :
-      (presets_next || !at_bits[Stage_kHigh]) ? at_bits_next_joined :
+      at_bits[Stage_kBemf] ? 17'd1 << Stage_kUp :
+      (presets_next || !at_bits[Stage_kUp]) ? at_bits_next_joined :
       17'd1 << Stage_kDuty;
   wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 170
   wire at_high_2 = at_high || (high_was && !below);
   wire [15:0] duty_next = at_bits[Stage_kDuty] ? (work[20] ? 16'd0 : work[15:0]) : duty;
-  wire falls_2 = !at_bits[Stage_kLow] || yields;
+  wire falls_2 = !at_bits[Stage_kProportional] || yields;
   wire [13:0] slew = {2'd0, words_duty_slew_i} << fast;
   wire held_next = integrated ? limited : held;
   wire [13:0] moved_choice =  // line 238
@@ -166,19 +167,18 @@ module speed_control (
       slew;
   wire [17:0] moved_2 = {2'd0, duty_next} + {{4{moved_choice[13]}}, moved_choice};
   wire [16:0] bound_choice =  // line 196
-      (!at_bits[Stage_kHigh] && !at_bits[Stage_kUp]) ? {1'b0, duty_next} : moved;
+      (!(at_bits[Stage_kUp] || at_bits[Stage_kHigh]) && !at_bits[Stage_kDown]) ?
+      {1'b0, duty_next} : moved;
   wire [16:0] bound_choice_2 =  // line 196
       control ? bound_choice :
-      presets_next ?
-      (at_bits[Stage_kHigh] ? {1'b0, words_maximum_i} :
-      at_bits[Stage_kUp] ? moved :
-      {1'b0, duty_next}) :
+      presets_next ? (at_bits[Stage_kUp] ? {1'b0, words_maximum_i} : bound_choice) :
       at_bits[Stage_kBemf] ? {1'b0, words_maximum_i} :
       bound_choice;
-  wire [3:0] bound_both = at_bits[11:8] & 4'h9;  // line 224
-  wire [16:0] bound_choice_3 = (bound_both == 4'd0) ? bound_choice_2 : {1'b0, words_maximum_i};
+  wire [16:0] bound_choice_3 =  // line 196
+      !(at_bits[Stage_kProportional] || at_bits[Stage_kWholeLow]) ? bound_choice_2 :
+      {1'b0, words_maximum_i};
   wire [16:0] bound =  // line 196
-      !(at_bits[Stage_kProportional] || at_bits[Stage_kWhole]) ? bound_choice_3 :
+      (!at_bits[Stage_kWhole] && !(control && at_bits[Stage_kDown])) ? bound_choice_3 :
       {1'b0, words_minimum_i};
   wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 141
   wire asks_next_either = held_next || at_high || (!addend[33] && addend[32:18] != 15'd0);
@@ -290,26 +290,27 @@ module speed_control (
       low <= 1'b1;
       high <= 1'b1;
     end else begin
-      logic low_next_either;
       logic high_next_choice;
-      logic high_next_choice_2;
       logic at_bits_inverse;
       logic at_bits_both_2;
       logic at_bits_either;
-      low_next_either =
-          at_bits[Stage_kUp] || (multiplier_done && at_bits[Stage_kProportional]) ||
-          (presets_next && multiplier_done && at_bits[Stage_kBemf]);
+      logic at_bits_either_2;
       high_next_choice =
-          (at_bits[Stage_kHigh] || control) ? at_bits[Stage_kHigh] :
-          !(presets_next || !multiplier_done) && at_bits[Stage_kBemf];
-      high_next_choice_2 =
-          (control || presets_next) ? high_next_choice : multiplier_done && at_bits[Stage_kBemf];
+          presets_next ? at_bits[Stage_kUp] : !control && multiplier_done && at_bits[Stage_kBemf];
       at_bits_inverse = !(!multiplier_ends || !at_bits[Stage_kBemf]);
       at_bits_both_2 = multiplier_ends && at_bits[Stage_kProportional];  // line 204
-      at_bits_either = at_bits_inverse || at_bits_both_2;
-      sums <= at_bits_either;
-      low <= at_bits_inverse || at_bits_both_2 || at_bits[Stage_kWhole] || low_next_either;
-      high <= at_bits_either || bound_both != 4'd0 || high_next_choice_2;
+      at_bits_either = at_bits_both_2 || at_bits[Stage_kWhole] || at_bits[Stage_kDown];  // line 205
+      at_bits_either_2 = at_bits_inverse || (at_bits_either && at_bits_both_2);
+      sums <= at_bits_either_2;
+      low <=
+          at_bits_inverse ||
+          at_bits_either ||
+          (control && at_bits[Stage_kUp]) ||
+          (presets_next && multiplier_done && at_bits[Stage_kBemf]);
+      high <=
+          at_bits_either_2 || at_bits[Stage_kWholeLow] ||
+          at_bits[Stage_kHigh] || (multiplier_done && at_bits[Stage_kProportional]) ||
+          high_next_choice;
     end
     if (far_next_both) begin
       far <= far_next_both_2;

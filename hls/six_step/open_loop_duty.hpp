@@ -17,8 +17,12 @@
 // falls back all the same, since its flux is more or its bus less than the words', gets a quarter from then on.  Until the next step
 // it gets half of the start's: with all of it a light one, at hand-over's frequency again, is nearly twice as fast by then.
 //
+// The first interval that is measured spans the start's torque: it may be longer than hand-over's while the rotor is faster.
+// So what falls back after just that one gets the half, but no quarter: a light one on a bus above the words' would not stop at
+// the set speed.  A heavy one passes no edge in that time, and gets both.
+//
 //     latency      1 clock from state to duty
-//     registers    20 bits     multipliers  none
+//     registers    22 bits     multipliers  none
 //
 // Doc: docs/blocks/open_loop_duty.md   Test: tests/hls/open_loop_duty_test.cpp
 
@@ -65,8 +69,10 @@ class OpenLoopDuty {
     } else {
       const bool fast = accelerates && in.follows && in.sure && in.fast;
       const bool falls = was_fast_ && !fast && accelerates;
-      fell_ = in.follows && (pulls_in || accelerates) && (fell_ || falls);
+      fell_ = in.follows && (pulls_in || accelerates) && (fell_ || (falls && (lasted_ || !began_)));
       eases_ = falls || (eases_ && accelerates && !in.commutate);
+      lasted_ = fast && (lasted_ || (began_ && in.commutate));
+      began_ = fast && (began_ || in.commutate);
       was_fast_ = fast;
       duty_ = pulls_in || fast                                       ? fell_ ? start >> 2 : start >> 4
               : accelerates && in.follows && !in.sure                ? in.reset_duty
@@ -94,6 +100,8 @@ class OpenLoopDuty {
   Duty duty_ = 0;       // u1.15, of the state a clock ago; in kPullIn it fades
   bool faded_ = false;  // it is below the start's
   bool was_fast_ = false;  // the rotor that is followed had hand-over's frequency
+  bool began_ = false;     // and a step began since
+  bool lasted_ = false;    // and another one: it had it after an interval that was measured
   bool fell_ = false;      // and has had less since
   bool eases_ = false;     // in this step
 };

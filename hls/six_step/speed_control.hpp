@@ -3,7 +3,7 @@
 //     reference  moves towards target by at most slew; not upwards while the current limit cuts
 //     e          = reference - frequency
 //     integral  += ki e >> shift        within [minimum, maximum]; frozen where it would wind up
-//     duty       = integral + (kp e >> shift)       within [minimum, maximum] and duty_slew
+//     duty       = integral + (kp e >> shift)       within maximum, then duty_slew, then minimum
 //     on_clocks  = duty * period
 //     slips      = duty > slip + (loaded frequency >> shift)    more than any right lock takes
 //
@@ -91,8 +91,8 @@ class SpeedControl {
     starts_ = at_.holds_one_of(Stage::kReach, Stage::kSlip, Stage::kWholeHigh, Stage::kDuty);
     const bool idle = at_.holds(Stage::kIdle);
     if (idle ? in.tick : !multiplies || product.done) {
-      at_ = !control && at_.holds(Stage::kBemf)   ? Stages(Stage::kHigh)
-            : !control && !presets_ && at_.holds(Stage::kHigh) ? Stages(Stage::kDuty)
+      at_ = !control && at_.holds(Stage::kBemf)   ? Stages(Stage::kUp)
+            : !control && !presets_ && at_.holds(Stage::kUp) ? Stages(Stage::kDuty)
                                                   : at_.next();
     }
     return out;
@@ -111,7 +111,7 @@ class SpeedControl {
   // Reference, then product by product; bounds stand behind what they bound.
   enum class Stage : std::uint8_t {
     kIdle, kSlew, kReach, kBemf, kSlip, kIntegral, kAdd, kWhole, kWholeLow, kWholeHigh,
-    kProportional, kLow, kHigh, kUp, kDown, kDuty, kOnClocks
+    kProportional, kHigh, kUp, kDown, kLow, kDuty, kOnClocks
   };
   using Stages = OneHot<Stage, 17>;
   using Limit = UInt<17>;
@@ -202,10 +202,10 @@ class SpeedControl {
     low_was_ = low_ && !sums_;
     high_was_ = high_ && !sums_;
     sums_ = at_.holds(Stage::kAdd) || (ends && at_.holds_one_of(Stage::kBemf, Stage::kProportional));
-    low_ = sums_ || at_.holds_one_of(Stage::kWhole, Stage::kUp) || (done && at_.holds(Stage::kProportional)) ||
+    low_ = sums_ || at_.holds_one_of(Stage::kWhole, Stage::kDown) || (control_ && at_.holds(Stage::kUp)) ||
            (presets_ && done && at_.holds(Stage::kBemf));
-    high_ = sums_ || at_.holds_one_of(Stage::kWholeLow, Stage::kLow) || ((control_ || presets_) && at_.holds(Stage::kHigh)) ||
-            (!control_ && !presets_ && done && at_.holds(Stage::kBemf));
+    high_ = sums_ || at_.holds_one_of(Stage::kWholeLow, Stage::kHigh) || (done && at_.holds(Stage::kProportional)) ||
+            (presets_ && at_.holds(Stage::kUp)) || (!control_ && !presets_ && done && at_.holds(Stage::kBemf));
   }
 
   // After an update that found the rotor no longer above a target that was lower, the next one takes the back-EMF's duty, if it is
@@ -220,18 +220,18 @@ class SpeedControl {
   // What the stage behind this one compares with.
   Limit bound(const In& in) const {
     const bool control = control_;
-    if (at_.holds_one_of(Stage::kWhole, Stage::kProportional)) return in.words.minimum;
-    if (at_.holds_one_of(Stage::kWholeLow, Stage::kLow) ||
-        (!control && (presets_ ? at_.holds(Stage::kHigh) : at_.holds(Stage::kBemf)))) {
+    if (at_.holds(Stage::kWhole) || (control && at_.holds(Stage::kDown))) return in.words.minimum;
+    if (at_.holds_one_of(Stage::kWholeLow, Stage::kProportional) ||
+        (!control && (presets_ ? at_.holds(Stage::kUp) : at_.holds(Stage::kBemf)))) {
       return in.words.maximum;
     }
-    return at_.holds_one_of(Stage::kHigh, Stage::kUp) ? moved_ : Limit(duty_);
+    return at_.holds_one_of(Stage::kHigh, Stage::kUp, Stage::kDown) ? moved_ : Limit(duty_);
   }
 
   // The duty's slew, ready one stage before bound() wants it; or two of them.  Downwards one last bit more: the
   // one's complement.
   void move(const In& in) {
-    const bool rises = at_.holds(Stage::kLow);
+    const bool rises = at_.holds(Stage::kProportional);
     const bool falls = !rises || yields_;
     const Int<14> slew = fast_ ? Int<14>(in.words.duty_slew) << 1 : Int<14>(in.words.duty_slew);
     const Int<14> none = 0;

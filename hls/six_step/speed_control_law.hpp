@@ -43,7 +43,7 @@ struct SpeedControlLaw {
   }
 
  private:
-  // PI: integral += ki e, without wind-up; duty = integral + kp e, both within their bounds.
+  // PI: integral += ki e, without wind-up; duty = integral + kp e, both within their bounds, of which the last rules.
   void follow(const In& in, bool far) {
     const Int<27> e = wrap<Int<27>>(reference - in.frequency - 1);
     const Int<32> more = times(e, in.words.ki, in);
@@ -60,12 +60,11 @@ struct SpeedControlLaw {
     upper(sum, in.words.maximum);
     if (at_low || at_high) integral = Int<34>(sum) << 16;
     sum = add(wrap<Sum>(integral >> 16), times(e, in.words.kp, in));
-    lower(sum, in.words.minimum);
-    upper(sum, in.words.maximum);
-
     const Int<15> rise = held ? 0 : in.words.duty_slew;
+    upper(sum, in.words.maximum);
     upper(sum, moved(yields(in) || in.hurries ? fall(in) : rise));
     lower(sum, moved(fall(in)));
+    lower(sum, in.words.minimum);
     duty = wrap<Duty>(sum);
   }
 

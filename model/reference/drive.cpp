@@ -202,6 +202,8 @@ void Drive::follow_rotor(double t, const Pins& pins) {
   }
   if (follower_.loaded()) {
     const double turns = f * (t - changed_);
+    if (fast && follower_.sure()) ++fast_steps_;
+    eases_ = false;
     if (follower_.changed()) {
       // Of a rotor that was fast before, and so hardly accelerated; or of one that has been steady for long.
       const bool good = f > 0 && std::abs(1 - turns) < 0.125;
@@ -245,7 +247,7 @@ void Drive::enter_state(double t) {
         changed_ = t;
         overdue_ = kNever;
         ramp_done_ = good_interval_ = measured_ = fell_ = eases_ = was_fast_ = false;
-        steady_ = 0;
+        steady_ = fast_steps_ = 0;
         follower_.begin(t);
         break;
       }
@@ -305,8 +307,9 @@ void Drive::on_tick(double t) {
         // One that has hand-over's frequency hardly accelerates, so that it is known when it is handed over.
         const bool fast = follower_.sure() && f >= s.hand_over;
         const bool falls = was_fast_ && !fast;
-        fell_ = fell_ || falls;
-        eases_ = falls || (eases_ && !follower_.loaded());
+        fell_ = fell_ || (falls && fast_steps_ != 1);
+        eases_ = eases_ || falls;
+        if (!fast) fast_steps_ = 0;
         was_fast_ = fast;
         boost_ = !follower_.sure() ? s.reset_duty : !fast ? s.start_duty / (eases_ ? 2 : 1) : part_of(s.start_duty);
         duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);

@@ -61,7 +61,8 @@ class Drive {
   void on_tick(double t);
   bool follows() const { return p_.start.method == design::Method::kFollow; }
   bool following() const { return follows() && sequence_.state() == State::kAccelerate; }
-  // Of a followed rotor with hand-over's frequency: a sixteenth of the start's duty, a quarter once it fell back.
+  // Of a followed rotor with hand-over's frequency: a sixteenth of the start's duty, a quarter once it fell back,
+  // but for the first interval that was measured.
   double part_of(double duty) const { return fell_ ? duty / 4 : duty / 16; }
   double stronger(double duty) const { return sequence_.retries() > 1 && !follows() ? 2 * duty : duty; }
   Mode mode() const;
@@ -91,6 +92,7 @@ class Drive {
   bool good_interval_ = false, measured_ = false, holds_ = false, boosted_ = false;
   bool was_fast_ = false, fell_ = false;  // the followed rotor had hand-over's frequency; and less since
   bool eases_ = false;                    // in the present step
+  int fast_steps_ = 0;                    // that began with hand-over's frequency, in a row
   double overdue_ = kNever;   // when the rotor that is followed should have passed an edge, and a quarter more
 };
 

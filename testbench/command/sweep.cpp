@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "testbench/command/command.hpp"
+#include "testbench/command/judged.hpp"
 #include "testbench/command/terminal.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sweep_page/statistics.hpp"
@@ -25,7 +26,7 @@ struct Arguments {
   std::optional<design::DriveKind> drive_kind;
   std::uint64_t runs = 100;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  bool resume = false, json = false;
+  bool resume = false, json = false, prints_judged = false;
 };
 
 Shard parse_shard(const std::string& text) {
@@ -86,6 +87,10 @@ int run_sweep(Arguments arguments) {
   for (const DriveFile& file : files) {
     if (sinusoidal) check_words(file);
   }
+  if (arguments.prints_judged) {
+    for (const DriveFile& file : files) fmt::print("{}", judged_text(file));
+    return kWell;
+  }
   SweepSetup setup = sweep_setup(arguments.kind, arguments.runs, files);
   setup.judged = arguments.judged;
   const fs::path folder = arguments.out.empty() ? fs::path("out/sweep") : fs::path(arguments.out);
@@ -136,6 +141,8 @@ void add_sweep_command(CLI::App& app, int& exit_code) {
   command->add_option("--page", a->page, "when all runs are done, print the committed page there, such as docs/starts.md");
   command->add_flag("--resume", a->resume, "do only the runs that the folder does not hold");
   command->add_flag("--json", a->json, "print sweep.json on standard output");
+  command->add_flag("--judged", a->prints_judged,
+                    "run nothing; print settings, words and bounds of each drive, from which tools/starts makes its seed");
   command->add_option("--matrix", a->kind.matrix,
                       "start (the default): a start alone; disturb: then one disturbance of the running drive; "
                       "hard: a start with one hardship more than the envelope has")

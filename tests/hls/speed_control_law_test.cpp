@@ -36,7 +36,7 @@ class Words : public RandomWords {
     w.duty_slew = word<12>();
     return w;
   }
-  void change(In& in) {
+  void change(In& in, Duty duty_now) {
     if (one_in(30)) in.words = words(), in.target = in.words.target;
     if (one_in(20)) in.mode = one_in(2)   ? SpeedMode::kControl
                              : one_in(2) ? SpeedMode::kFixed
@@ -47,6 +47,8 @@ class Words : public RandomWords {
     if (one_in(15)) in.target = one_in(3) ? in.words.target : Frequency::of(below(in.target.raw() + 1));
     const std::int64_t near = in.target.raw() + static_cast<int>(below(2001)) - 1000;
     in.frequency = one_in(3) ? in.frequency : one_in(2) ? word<26>() : Frequency::of(std::uint64_t(near < 0 ? 0 : near & 0x3ffffff));
+    // A rotor that hardly turns, whose duty is next to the slip: a last bit of that decides.
+    if (one_in(20)) in.slip = duty_now, in.frequency = Frequency::of(below(4));
     in.hurries = one_in(6);
     in.freewheels = one_in(3);
     in.limited = one_in(3);
@@ -97,7 +99,7 @@ Found compare(Words words, int ticks, const std::function<void(In&)>& spoil = []
   in.words = words.words();
   Found found;
   for (int k = 0; k < ticks; ++k) {
-    words.change(in);
+    words.change(in, law.duty);
     In other = in;
     spoil(other);
     found.resumed += law.resumes && in.mode == SpeedMode::kControl;

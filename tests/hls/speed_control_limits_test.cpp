@@ -250,5 +250,41 @@ TEST(SpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
   EXPECT_EQ(duty_of(update(dut, in)), duty + 50);
 }
 
+// The least duty goes before the slew: freewheeling that hides crossings takes no duty below it, and a higher one counts at once.
+TEST(SpeedControl, KeepsItsLeastDutyWhereItYields) {
+  for (const bool hurries : {true, false}) {
+    SpeedControl dut;
+    auto in = reference_as_duty();
+    in.words.minimum = 3000;
+    in.words.duty_slew = 50;
+    in.fixed_duty = 3020;
+    in.frequency = 4000 << 4;
+    update(dut, in);
+    in.mode = SpeedMode::kControl;
+    in.target = 20000 << 4;
+    in.hurries = hurries;
+    in.freewheels = in.limited = !hurries;
+    for (int i = 0; i < 5; ++i) EXPECT_GE(duty_of(update(dut, in)), 3000) << hurries << i;
+    EXPECT_EQ(duty_of(update(dut, in)), 3000) << hurries;
+    in.words.minimum = 5000;
+    EXPECT_EQ(duty_of(update(dut, in)), 5000) << hurries;
+  }
+}
+
+// A lower limit from above is approached by the slew: less duty than the back-EMF's drives a current that no shunt sees.
+TEST(SpeedControl, ApproachesALowerLimitByItsSlew) {
+  SpeedControl dut;
+  auto in = reference_as_duty();
+  in.fixed_duty = 20000;
+  in.frequency = 1 << 4;
+  update(dut, in);
+  in.mode = SpeedMode::kControl;
+  in.target = 20000 << 4;
+  in.words.duty_slew = 50;
+  in.words.maximum = 10000;
+  EXPECT_EQ(duty_of(update(dut, in)), 20000 - 51);
+  EXPECT_EQ(duty_of(update(dut, in)), 20000 - 102);
+}
+
 }  // namespace
 }  // namespace steplock
