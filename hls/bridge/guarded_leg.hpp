@@ -62,7 +62,8 @@ class GuardedLeg {
 
   // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
   std::uint64_t quiet() const {
-    return !counts() ? ~std::uint64_t{0} : timer_ < 2 ? 0 : timer_.raw() - 1;
+    if (gate_ != was_ && timer_ < 2) return 0;
+    return !counts() ? ~std::uint64_t{0} : timer_.raw() - 1;
   }
   void skip(std::uint64_t clocks) {
     if (counts()) timer_ = UInt<8>::of(timer_.raw() - clocks);

@@ -88,8 +88,13 @@ class HallDecoder {
     return out;
   }
 
-  // Quiet clocks (docs/theory.md): until this block does more than count, and that many at once.
-  std::uint64_t quiet() const { return left_ == 0 ? ~std::uint64_t{0} : left_.raw(); }
+  // Quiet clocks (docs/theory.md) with that code at the pins: until this block does more than count, and that many at once.
+  std::uint64_t quiet(UInt<3> code) const {
+    if (code != code_ || moved_ || changed_) return 0;
+    if (left_ != 0) return left_.raw();
+    const bool legal = decode(code_).legal;
+    return legal != legal_ || (legal && code_ != last_) ? 0 : ~std::uint64_t{0};
+  }
   void skip(std::uint64_t clocks) {
     if (left_ != 0) left_ = UInt<10>::of(left_.raw() - clocks);
     stood_ = left_ == 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/design/believed.hpp"
 #include "model/design/rules.hpp"
 
 namespace steplock::design {
@@ -161,7 +162,8 @@ double load_step_torque(const Settings& s) {
   return s.scenario.load_step_nm.value_or(0.5 * motor_constants(s).k_e * s.motor.rated_current_a);
 }
 
-Design design_drive(const Settings& s) {
+Design design_drive(const Settings& given) {
+  const Settings s = as_believed(given);
   Design d;
   d.motor = motor_constants(s);
   d.rated_torque = d.motor.k_e * s.motor.rated_current_a;

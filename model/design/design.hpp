@@ -50,6 +50,7 @@ struct Design {
   double rated_torque = 0;  // N m
 };
 
+// For the motor that is believed.
 Design design_drive(const Settings&);
 
 // Steps per second of a mechanical speed, and back.

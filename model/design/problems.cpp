@@ -1,6 +1,7 @@
 // What makes no sense in a drive's settings: each line names the key and says how to mend it.
 #include <cmath>
 #include <sstream>
+#include <tuple>
 #include <type_traits>
 
 #include "model/design/design.hpp"
@@ -121,6 +122,13 @@ void check_speeds(Findings& found, const Settings& s, const Design& d) {
     found.add("loop.maximum_rpm is ", rpm_of(s, p.loop.maximum),
               " rpm; must be 5 % above the set speed");
   }
+  const double slowest = 1.1 * rpm_of(s, std::max(p.loop.minimum, p.protection.stall)), fastest = rpm_of(s, p.loop.maximum) / 1.05;
+  for (const double speed : s.scenario.set_speed_rpm) {
+    if (speed < slowest || speed > fastest) {
+      found.add("scenario.set_speed_rpm has ", speed, " rpm; must be from ", slowest, " to ", fastest,
+                " rpm, what the loop follows and is no stall");
+    }
+  }
   if (p.loop.form == LoopForm::kPerSecond && p.source == Source::kBemf &&
       d.sampled.phase_deg < 15) {
     found.add("start.hand_over_rpm is ", d.hand_over_rpm, " rpm; at that speed the loop has ",
@@ -169,6 +177,20 @@ void check_scenario(Findings& found, const Settings& s) {
   between("inertia_step_s", n.inertia_step_s, "run_s", n.run_s);
   between("reverse_s", n.reverse_s, "run_s", n.run_s);
   between("stop_s", n.stop_s, "run_s", n.run_s);
+  for (const auto& [name, times, other, values] : {std::tuple{"set_speed_s", &n.set_speed_s, "set_speed_rpm", &n.set_speed_rpm},
+                                                   std::tuple{"load_s", &n.load_s, "load_nm", &n.load_nm}}) {
+    if (times->size() != values->size()) {
+      found.add("scenario.", name, " has ", times->size(), " values; must have as many as ", other, ", ", values->size());
+    }
+    double before = n.run_s;
+    for (const double t : *times) {
+      between(name, t, before == n.run_s ? "run_s" : "the time before it", before);
+      before = t;
+    }
+  }
+  if (!n.load_s.empty() && n.load_step_s) {
+    found.add("scenario.load_s is set beside load_step_s; write the step into load_s and load_nm");
+  }
   if (n.load_off_s && !n.load_step_s) {
     found.add("scenario.load_off_s is set without load_step_s; add load_step_s");
   }

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <span>
 
@@ -36,44 +35,59 @@ struct SpeedLoop {
   double ki = 0;    // duty per speed and s
 };
 
-// The error after a ramp of slope 1 began, in s.
+// The error after a ramp of slope 1 began, in s; or after a load that decelerates by 1 has come.
+//
+// Looked at in places of the same distance, one from the last by the addition theorems: real numbers alone, since q^2 is one.
 class RampError {
  public:
   static constexpr int kPlaces = 200;  // until it has settled, that are looked at
 
-  explicit RampError(const SpeedLoop& loop)
-      : w2_(loop.ki * loop.gain),
-        d_((loop.pole + loop.kp * loop.gain) / 2),
-        c_(loop.pole / w2_),
-        q_(std::sqrt(std::complex<double>(d_ * d_ - w2_)) + 1e-9 * d_) {}
+  // exp(-d t) cosh q t and exp(-d t) sinh(q t) / q, the latter in s.
+  struct Modes {
+    double cosh, sinh;
+  };
 
-  double operator()(double t) const {
+  explicit RampError(const SpeedLoop& loop)
+      : w2_(loop.ki * loop.gain), d_((loop.pole + loop.kp * loop.gain) / 2), c_(loop.pole / w2_), q2_(d_ * d_ - w2_) {}
+
+  Modes after(double t) const {
+    const double q = std::sqrt(std::abs(q2_)), decay = std::exp(-d_ * t);
+    const double near = decay * t * (1 + q2_ * t * t / 6);  // of sinh and sin alike
+    constexpr double kNear = 3e-4;                          // whose next term is below the last bit
+    if (q2_ < 0) return {decay * std::cos(q * t), q * t < kNear ? near : decay * std::sin(q * t) / q};
     // Both halves of the hyperbolic functions with their decay, so that neither grows beyond bounds.
-    const auto up = std::exp((q_ - d_) * t), down = std::exp((-q_ - d_) * t);
-    return c_ - ((c_ * (up + down) + (c_ * d_ - 1) * (up - down) / q_) / 2.0).real();
+    const double up = std::exp((q - d_) * t), down = std::exp((-q - d_) * t);
+    return {(up + down) / 2, q * t < kNear ? near : (up - down) / (2 * q)};
   }
-  // The same after a load that decelerates by 1 has come.
-  double of_load(double t) const { return ((std::exp((q_ - d_) * t) - std::exp((-q_ - d_) * t)) / (2.0 * q_)).real(); }
-  double place(int k) const { return settled() * k / kPlaces; }
+  Modes sum(const Modes& a, const Modes& b) const {
+    return {a.cosh * b.cosh + q2_ * a.sinh * b.sinh, a.sinh * b.cosh + a.cosh * b.sinh};
+  }
+  double operator()(const Modes& at) const { return c_ - (c_ * at.cosh + (c_ * d_ - 1) * at.sinh); }
+  static double of_load(const Modes& at) { return at.sinh; }
+
+  // visit(Modes) at each place.
+  template <class Visit>
+  void at_places(Visit&& visit) const {
+    const Modes step = after(settled() / kPlaces);
+    Modes at = step;
+    for (int k = 0; k < kPlaces; ++k, at = sum(at, step)) visit(at);
+  }
 
  private:
   // Behind this nothing higher follows: a period, or what the slower of two poles needs to settle.
   double settled() const {
-    return q_.imag() > q_.real() ? std::min(2 * std::numbers::pi / q_.imag(), 8 / d_) : 8 * (d_ + q_.real()) / w2_;
+    return q2_ < 0 ? std::min(2 * std::numbers::pi / std::sqrt(-q2_), 8 / d_) : 8 * (d_ + std::sqrt(q2_)) / w2_;
   }
 
-  double w2_, d_, c_;
-  std::complex<double> q_;
+  double w2_, d_, c_, q2_;
 };
 
 // s: times the slope it is the speed by which the target is passed at the end of a ramp that takes `rise` (s).
 inline double ramp_overshoot(const SpeedLoop& loop, double rise) {
   const RampError error(loop);
+  const RampError::Modes rises = error.after(rise);
   double most = 0;
-  for (int k = 1; k <= RampError::kPlaces; ++k) {
-    const double t = error.place(k);
-    most = std::max(most, error(t) - error(rise + t));
-  }
+  error.at_places([&](const RampError::Modes& t) { most = std::max(most, error(t) - error(error.sum(rises, t))); });
   return most;
 }
 
@@ -81,11 +95,11 @@ inline double ramp_overshoot(const SpeedLoop& loop, double rise) {
 inline double ramp_overshoot(const SpeedLoop& loop) {
   const RampError error(loop);
   double highest = 0, most = 0;
-  for (int k = 1; k <= RampError::kPlaces; ++k) {
-    const double e = error(error.place(k));
+  error.at_places([&](const RampError::Modes& t) {
+    const double e = error(t);
     highest = std::max(highest, e);
     most = std::max(most, highest - e);
-  }
+  });
   return most;
 }
 
@@ -115,9 +129,8 @@ inline double steepest_ramp(std::span<const RampedLoop> loops, double rise, doub
 
 // s: times the deceleration by a load it is the speed by which the target is passed after the dip.
 inline double load_rebound(const SpeedLoop& loop) {
-  const RampError error(loop);
   double most = 0;
-  for (int k = 1; k <= RampError::kPlaces; ++k) most = std::max(most, -error.of_load(error.place(k)));
+  RampError(loop).at_places([&](const RampError::Modes& t) { most = std::max(most, -RampError::of_load(t)); });
   return most;
 }
 

@@ -51,6 +51,11 @@ struct MotorSection {
   double rated_current_a = 0;
 };
 
+// What the design takes for the motor's, where that is not known better; the plant has the motor's own.
+struct BelievedSection {
+  std::optional<double> resistance_ohm, inductance_h, inductance_d_h, inductance_q_h, flux_vs, inertia_kgm2;
+};
+
 struct LoadSection {
   double inertia_kgm2 = 0, opposing_nm = 0, fan_nms2 = 0, breakaway_nm = 0;
   double unbalance_nm = 0, unbalance_deg = 0, wind_rpm = 0;
@@ -181,6 +186,7 @@ struct ScenarioSection {
   std::optional<double> load_step_s, load_off_s, load_step_nm;
   std::optional<double> inertia_step_s, inertia_step_kgm2;
   std::optional<double> reverse_s, stop_s;
+  std::vector<double> set_speed_s, set_speed_rpm, load_s, load_nm;  // profiles: from each time on
   bool reverse = false, brake_to_stop = true;
 };
 
@@ -222,6 +228,7 @@ struct DisturbanceSection {
 struct Settings {
   DriveSection drive;
   MotorSection motor;
+  BelievedSection believed;
   LoadSection load;
   InverterSection inverter;
   SensorsSection sensors;

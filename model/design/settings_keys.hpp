@@ -100,6 +100,15 @@ void for_each_key(S& s, Visitor&& visit) {
   k("rated_current_a", m.rated_current_a, "A",
     "continuous: six-step, in the two conducting phases; sinusoidal, peak of a phase", 1e-3, 1e4, required);
 
+  section = "believed";
+  auto& b = s.believed;
+  k("resistance_ohm", b.resistance_ohm, "ohm", "the design is made from it; default: motor.resistance_ohm, likewise for each", 1e-4, 1e3);
+  k("inductance_h", b.inductance_h, "H", "likewise", 1e-7, 1);
+  k("inductance_d_h", b.inductance_d_h, "H", "likewise", 1e-7, 1);
+  k("inductance_q_h", b.inductance_q_h, "H", "likewise", 1e-7, 1);
+  k("flux_vs", b.flux_vs, "V s", "likewise", 1e-6, 10);
+  k("inertia_kgm2", b.inertia_kgm2, "kg m^2", "likewise, of the rotor", 1e-10, 100);
+
   section = "load";
   auto& l = s.load;
   k("inertia_kgm2", l.inertia_kgm2, "kg m^2", "rigidly coupled, unless behind a spring", 0, 100);
@@ -309,6 +318,10 @@ void for_each_key(S& s, Visitor&& visit) {
   k("inertia_step_kgm2", n.inertia_step_kgm2, "kg m^2", "of that mass; default: three times the inertia before", 0, 100);
   k("reverse_s", n.reverse_s, "s", "when the direction is changed", 0, 100);
   k("stop_s", n.stop_s, "s", "when `run` falls", 0, 100);
+  k("set_speed_s", n.set_speed_s, "s", "when the set speed changes, in order", 0, 100);
+  k("set_speed_rpm", n.set_speed_rpm, "rpm", "to what, one for each of these times", 0, 1e6);
+  k("load_s", n.load_s, "s", "when the load torque changes, in order", 0, 100);
+  k("load_nm", n.load_nm, "N m", "to what beside load.opposing_nm, one for each of these times", 0, 1e3);
   k("reverse", n.reverse, "", "starts in reverse direction");
   k("brake_to_stop", n.brake_to_stop, "", "stop by braking, else coast");
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "model/design/believed.hpp"
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/quantity.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
@@ -321,6 +322,8 @@ DriveFile parse_drive_file(const std::string& text, const std::string& path) {
                                e.description()));
   }
   if (auto problems = Loader(root, file).load(); !problems.empty()) refuse(path, problems);
+  // So that each report says it.
+  if (const std::string believed = design::beliefs(file.settings); !believed.empty()) file.settings.drive.name += ", " + believed;
   return file;
 }
 

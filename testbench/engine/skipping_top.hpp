@@ -75,10 +75,11 @@ class SkippingTop : public SixStepTop {
   // Clocks until the first counter reaches its event; 0 where more than counters is at work.
   std::uint64_t to_event(const In& in, const Out& last) const {
     if (tick_ || limited_ || divided_.commutate || divided_.elapsed || update_) return 0;
+    if (!synchroniser_.settled(in.pins)) return 0;
     std::uint64_t clocks = std::min(filter_.quiet(), speed_.quiet());
     if (clocks == 0) return 0;
     clocks = std::min(clocks, vco_.quiet(turning(last)));
-    clocks = std::min(clocks, hall_.quiet());
+    clocks = std::min(clocks, hall_.quiet(code(in)));
     clocks = std::min(clocks, rotor_.quiet(follows(in)));
     if (crossing_) return 0;
     if (follow_) clocks = std::min(clocks, to_quarter(last));
@@ -112,6 +113,13 @@ class SkippingTop : public SixStepTop {
     return (0x4000 - std::uint64_t{last.step_phase.raw()} - 1) * 0x10000 / last.frequency.raw();
   }
 
+  // Of the pins that the Hall decoder looks at.
+  static UInt<3> code(const In& in) {
+    const auto& p = in.pins;
+    const bool hall = in.with.hall_decoder && in.words.source == Source::kHall;
+    return UInt<3>(hall ? p.hall_u : p.comparator_u) << 2 | UInt<3>(hall ? p.hall_v : p.comparator_v) << 1 |
+           UInt<3>(hall ? p.hall_w : p.comparator_w);
+  }
   VcoCounter::In turning(const Out& last) const {
     const bool held = last.state == State::kIdle || last.state == State::kBrake ||
                       last.state == State::kSettle || last.state == State::kReset ||

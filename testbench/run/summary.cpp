@@ -151,6 +151,7 @@ Summary summarise(const design::Settings& s, const RunOptions& options, const Re
   sum.locked = before != record.overview.begin() && (before - 1)->watch.locked();
   judge_load_step(sum, s, record, events.load_step_nm);
   judge_reversal(sum, s, record);
+  sum.profile = profile(s, record.simulated_s, record.overview);
 
   sum.step_outs = record.step_outs;
   sum.peak_current_a = record.peak_current;
@@ -198,6 +199,7 @@ std::vector<std::string> Summary::failures() const {
   if (loaded) speed("under load", *loaded, kRecoveredPercent);
   if (reversed) speed("in reverse", *reversed, kSpeedTolerancePercent);
   if (reversed) need(reverse_time_s.has_value(), "no lock in reverse");
+  for (const std::string& line : steplock::failures(profile)) need(false, line);
   need(!lockstep || lockstep->equal(), "the RTL is not its C++");
   need(!float_errors || float_errors->within(), "fixed point is beyond its error budget");
   return why;

@@ -17,6 +17,7 @@
 
 #include "testbench/run/float_errors.hpp"
 #include "testbench/run/power.hpp"
+#include "testbench/run/profile.hpp"
 #include "testbench/run/ripple.hpp"
 #include "testbench/run/run_drive.hpp"
 
@@ -49,6 +50,7 @@ struct Summary {
   std::optional<double> load_step_nm, load_dip_percent;
   std::optional<SpeedResult> loaded, reversed;
   std::optional<double> reverse_time_s;    // from the command to the reverse lock
+  std::vector<Piece> profile;              // of the scenario's set speeds and loads
   int crossings = 0, missed = 0, freewheel_long = 0, limit_hits = 0;
   std::uint64_t shoot_throughs = 0, clocks = 0;
   double simulated_s = 0, wall_s = 0, clocks_per_cpu_second = 0, energy_residual = 0;

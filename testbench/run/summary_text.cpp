@@ -66,6 +66,8 @@ Json to_json(const Summary& s) {
   j["loaded_power"] = s.loaded_power ? to_json(*s.loaded_power) : Json(nullptr);
   j["reverse_time_s"] = number(s.reverse_time_s);
   j["reversed"] = s.reversed ? speed(*s.reversed) : Json(nullptr);
+  j["profile"] = Json::array();
+  for (const Piece& p : s.profile) j["profile"].push_back(to_json(p));
   j["crossings"] = s.crossings;
   j["missed"] = s.missed;
   j["freewheel_long"] = s.freewheel_long;
@@ -110,6 +112,7 @@ std::string to_text(const Summary& s) {
                                  seconds(s.reverse_time_s), s.reversed->mean_rpm,
                                  s.reversed->error_percent));
   }
+  for (const Piece& p : s.profile) line("profile", to_text(p));
   line("step-outs", fmt::format("{} (true angle), {} locks lost, {} retries", s.step_outs,
                                 s.lost_locks, s.retries));
   line("crossings", fmt::format("{}, missed {}, long freewheeling {}, limit hits {}", s.crossings,

@@ -11,6 +11,7 @@ namespace {
 struct Moment {
   double time;
   const char* what;
+  double value = 0;  // of a profile
 };
 
 std::vector<Moment> moments(const design::ScenarioSection& n) {
@@ -20,6 +21,8 @@ std::vector<Moment> moments(const design::ScenarioSection& n) {
   if (n.inertia_step_s) all.push_back({*n.inertia_step_s, "inertia step"});
   if (n.reverse_s) all.push_back({*n.reverse_s, "reverse"});
   if (n.stop_s) all.push_back({*n.stop_s, "stop"});
+  for (std::size_t k = 0; k < n.set_speed_s.size(); ++k) all.push_back({n.set_speed_s[k], kSetSpeed, n.set_speed_rpm[k]});
+  for (std::size_t k = 0; k < n.load_s.size(); ++k) all.push_back({n.load_s[k], kLoad, n.load_nm[k]});
   std::ranges::stable_sort(all, {}, &Moment::time);
   return all;
 }
@@ -48,6 +51,8 @@ Timeline timeline(const design::Settings& s) {
     if (now.what == "run") now.command.run = true;
     if (now.what == "load step") now.load_nm += t.load_step_nm;
     if (now.what == "load off") now.load_nm = s.load.opposing_nm;
+    if (now.what == kSetSpeed) now.command.set_speed = design::steps_per_second(s, moment.value);
+    if (now.what == kLoad) now.load_nm = s.load.opposing_nm + moment.value;
     if (now.what == "inertia step") {
       now.inertia_kgm2 = n.inertia_step_kgm2.value_or(3 * (s.motor.inertia_kgm2 + s.load.inertia_kgm2));
     }

@@ -5,6 +5,7 @@
 //     load_step_s  load torque rises by load_step_nm     load_off_s   and falls again
 //     inertia_step_s  a mass that turns along is coupled
 //     reverse_s    the direction changes                 stop_s       `run` falls
+//     set_speed_s  the set speed changes                 load_s       the load torque does
 //
 // Test: tests/testbench/timeline_test.cpp
 #pragma once
@@ -30,6 +31,10 @@ struct Event {
   std::array<bool, 3> open = {};    // windings without contact from here on
   double inertia_kgm2 = 0;          // coupled to the rotor from here on
 };
+
+// What the moments of a profile are called.
+inline constexpr const char* kSetSpeed = "set speed";
+inline constexpr const char* kLoad = "load";
 
 struct Timeline {
   std::vector<Event> events;  // sorted by clock, the first one at clock 0

@@ -57,6 +57,7 @@ class Inputs {
     in.command = {.configured = true, .run = c.run, .reverse = c.reverse,
                   .brake_to_stop = c.brake_to_stop, .clear_fault = c.clear_fault};
     in.fault = c.fault_pin;
+    if (c.set_speed != 0) target_rpm(rpm_of_steps(c.set_speed, settings_.motor.pole_pairs));
   }
   void target_rpm(double rpm) {
     in.words.speed.target = design::sinusoidal::target_word(settings_, rpm);

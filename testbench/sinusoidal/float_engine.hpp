@@ -32,6 +32,7 @@ class FloatEngine {
     command_ = {.configured = true, .run = c.run, .reverse = c.reverse,
                 .brake_to_stop = c.brake_to_stop, .clear_fault = c.clear_fault};
     pins_.fault = c.fault_pin;
+    if (c.set_speed != 0) set_target_rpm(rpm_of_steps(c.set_speed, pole_pairs_));
     touched_ = true;
   }
   void set_target_rpm(double rpm) { drive_.set_target(rpm * pole_pairs_ * std::numbers::pi / 30); }

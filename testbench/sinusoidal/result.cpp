@@ -118,6 +118,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
     judge_steady(r, samples, record.steady, *from, steady_end);
   }
   judge_load(r, s, samples);
+  r.profile = profile(s, record.simulated_s, samples);
   if (s.scenario.stop_s) r.stopped_rpm = rpm(samples.back().plant.speed);
   if (r.interrupted || r.failures().empty()) return r;
   const bool under_way = r.lock_time_s && r.reasons.empty() && !r.speed_time_s;
@@ -142,6 +143,7 @@ std::vector<std::string> Result::failures() const {
   if (stopped_rpm && std::abs(*stopped_rpm) > 0.01 * std::abs(set_speed_rpm)) {
     all.push_back(fmt::format("still turning at {:.1f} rpm after the stop", *stopped_rpm));
   }
+  for (const std::string& line : steplock::failures(profile)) all.push_back(line);
   if (lockstep && !lockstep->equal()) all.push_back("the RTL is not its C++");
   if (float_errors && !float_errors->within()) all.push_back("fixed point is beyond its error budget");
   if (peak_current_a > current_bound_a) {
@@ -189,6 +191,8 @@ nlohmann::ordered_json to_json(const Result& r) {
   put("loaded_error_percent", r.loaded_error_percent);
   put("loaded_delta_theta_worst_deg", r.loaded_delta_theta_worst_deg);
   put("stopped_rpm", r.stopped_rpm);
+  j["profile"] = nlohmann::ordered_json::array();
+  for (const Piece& p : r.profile) j["profile"].push_back(to_json(p));
   j["shoot_throughs"] = r.shoot_throughs;
   j["clocks"] = r.clocks;
   put("simulated_s", r.simulated_s);
@@ -229,6 +233,7 @@ std::string to_text(const Result& r) {
   }
   line("power", to_text(r.power));
   if (r.loaded_power) line("power under load", to_text(*r.loaded_power));
+  for (const Piece& p : r.profile) line("profile", to_text(p));
   if (r.stopped_rpm) line("stop", fmt::format("{:.2f} rpm at the end", *r.stopped_rpm));
   line("fault", r.reasons.empty() ? r.fault
                                   : fmt::format("{} (tries failed: {})", r.fault, fmt::join(r.reasons, ", ")));

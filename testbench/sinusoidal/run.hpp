@@ -81,6 +81,7 @@ struct Result {
   std::optional<double> load_step_nm, load_dip_percent, loaded_error_percent;
   std::optional<double> loaded_delta_theta_worst_deg;  // from the load step to the end of the load
   std::optional<double> stopped_rpm;     // at the end
+  std::vector<Piece> profile;            // of the scenario's set speeds and loads
   std::uint64_t shoot_throughs = 0, clocks = 0;
   double simulated_s = 0, wall_s = 0, cpu_s = 0, energy_residual = 0;
   bool interrupted = false;

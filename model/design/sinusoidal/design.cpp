@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "model/design/believed.hpp"
 #include "model/design/ramp_overshoot.hpp"
 
 namespace steplock::design::sinusoidal {
@@ -182,7 +183,8 @@ double voltage_range(const Settings& s) { return s.adc.voltage_v.value_or(1.5 * 
 double speed_of(const Settings& s, double rpm) { return rpm * s.motor.pole_pairs * kPi / 30; }
 double rpm_of(const Settings& s, double w) { return w * 30 / kPi / s.motor.pole_pairs; }
 
-Design design_drive(const Settings& s) {
+Design design_drive(const Settings& given) {
+  const Settings s = as_believed(given);
   Design d;
   const double period = 1 / s.control.pwm_hz;
   set_motor(s, d);
@@ -236,6 +238,13 @@ std::vector<std::string> problems(const Settings& s) {
   if (s.scenario.speed_rpm > 0.9 * d.no_load_rpm) {
     add("scenario.speed_rpm is ", s.scenario.speed_rpm, " rpm; must be below ", 0.9 * d.no_load_rpm,
         " rpm, 90 % of what the bus voltage allows");
+  }
+  const double too_slow = rpm_of(s, d.parameters.protection.slow_speed);
+  for (const double speed : s.scenario.set_speed_rpm) {
+    if (speed < 1.1 * too_slow || speed > 0.9 * d.no_load_rpm) {
+      add("scenario.set_speed_rpm has ", speed, " rpm; must be from ", 1.1 * too_slow, " to ", 0.9 * d.no_load_rpm,
+          " rpm, what the estimator and the bus allow");
+    }
   }
   const double lock = rpm_of(s, d.parameters.start.lock_speed);
   if (s.scenario.speed_rpm < 1.1 * lock) {

@@ -104,6 +104,16 @@ TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
   EXPECT_TRUE(names(only_problem([](S s) { s.loop.maximum_rpm = 3001; }), "loop.maximum_rpm"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.inertia_step_s = 7; }), "scenario.inertia_step_s"));
   EXPECT_TRUE(names(only_problem([](S s) { s.hardship.spring_hz = {20, 10}; }), "hardship.spring_hz"));
+  // A profile: as many values as times, in order and within the run, at speeds that the loop follows.
+  EXPECT_TRUE(names(only_problem([](S s) { s.scenario.set_speed_s = {0.5}; }), "scenario.set_speed_s"));
+  EXPECT_TRUE(names(only_problem([](S s) { s.scenario.load_nm = {0.5, 1}; }), "scenario.load_s"));
+  EXPECT_TRUE(names(only_problem([](S s) { s.scenario.load_step_s.reset(), s.scenario.load_off_s.reset();
+                                            s.scenario.load_s = {0.5, 0.4}, s.scenario.load_nm = {0.1, 0.2}; }), "scenario.load_s"));
+  for (const double rpm : {10.0, 9000.0}) {
+    EXPECT_TRUE(names(only_problem([&](S s) { s.scenario.set_speed_s = {0.5}, s.scenario.set_speed_rpm = {rpm}; }),
+                      "scenario.set_speed_rpm"));
+  }
+  EXPECT_EQ(only_problem([](S s) { s.scenario.set_speed_s = {0.5, 0.6}, s.scenario.set_speed_rpm = {2000, 2500}; }), "");
 }
 
 TEST(Settings, WhatNeedsAnotherKeyNamesIt) {

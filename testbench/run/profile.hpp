@@ -1,0 +1,55 @@
+// What a drive makes of a profile of set speeds and loads ([scenario] set_speed_s, load_s): the true speed in the last half of each
+// of its pieces.
+//
+// Doc: docs/report.md   Test: tests/testbench/profile_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "model/design/settings.hpp"
+#include "testbench/run/ripple.hpp"
+#include "testbench/run/timeline.hpp"
+#include "testbench/run/units.hpp"
+
+namespace steplock {
+
+// A piece ends with the next moment of the scenario, whatever that is, or with the run.
+struct Piece {
+  double from_s = 0, to_s = 0;
+  double set_rpm = 0, load_nm = 0;  // signed; beside load.opposing_nm
+  double mean_rpm = 0;              // angle over time, of the last half
+  Swing speed_rpm;                  // likewise
+  bool locked = false;              // at its end
+  double error_percent() const { return 100 * (mean_rpm - set_rpm) / std::abs(set_rpm); }
+};
+
+// Without what is measured, of those that begin within the run.
+std::vector<Piece> pieces(const design::Settings&, double simulated_s);
+
+// Samples of either drive, of the whole run.
+template <class Sample>
+std::vector<Piece> profile(const design::Settings& s, double simulated_s, const std::vector<Sample>& samples) {
+  std::vector<Piece> all = pieces(s, simulated_s);
+  for (Piece& p : all) {
+    const double middle = (p.from_s + p.to_s) / 2;
+    const auto first = std::ranges::lower_bound(samples, middle, {}, &Sample::time);
+    const auto end = std::ranges::upper_bound(samples, p.to_s, {}, &Sample::time);
+    if (end - first < 2) continue;
+    const Sample &a = *first, &b = *(end - 1);
+    p.mean_rpm = rpm((b.plant.angle - a.plant.angle) / (b.time - a.time));
+    p.speed_rpm = swing(samples, [](const Sample& x) { return rpm(x.plant.speed); },
+                        [&](const Sample& x) { return x.time >= a.time && x.time <= b.time; });
+    p.locked = b.watch.locked();
+  }
+  return all;
+}
+
+nlohmann::ordered_json to_json(const Piece&);
+std::string to_text(const Piece&);
+// What is wrong with them, a line each: a lock that was lost.
+std::vector<std::string> failures(const std::vector<Piece>&);
+
+}  // namespace steplock

@@ -1,0 +1,107 @@
+// A profile of set speeds and loads, in the loop, of either drive.
+#include "testbench/run/profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include "testbench/sinusoidal/run.hpp"
+#include "tests/testbench/short_drive.hpp"
+
+namespace steplock {
+namespace {
+
+design::Settings six_step() {
+  design::Settings s = short_drive();
+  auto& n = s.scenario;
+  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
+  n.duration_s = 1.2;
+  n.set_speed_s = {0.5, 0.85};
+  n.set_speed_rpm = {2000, 2800};
+  n.load_s = {0.3};
+  n.load_nm = {0.02};
+  return s;
+}
+
+design::Settings sinusoidal_drive() {
+  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
+  auto& n = s.scenario;
+  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
+  n.duration_s = 2.7;
+  n.set_speed_s = {0.9, 1.5};
+  n.set_speed_rpm = {1500, 2500};
+  n.load_s = {2.1};
+  n.load_nm = {0.02};
+  return s;
+}
+
+// What the rotor does in the last half of each piece is what was asked for, and what is asked for is what the scenario says.
+void expect_followed(const std::vector<Piece>& all, const std::vector<std::array<double, 3>>& wanted) {
+  ASSERT_EQ(all.size(), wanted.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto& [from, rpm, load] = wanted[k];
+    EXPECT_NEAR(all[k].from_s, from, 1e-6);
+    EXPECT_NEAR(all[k].set_rpm, rpm, 1e-9) << from;
+    EXPECT_DOUBLE_EQ(all[k].load_nm, load) << from;
+    EXPECT_TRUE(all[k].locked) << from;
+    EXPECT_LT(std::abs(all[k].error_percent()), 0.5) << from;
+    EXPECT_LE(all[k].speed_rpm.least, all[k].mean_rpm);
+    EXPECT_GE(all[k].speed_rpm.greatest, all[k].mean_rpm);
+  }
+}
+
+TEST(Profile, ASixStepDriveFollowsIt) {
+  for (const EngineKind engine : {EngineKind::kFixed, EngineKind::kFloat}) {
+    const Summary sum = run_short(six_step(), engine);
+    EXPECT_TRUE(sum.failures().empty()) << why(sum);
+    expect_followed(sum.profile, {{0.3, 3000, 0.02}, {0.5, 2000, 0.02}, {0.85, 2800, 0.02}});
+  }
+}
+
+TEST(Profile, InReverseItsSpeedsAreNegative) {
+  design::Settings s = six_step();
+  s.scenario.reverse = true;
+  const Summary sum = run_short(s, EngineKind::kFixed);
+  expect_followed(sum.profile, {{0.3, -3000, 0.02}, {0.5, -2000, 0.02}, {0.85, -2800, 0.02}});
+}
+
+TEST(Profile, ASinusoidalDriveFollowsIt) {
+  const design::Settings s = sinusoidal_drive();
+  for (const EngineKind engine : {EngineKind::kFixed, EngineKind::kFloat}) {
+    const RunOptions options{.engine = engine};
+    const auto result = sinusoidal::summarise(s, options, sinusoidal::run(s, options));
+    EXPECT_TRUE(result.failures().empty()) << result.failures().front();
+    expect_followed(result.profile, {{0.9, 1500, 0}, {1.5, 2500, 0}, {2.1, 2500, 0.02}});
+  }
+}
+
+// A rotor that is held loses its lock; the run fails, and says where.
+TEST(Profile, ALockThatIsLostFails) {
+  design::Settings s = six_step();
+  s.scenario.load_s = {0.9}, s.scenario.load_nm = {20};
+  const Summary sum = run_short(s, EngineKind::kFixed);
+  ASSERT_EQ(sum.profile.size(), 3u);
+  EXPECT_TRUE(sum.profile[0].locked);
+  EXPECT_FALSE(sum.profile[2].locked);
+  EXPECT_NE(why(sum).find("not locked at 1.200 s, with 2800 rpm and 20 N m"), std::string::npos) << why(sum);
+}
+
+TEST(Profile, WithoutOneThereAreNoPieces) {
+  EXPECT_TRUE(pieces(short_drive(), 10).empty());
+  EXPECT_EQ(pieces(six_step(), 0.4).size(), 1u) << "nor those that the run did not come to";
+}
+
+// The load is what the plant has; an event that comes after keeps both.
+TEST(Profile, ItsEventsHoldUntilTheNext) {
+  design::Settings s = six_step();
+  s.load.opposing_nm = 0.001;
+  s.scenario.reverse_s = 1;
+  const Timeline t = timeline(s);
+  ASSERT_EQ(t.events.size(), 6u);
+  const Event& last = t.events.back();
+  EXPECT_EQ(last.what, "reverse");
+  EXPECT_DOUBLE_EQ(last.load_nm, 0.021);
+  EXPECT_DOUBLE_EQ(last.command.set_speed, design::steps_per_second(s, 2800));
+  EXPECT_DOUBLE_EQ(t.steady_end_s, 0.3);
+}
+
+}  // namespace
+}  // namespace steplock
