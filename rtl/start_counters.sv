@@ -5,17 +5,17 @@
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
 //               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, at the
-//               first try as many more where it has seen one move by then
+//               first try four times that, as long as it has seen one move in the last quarter of each 4096
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
 //     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left, and has seen no rotor move: the next would be the same
+//               So is one that follows, has no ticks left, and has seen no rotor move in the last 1024: the next would be the same
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
 //
 //     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
 //                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
-//     registers    40 bits     multipliers  none
+//     registers    41 bits     multipliers  none
 //
 // Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
 
@@ -30,7 +30,7 @@ module start_counters (
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
     input  logic        turns_reverse_i,  // while observing: the code last moved downwards
-    input  logic        hopeful_i,  // a follower has seen the rotor move
+    input  logic        hopeful_i,  // a follower has seen the rotor move, as it now believes it does
     input  logic        words_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
     input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
     input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
@@ -73,6 +73,7 @@ module start_counters (
   logic [14:0] ticks;  // left in this state
   logic late;  // there was a tick in the state's first clock
   logic last;  // no ticks are left, or none without a rotor that moves
+  logic hopes;  // the rotor that is followed moved in the 1024 ticks before a verdict
   logic [3:0] retries;  // failed tries
   logic tried;  // no more are left
   logic [7:0] brakes;  // braking intervals of this stop
@@ -83,15 +84,21 @@ module start_counters (
   logic turns_reverse;  // direction at the last update
 
   wire out_over = tick_i && last && !entered_i;
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 136
-  wire last_next_both =  // line 61
-      retries == 4'd0 && ticks == 15'd4095 && words_method_i &&
-      state_bits_i[State_kAccelerate] && !hopeful_i;
-  wire last_next_either = ticks == 15'd0 || last_next_both;  // line 61
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 142
+  wire hopes_2 = hopes || hopeful_i;  // line 93
+  wire last_next_either =  // line 61
+      retries != 4'd0 ||
+      !(ticks[11:0] == 12'd4095 && words_method_i) || !state_bits_i[State_kAccelerate];
+  wire last_next_either_2 = ticks == 15'd0 || last_next_either;  // line 101
+  wire last_next_choice = last_next_either_2 ? ticks == 15'd0 : !hopes_2;  // line 61
+  wire hopes_next_choice = (ticks[11:10] == 2'd0) ? hopes_2 : ticks[11:10] != 2'd2 && hopes;
+  wire in_vain_both = state_bits_i[State_kAccelerate] && !entered_i && last_next_choice;
   wire in_vain =
       words_method_i &&
-      state_bits_i[State_kAccelerate] && !entered_i && last_next_either && !hopeful_i;
-  wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 127
+      in_vain_both &&
+      !((words_method_i && !(!state_bits_i[State_kAccelerate] || entered_i) && hopes_next_choice) ||
+      hopeful_i);
+  wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 133
 
   always_ff @(posedge clk) begin
     if (entered_i) begin
@@ -104,6 +111,7 @@ module start_counters (
       logic [14:0] ticks_next_either_2;
       logic [14:0] ticks_next_either_3;
       logic [14:0] ticks_next_either_4;
+      logic [1:0] times_choice;
       logic [1:0] times;
       logic [12:0] once_3;
       logic [14:0] ticks_next_choice_3;
@@ -125,19 +133,26 @@ module start_counters (
       ticks_next_either_4 =  // line 87
           ticks_next_either_3 | {3'd0, state_bits_i[State_kRest] ? words_rest_i : 12'd0} |
           {4'd0, state_bits_i[State_kRun], 10'd0};
-      times = words_method_i ? {1'b0, retries[3:2] == 2'd0 && retries[1:0] == 2'd0} : gentle;
+      times_choice = (retries[3:2] == 2'd0 && retries[1:0] == 2'd0) ? 2'd2 : 2'd0;  // line 90
+      times = words_method_i ? times_choice : gentle;
       once_3 = times[0] ? 13'd8190 : 13'd4095;
       ticks_next_choice_3 =  // line 82
           state_bits_i[State_kAccelerate] ? (times[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
       ticks <= ticks_next_either_4 | ticks_next_choice_3;
       last <= 1'b0;
+      hopes <= 1'b0;
       good <= 6'd0;
       enough <= 1'b0;
     end else begin
       if ((tick_i || late) && ticks != 15'd0) begin
         ticks <= ticks - 15'd1;
       end
-      last <= last_next_either;
+      if (last_next_either_2) begin
+        last <= ticks == 15'd0;
+      end else begin
+        last <= !hopes_2;
+      end
+      hopes <= words_method_i && state_bits_i[State_kAccelerate] && hopes_next_choice;
       if (update_i) begin
         if (good_i) begin
           logic same;
@@ -157,7 +172,7 @@ module start_counters (
         enough <= 1'b0;
       end
     end
-    late <= tick_i && entered_i;  // line 97
+    late <= tick_i && entered_i;  // line 99
     if (state_bits_i[State_kIdle]) begin
       retries <= 4'd0;
       brakes <= 8'd0;
@@ -174,13 +189,14 @@ module start_counters (
         brakes <= brakes + 8'd1;
       end
     end
-    tried <= words_retries_i <= retries || in_vain;  // line 108
-    braked <= brakes == 8'd255;  // line 114
-    nearly <= ({1'b0, words_good_crossings_i} <= count_crossings_sum);  // line 127
+    tried <= words_retries_i <= retries || in_vain;  // line 114
+    braked <= brakes == 8'd255;  // line 120
+    nearly <= ({1'b0, words_good_crossings_i} <= count_crossings_sum);  // line 133
     if (rst) begin
       ticks <= 15'd0;
       late <= 1'b0;
       last <= 1'b0;
+      hopes <= 1'b0;
       retries <= 4'd0;
       tried <= 1'b0;
       brakes <= 8'd0;

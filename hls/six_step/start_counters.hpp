@@ -2,17 +2,17 @@
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
 //               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, at the
-//               first try as many more where it has seen one move by then
+//               first try four times that, as long as it has seen one move in the last quarter of each 4096
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
 //     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left, and has seen no rotor move: the next would be the same
+//               So is one that follows, has no ticks left, and has seen no rotor move in the last 1024: the next would be the same
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
 //
 //     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
 //                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
-//     registers    40 bits     multipliers  none
+//     registers    41 bits     multipliers  none
 //
 // Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
 
@@ -34,7 +34,7 @@ class StartCounters {
     bool update = false;         // strobe: the phase detector has a new error
     bool good = false;           // with `update`: it is a small one
     bool turns_reverse = false;  // while observing: the code last moved downwards
-    bool hopeful = false;        // a follower has seen the rotor move
+    bool hopeful = false;        // a follower has seen the rotor move, as it now believes it does
     StartWords words;
   };
 
@@ -86,16 +86,22 @@ class StartCounters {
            when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
            when(State::kRest, in.words.rest) |
            when(State::kRun, 1024) |  // after that long earlier failures are forgotten
-           when(State::kAccelerate, doubled(Ticks::max(), follows(in) ? UInt<2>(failed == 0) : failed));  // a ramp of 0 must end, too
+           // A ramp of 0 must end, too.
+           when(State::kAccelerate, doubled(Ticks::max(), !follows(in) ? failed : failed == 0 ? UInt<2>(2) : UInt<2>(0)));
   }
 
+  bool hopes(const In& in) const { return hopes_ || in.hopeful; }
   static bool following(const In& in) { return follows(in) && in.state.holds(State::kAccelerate); }
 
   void count_ticks(const In& in) {
     // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
     const bool ticks = (in.tick || late_) && !in.entered;
     late_ = in.tick && in.entered;
-    last_ = !in.entered && (ticks_ == 0 || (retries_ == 0 && ticks_ == Ticks::max() && following(in) && !in.hopeful));
+    const bool verdict = retries_ == 0 && ticks_.slice<11, 0>() == 0xfff && following(in);
+    last_ = !in.entered && (ticks_ == 0 || (verdict && !hopes(in)));
+    // One that turns round is not believed to move for a moment: of the 1024 ticks before each verdict any counts.
+    const UInt<2> quarter = ticks_.slice<11, 10>();
+    hopes_ = following(in) && !in.entered && (quarter == 0 ? hopes_ || in.hopeful : quarter != 2 && hopes_);
     if (in.entered) {
       ticks_ = length(in, gentle());
     } else if (ticks && ticks_ != 0) {
@@ -104,7 +110,7 @@ class StartCounters {
   }
 
   void count_tries(const In& in, bool over) {
-    const bool in_vain = following(in) && last_ && !in.hopeful;
+    const bool in_vain = following(in) && last_ && !hopes(in);
     tried_ = retries_ >= in.words.retries || in_vain;
     if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
       retries_ = 0;
@@ -140,6 +146,7 @@ class StartCounters {
   Length ticks_ = 0;            // left in this state
   bool late_ = false;           // there was a tick in the state's first clock
   bool last_ = false;           // no ticks are left, or none without a rotor that moves
+  bool hopes_ = false;          // the rotor that is followed moved in the 1024 ticks before a verdict
   UInt<4> retries_ = 0;         // failed tries
   bool tried_ = false;          // no more are left
   UInt<8> brakes_ = 0;          // braking intervals of this stop

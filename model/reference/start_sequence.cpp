@@ -17,6 +17,7 @@ StartSequence::StartSequence(const design::StartParameters& p, design::Source so
 void StartSequence::enter(State s) {
   state_ = s;
   ticks_ = 0;
+  hoped_ = -kHopes - 1;
   good_ = 0;
   entered_ = true;
 }
@@ -111,9 +112,12 @@ void StartSequence::update(const In& in) {
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
-      if (p_.method == design::Method::kFollow &&
-          (ticks_ >= (retries_ == 0 ? 2 : 1) * kMostTicks || (ticks_ == kMostTicks && !in.hopeful))) {
-        if (!in.hopeful) retries_ = p_.retries;  // the next one would be the same
+      if (in.hopeful) hoped_ = ticks_;
+      if (p_.method == design::Method::kFollow) {
+        const long left = (retries_ == 0 ? 4 : 1) * kMostTicks - ticks_;
+        const bool hopes = ticks_ - hoped_ <= kHopes, verdict = retries_ == 0 && left % (kMostTicks + 1) == kMostTicks;
+        if (left > 0 && (hopes || !verdict)) return;
+        if (!hopes) retries_ = p_.retries;  // the next one would be the same
         fail(Reason::kNoLock);
       }
       return;

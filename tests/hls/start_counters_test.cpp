@@ -157,19 +157,25 @@ TEST(StartCounters, NoTriesAreLeftAfterAsManyFailuresAsTheWordSays) {
   }
 }
 
-// What has seen no rotor move in 4095 ticks would not in as many again; one that moves is only slow.
-TEST(StartCounters, ARotorThatMovesHasTwiceTheTicksAtTheFirstTry) {
+// The first try of a start that follows has four times the ticks, and a verdict at the end of each 4096 that are left.
+constexpr int kFirst = 4 * 4095, kVerdict = kFirst - 3 * 4096 + 1;  // ticks up to its first verdict
+
+// What has seen no rotor move until then would not in as many again; one that moves is only slow.
+TEST(StartCounters, ARotorThatMovesHasFourTimesTheTicksAtTheFirstTry) {
   Bench bench;
   bench.in.words.method = Method::kFollow;
-  EXPECT_EQ(bench.ticks_of(State::kAccelerate), 4095 + 1);
+  EXPECT_EQ(bench.ticks_of(State::kAccelerate), kVerdict + 1);
   bench.in.hopeful = true;
-  EXPECT_EQ(bench.ticks_of(State::kAccelerate), 2 * 4095 + 1);
-  // It is asked once: a rotor lost after that may be found again.
-  bench.enter(State::kAccelerate);
-  for (int i = 0; i < 4096; ++i) ASSERT_FALSE(bench.tick());
-  bench.in.hopeful = false;
-  for (int i = 4096; i < 2 * 4095; ++i) ASSERT_FALSE(bench.tick());
-  EXPECT_TRUE(bench.tick());
+  EXPECT_EQ(bench.ticks_of(State::kAccelerate), kFirst + 1);
+  // It is asked each time: a rotor that was lost may be found again until then.
+  for (int verdict = 0; verdict < 2; ++verdict) {
+    bench.in.hopeful = true;
+    bench.enter(State::kAccelerate);
+    for (int i = 0; i < kVerdict + 1 + 4096 * verdict; ++i) ASSERT_FALSE(bench.tick()) << i;
+    bench.in.hopeful = false;
+    for (int i = 1; i < 4096; ++i) ASSERT_FALSE(bench.tick()) << i << verdict;
+    EXPECT_TRUE(bench.tick()) << verdict;
+  }
   // Later tries have 4095, so that four of them end in time.
   bench.in.hopeful = true;
   bench.enter(State::kRest);
@@ -179,6 +185,33 @@ TEST(StartCounters, ARotorThatMovesHasTwiceTheTicksAtTheFirstTry) {
   EXPECT_EQ(bench.ticks_of(State::kAccelerate), 4095 + 1);
 }
 
+// A rotor that was turned round at that moment is, for some looks, not believed to move: what moved in the 1024 ticks before counts.
+TEST(StartCounters, ARotorThatMovedInTheLastThousandTicksIsHopeful) {
+  for (const int before : {1, 1023, 1026, 2000, 3000}) {  // ticks before each verdict, in which it last moved
+    Bench bench;
+    bench.in.words.method = Method::kFollow;
+    bench.enter(State::kAccelerate);
+    const auto moves = [&](int from, int to) {  // ticks left
+      for (int left = from; left > to; --left) {
+        bench.in.hopeful = left % 4096 == (4095 + before) % 4096;
+        ASSERT_FALSE(bench.tick()) << left;
+      }
+      bench.in.hopeful = false;
+    };
+    moves(kFirst, kFirst - kVerdict);
+    const bool goes_on = !bench.tick();
+    EXPECT_EQ(goes_on, before <= 1024) << before;
+    if (!goes_on) continue;
+    // To the end, where it is worth another try.
+    moves(kFirst - kVerdict - 1, 1);
+    bench.in.hopeful = before == 1;
+    ASSERT_FALSE(bench.tick());
+    bench.in.hopeful = false;
+    EXPECT_FALSE(bench.out.tried) << before;
+    EXPECT_TRUE(bench.tick());
+  }
+}
+
 TEST(StartCounters, AStartThatFollowedNoRotorToItsEndIsTheLast) {
   for (const bool hopeful : {false, true}) {
     for (const Method method : {Method::kFollow, Method::kRamp}) {
@@ -186,7 +219,7 @@ TEST(StartCounters, AStartThatFollowedNoRotorToItsEndIsTheLast) {
       bench.in.words.method = method;
       bench.in.hopeful = hopeful;
       bench.enter(State::kAccelerate);
-      const int ticks = method == Method::kFollow && hopeful ? 2 * 4095 : 4095;
+      const int ticks = method != Method::kFollow ? 4095 : hopeful ? kFirst : kVerdict;
       for (int i = 0; i < ticks; ++i) {
         ASSERT_FALSE(bench.tick());
         if (i < ticks - 1) {
