@@ -61,15 +61,15 @@ TEST(ReferenceStartSequence, GoesThroughThePapersModesInTime) {
   EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
 }
 
-// What has seen no rotor move by then fails for good; what has gets as many ticks again, and is tried again after those.
-TEST(ReferenceStartSequence, ARotorThatMovesHasTwiceTheTicksAtTheFirstTry) {
+// What has seen no rotor move in the last 1024 of 4096 ticks fails for good; what has gets four times as many, and is tried again then.
+TEST(ReferenceStartSequence, ARotorThatMovesHasFourTimesTheTicksAtTheFirstTry) {
   auto times = kTimes;
   times.method = design::Method::kFollow;
   for (const bool hopeful : {false, true}) {
     Case c(design::Source::kBemf, times);
     c.command.run = true;
     ASSERT_EQ(c.tick(1 + 10), State::kAccelerate);
-    const int ticks = hopeful ? 2 * 4095 : 4095;
+    const int ticks = hopeful ? 4 * 4095 : 4 * 4095 - 3 * 4096 + 1;
     EXPECT_EQ(c.tick(ticks - 1, {.hopeful = hopeful}), State::kAccelerate);
     EXPECT_EQ(c.tick(1, {.hopeful = hopeful}), State::kRest);
     EXPECT_EQ(c.tick(50), hopeful ? State::kObserve : State::kFault);
@@ -77,6 +77,18 @@ TEST(ReferenceStartSequence, ARotorThatMovesHasTwiceTheTicksAtTheFirstTry) {
     ASSERT_EQ(c.tick(10), State::kAccelerate);
     EXPECT_EQ(c.tick(4094, {.hopeful = true}), State::kAccelerate);
     EXPECT_EQ(c.tick(1, {.hopeful = true}), State::kRest) << "later tries have 4095";
+  }
+}
+
+TEST(ReferenceStartSequence, ARotorThatMovedInTheLastThousandTicksIsHopeful) {
+  auto times = kTimes;
+  times.method = design::Method::kFollow;
+  for (const int before : {1, 1000, 1030, 3000}) {  // ticks before the first verdict, the 4093rd
+    Case c(design::Source::kBemf, times);
+    c.command.run = true;
+    ASSERT_EQ(c.tick(1 + 10), State::kAccelerate);
+    c.tick(4093 - 1 - before), c.tick(1, {.hopeful = true}), c.tick(before - 1);
+    EXPECT_EQ(c.tick(), before <= 1000 ? State::kAccelerate : State::kRest) << before;
   }
 }
 
