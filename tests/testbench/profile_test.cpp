@@ -73,6 +73,23 @@ TEST(Profile, ASinusoidalDriveFollowsIt) {
   }
 }
 
+// Rows of Matsui's Table III from his drive's file: 100 r/min within its 0.4 %, and 35, below what a start may ask for.
+TEST(Profile, SpeedsOfTableThreeRunFromAFile) {
+  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/matsui1996.toml").settings;
+  auto& n = s.scenario;
+  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
+  n.duration_s = 6;
+  n.set_speed_s = {1.2, 3.5}, n.set_speed_rpm = {100, 35};
+  n.load_s = {2.4}, n.load_nm = {5.7};
+  const RunOptions options{.engine = EngineKind::kFixed};
+  const auto result = sinusoidal::summarise(s, options, sinusoidal::run(s, options));
+  EXPECT_TRUE(result.failures().empty()) << result.failures().front();
+  ASSERT_EQ(result.profile.size(), 3u);
+  for (const Piece& p : result.profile) EXPECT_LT(std::abs(p.error_percent()), 0.4) << p.from_s;
+  s.scenario.speed_rpm = 35;
+  EXPECT_FALSE(design::problems(s).empty()) << "a start asks for more";
+}
+
 // A rotor that is held loses its lock; the run fails, and says where.
 TEST(Profile, ALockThatIsLostFails) {
   design::Settings s = six_step();
