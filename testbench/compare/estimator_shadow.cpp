@@ -183,10 +183,8 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   FloatErrors result;
   result.compared = "samples";
   if (!blocks.locked || !blocks.speed_time_s) return result;
-  const auto& n = s.scenario;
   result.from_s = *blocks.speed_time_s;
-  result.to_s = std::min({n.load_off_s.value_or(n.duration_s), n.reverse_s.value_or(n.duration_s),
-                          n.stop_s.value_or(n.duration_s)});
+  result.to_s = load_end(s.scenario);
   if (result.from_s >= result.to_s) return result;
   design::Settings part = s;  // the same run, as far as it is needed
   part.scenario.duration_s = result.to_s;

@@ -8,12 +8,12 @@
 // Doc: docs/report.md   Test: tests/testbench/summary_test.cpp, run_drive_test.cpp
 #pragma once
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "model/plant/plant.hpp"
+#include "testbench/run/span.hpp"
 
 namespace steplock {
 
@@ -30,11 +30,8 @@ Power power_between(double from_s, const plant::Energy& from, double to_s, const
 // Over the samples of either drive from `from` to `to`.
 template <class Sample>
 Power power(const std::vector<Sample>& samples, double from, double to) {
-  const auto first = std::ranges::lower_bound(samples, from, {}, &Sample::time);
-  const auto end = std::ranges::upper_bound(samples, to, {}, &Sample::time);
-  if (end - first < 2) return {};
-  const Sample& last = *(end - 1);
-  return power_between(first->time, first->plant.energy, last.time, last.plant.energy);
+  const Span<Sample> p = span(samples, from, to);
+  return p ? power_between(p.first->time, p.first->plant.energy, p.last->time, p.last->plant.energy) : Power{};
 }
 
 nlohmann::ordered_json to_json(const Power&);

@@ -4,13 +4,14 @@
 // Doc: docs/report.md   Test: tests/testbench/profile_test.cpp
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "model/design/settings.hpp"
 #include "testbench/run/ripple.hpp"
+#include "testbench/run/span.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
 
@@ -34,15 +35,12 @@ template <class Sample>
 std::vector<Piece> profile(const design::Settings& s, double simulated_s, const std::vector<Sample>& samples) {
   std::vector<Piece> all = pieces(s, simulated_s);
   for (Piece& p : all) {
-    const double middle = (p.from_s + p.to_s) / 2;
-    const auto first = std::ranges::lower_bound(samples, middle, {}, &Sample::time);
-    const auto end = std::ranges::upper_bound(samples, p.to_s, {}, &Sample::time);
-    if (end - first < 2) continue;
-    const Sample &a = *first, &b = *(end - 1);
-    p.mean_rpm = rpm((b.plant.angle - a.plant.angle) / (b.time - a.time));
+    const Span<Sample> half = span(samples, (p.from_s + p.to_s) / 2, p.to_s);
+    if (!half) continue;
+    p.mean_rpm = half.mean_rpm();
     p.speed_rpm = swing(samples, [](const Sample& x) { return rpm(x.plant.speed); },
-                        [&](const Sample& x) { return x.time >= a.time && x.time <= b.time; });
-    p.locked = b.watch.locked();
+                        [&](const Sample& x) { return x.time >= half.first->time && x.time <= half.last->time; });
+    p.locked = half.last->watch.locked();
   }
   return all;
 }

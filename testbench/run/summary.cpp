@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/design/bounds.hpp"
+#include "testbench/run/span.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
 #include "testbench/run/advice.hpp"
@@ -15,31 +16,16 @@ namespace {
 
 bool claims_lock(State s) { return s == State::kRun || s == State::kSlowDown; }
 
-// The samples that span [from, to], at least two of them, or nothing.
-struct Span {
-  const Sample* first = nullptr;
-  const Sample* last = nullptr;
-  explicit operator bool() const { return first != nullptr && last > first; }
-  double length() const { return last->time - first->time; }
-};
-
-Span span(const std::vector<Sample>& samples, double from, double to) {
-  const auto first = std::ranges::lower_bound(samples, from, {}, &Sample::time);
-  const auto end = std::ranges::upper_bound(samples, to, {}, &Sample::time);
-  if (end - first < 2) return {};
-  return {&*first, &*(end - 1)};
-}
-
 double signed_set_speed(const design::Settings& s, bool reverse) {
   return reverse ? -s.scenario.speed_rpm : s.scenario.speed_rpm;
 }
 
-SpeedResult speed_in(const Span& p, double set_rpm) {
+SpeedResult speed_in(const Span<Sample>& p, double set_rpm) {
   SpeedResult r;
   if (!p) return r;
   r.from_s = p.first->time;
   r.to_s = p.last->time;
-  r.mean_rpm = rpm((p.last->plant.angle - p.first->plant.angle) / p.length());
+  r.mean_rpm = p.mean_rpm();
   r.error_percent = 100 * (r.mean_rpm - set_rpm) / std::abs(set_rpm);
   return r;
 }
@@ -65,7 +51,7 @@ double last_half(double from, double to) { return from + (to - from) / 2; }
 double last_fifth(double from, double to) { return to - (to - from) / 5; }
 
 void judge_steady(Summary& sum, const Record& record, double from, double to, double set_rpm) {
-  const Span p = span(record.overview, from, to);
+  const Span<Sample> p = span(record.overview, from, to);
   sum.steady = speed_in(p, set_rpm);
   sum.ripple = ripple(record.overview, from, to, record.steady);
   sum.power = power(record.overview, from, to);
@@ -84,8 +70,7 @@ void judge_load_step(Summary& sum, const design::Settings& s, const Record& reco
   const design::ScenarioSection& n = s.scenario;
   if (!n.load_step_s) return;
   const double from = *n.load_step_s;
-  const double to = std::min({n.load_off_s.value_or(n.duration_s), n.reverse_s.value_or(n.duration_s),
-                              n.stop_s.value_or(n.duration_s), record.simulated_s});
+  const double to = std::min(load_end(n), record.simulated_s);
   const double set = signed_set_speed(s, n.reverse);
   sum.load_step_nm = load_step_nm;
   sum.loaded = speed_in(span(record.overview, last_fifth(from, to), to), set);

@@ -29,6 +29,11 @@ std::vector<Moment> moments(const design::ScenarioSection& n) {
 
 }  // namespace
 
+double load_end(const design::ScenarioSection& n) {
+  return std::min({n.load_off_s.value_or(n.duration_s), n.reverse_s.value_or(n.duration_s), n.stop_s.value_or(n.duration_s),
+                   n.set_speed_s.empty() ? n.duration_s : n.set_speed_s.front()});
+}
+
 Timeline timeline(const design::Settings& s) {
   const design::ScenarioSection& n = s.scenario;
   const auto clock_of = [&](double t) {

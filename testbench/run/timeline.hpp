@@ -47,4 +47,7 @@ struct Timeline {
 
 Timeline timeline(const design::Settings&);
 
+// s: until when the load step lasts with set speed and direction as they were.
+double load_end(const design::ScenarioSection&);
+
 }  // namespace steplock

@@ -54,8 +54,7 @@ void judge_load(Result& r, const design::Settings& s, const std::vector<Sample>&
   const auto& n = s.scenario;
   if (!n.load_step_s) return;
   const double from = *n.load_step_s;
-  const double to = std::min({n.load_off_s.value_or(n.duration_s), n.reverse_s.value_or(n.duration_s),
-                              n.stop_s.value_or(n.duration_s)});
+  const double to = load_end(n);
   r.load_step_nm = design::load_step_torque(s);
   double least = std::abs(r.set_speed_rpm), worst = 0;
   for (const Sample& x : samples) {

@@ -9,29 +9,18 @@
 namespace steplock {
 namespace {
 
-design::Settings six_step() {
-  design::Settings s = short_drive();
+// The scenario of a drive with nothing but a profile: set speeds and one load.
+design::Settings with_profile(design::Settings s, double duration_s, std::vector<double> at_s, std::vector<double> rpm, double load_s,
+                              double load_nm = 0.02) {
   auto& n = s.scenario;
   n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
-  n.duration_s = 1.2;
-  n.set_speed_s = {0.5, 0.85};
-  n.set_speed_rpm = {2000, 2800};
-  n.load_s = {0.3};
-  n.load_nm = {0.02};
+  n.duration_s = duration_s;
+  n.set_speed_s = std::move(at_s), n.set_speed_rpm = std::move(rpm);
+  n.load_s = {load_s}, n.load_nm = {load_nm};
   return s;
 }
-
-design::Settings sinusoidal_drive() {
-  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
-  auto& n = s.scenario;
-  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
-  n.duration_s = 2.7;
-  n.set_speed_s = {0.9, 1.5};
-  n.set_speed_rpm = {1500, 2500};
-  n.load_s = {2.1};
-  n.load_nm = {0.02};
-  return s;
-}
+design::Settings six_step() { return with_profile(short_drive(), 1.2, {0.5, 0.85}, {2000, 2800}, 0.3); }
+design::Settings sinusoidal_drive(const std::string& name) { return open_drive_file(STEPLOCK_DRIVES "/" + name + ".toml").settings; }
 
 // What the rotor does in the last half of each piece is what was asked for, and what is asked for is what the scenario says.
 void expect_followed(const std::vector<Piece>& all, const std::vector<std::array<double, 3>>& wanted) {
@@ -64,7 +53,7 @@ TEST(Profile, InReverseItsSpeedsAreNegative) {
 }
 
 TEST(Profile, ASinusoidalDriveFollowsIt) {
-  const design::Settings s = sinusoidal_drive();
+  const design::Settings s = with_profile(sinusoidal_drive("m2310p_sinusoidal"), 2.7, {0.9, 1.5}, {1500, 2500}, 2.1);
   for (const EngineKind engine : {EngineKind::kFixed, EngineKind::kFloat}) {
     const RunOptions options{.engine = engine};
     const auto result = sinusoidal::summarise(s, options, sinusoidal::run(s, options));
@@ -75,12 +64,7 @@ TEST(Profile, ASinusoidalDriveFollowsIt) {
 
 // Rows of Matsui's Table III from his drive's file: 100 r/min within its 0.4 %, and 35, below what a start may ask for.
 TEST(Profile, SpeedsOfTableThreeRunFromAFile) {
-  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/matsui1996.toml").settings;
-  auto& n = s.scenario;
-  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
-  n.duration_s = 6;
-  n.set_speed_s = {1.2, 3.5}, n.set_speed_rpm = {100, 35};
-  n.load_s = {2.4}, n.load_nm = {5.7};
+  design::Settings s = with_profile(sinusoidal_drive("matsui1996"), 6, {1.2, 3.5}, {100, 35}, 2.4, 5.7);
   const RunOptions options{.engine = EngineKind::kFixed};
   const auto result = sinusoidal::summarise(s, options, sinusoidal::run(s, options));
   EXPECT_TRUE(result.failures().empty()) << result.failures().front();

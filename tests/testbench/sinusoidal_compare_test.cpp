@@ -52,6 +52,20 @@ TEST_P(EitherEstimator, IsWithinTheBudgetOfItsReferenceFromTheSetSpeedToTheEndOf
   EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
 }
 
+// The budget of the angle is that of the slowest speed: a profile down to a slow one must not open it.
+TEST(SinusoidalCompare, AProfileOfSpeedsEndsTheSpanAndLeavesTheBudget) {
+  design::Settings s = loaded();
+  const auto budget = [](const Comparison& c) { return c.shadow.signals.at(0).budget.bound; };
+  const Comparison without = compare_engines(s, {.lockstep = false});
+  s.scenario.stop_s.reset();
+  s.scenario.set_speed_s = {without.shadow.to_s}, s.scenario.set_speed_rpm = {300};
+  const Comparison with = compare_engines(s, {.lockstep = false});
+  EXPECT_EQ(with.shadow.to_s, without.shadow.to_s);
+  EXPECT_DOUBLE_EQ(budget(with), budget(without));
+  EXPECT_LT(budget(with), 1) << "electrical degrees";
+  EXPECT_TRUE(with.shadow.within()) << to_text(with.shadow);
+}
+
 INSTANTIATE_TEST_SUITE_P(SinusoidalCompare, EitherEstimator,
                          testing::Values(design::Estimator::kCurrent, design::Estimator::kVoltage),
                          [](const auto& info) { return info.param == design::Estimator::kCurrent ? "current" : "voltage"; });
