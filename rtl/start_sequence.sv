@@ -24,7 +24,7 @@
 // StartCounters; the duty of the states without speed control is OpenLoopDuty's.
 //
 //     latency      1 clock: outputs follow the state
-//     registers    83 bits, 57 of them in the two     multipliers  none
+//     registers    94 bits, 64 of them in the two     multipliers  none
 //
 // Law: hls/six_step/start_sequence_law.hpp   Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 

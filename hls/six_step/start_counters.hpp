@@ -2,17 +2,18 @@
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
 //               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, at the
-//               first try four times that, as long as it has seen one move in the last quarter of each 4096
+//               first try four times that, as long as it has hope in the last quarter of each 4096: one of its eight
+//               parts in which the rotor moved from end to end.  One that is shaken in its place does so for moments
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
 //     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left, and has seen no rotor move in the last 1024: the next would be the same
+//               So is one that follows, has no ticks left, and had no hope in the last 1024: the next would be the same
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
 //
 //     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
 //                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
-//     registers    41 bits     multipliers  none
+//     registers    42 bits     multipliers  none
 //
 // Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
 
@@ -90,7 +91,6 @@ class StartCounters {
            when(State::kAccelerate, doubled(Ticks::max(), !follows(in) ? failed : failed == 0 ? UInt<2>(2) : UInt<2>(0)));
   }
 
-  bool hopes(const In& in) const { return hopes_ || in.hopeful; }
   static bool following(const In& in) { return follows(in) && in.state.holds(State::kAccelerate); }
 
   void count_ticks(const In& in) {
@@ -98,10 +98,12 @@ class StartCounters {
     const bool ticks = (in.tick || late_) && !in.entered;
     late_ = in.tick && in.entered;
     const bool verdict = retries_ == 0 && ticks_.slice<11, 0>() == 0xfff && following(in);
-    last_ = !in.entered && (ticks_ == 0 || (verdict && !hopes(in)));
-    // One that turns round is not believed to move for a moment: of the 1024 ticks before each verdict any counts.
+    last_ = !in.entered && (ticks_ == 0 || (verdict && !hopes_));
+    // One that turns round is not believed to move for a moment: any part of the 1024 ticks before each verdict counts.
     const UInt<2> quarter = ticks_.slice<11, 10>();
-    hopes_ = following(in) && !in.entered && (quarter == 0 ? hopes_ || in.hopeful : quarter != 2 && hopes_);
+    const UInt<7> part = ticks_.slice<6, 0>();
+    hopes_ = following(in) && !in.entered && (quarter == 0 ? hopes_ || (part == 0 && lasts_) : quarter != 2 && hopes_);
+    lasts_ = in.hopeful && (lasts_ || part == 0x7f);
     if (in.entered) {
       ticks_ = length(in, gentle());
     } else if (ticks && ticks_ != 0) {
@@ -110,7 +112,7 @@ class StartCounters {
   }
 
   void count_tries(const In& in, bool over) {
-    const bool in_vain = following(in) && last_ && !hopes(in);
+    const bool in_vain = following(in) && last_ && !hopes_;
     tried_ = retries_ >= in.words.retries || in_vain;
     if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
       retries_ = 0;
@@ -146,7 +148,8 @@ class StartCounters {
   Length ticks_ = 0;            // left in this state
   bool late_ = false;           // there was a tick in the state's first clock
   bool last_ = false;           // no ticks are left, or none without a rotor that moves
-  bool hopes_ = false;          // the rotor that is followed moved in the 1024 ticks before a verdict
+  bool lasts_ = false;          // the rotor that is followed moved in this part of 128 ticks so far
+  bool hopes_ = false;          // it did so throughout one of the last eight before a verdict
   UInt<4> retries_ = 0;         // failed tries
   bool tried_ = false;          // no more are left
   UInt<8> brakes_ = 0;          // braking intervals of this stop

@@ -29,6 +29,7 @@ Settings as_believed(const Settings& given) {
 
 std::string beliefs(const Settings& s) {
   std::ostringstream text;
+  text.precision(4);
   for_each_belief(s.believed, s.motor, [&](const char* key, const std::optional<double>& believed, std::optional<double> real) {
     if (!believed) return;
     text << (text.tellp() > 0 ? ", " : "believed: ") << key << ' ' << *believed / real.value_or(s.motor.inductance_h - s.motor.mutual_h)

@@ -112,10 +112,12 @@ void StartSequence::update(const In& in) {
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
-      if (in.hopeful) hoped_ = ticks_;
       if (p_.method == design::Method::kFollow) {
         const long left = (retries_ == 0 ? 4 : 1) * kMostTicks - ticks_;
-        const bool hopes = ticks_ - hoped_ <= kHopes, verdict = retries_ == 0 && left % (kMostTicks + 1) == kMostTicks;
+        if (left % kLasts == kLasts - 1) lasts_ = true;
+        lasts_ = lasts_ && in.hopeful;
+        if (left % kLasts == 0 && lasts_) hoped_ = ticks_;
+        const bool hopes = ticks_ - hoped_ < kHopes, verdict = retries_ == 0 && left % (kMostTicks + 1) == kMostTicks;
         if (left > 0 && (hopes || !verdict)) return;
         if (!hopes) retries_ = p_.retries;  // the next one would be the same
         fail(Reason::kNoLock);

@@ -53,7 +53,8 @@ class StartSequence {
   bool time_is_up(double seconds) const;
   void run(const In&);
 
-  static constexpr long kHopes = 1024;  // ticks before a verdict in which a rotor that moved counts
+  static constexpr long kHopes = 1024;  // ticks before a verdict, in
+  static constexpr long kLasts = 128;   // ticks of which a rotor that moves from end to end counts
 
   design::StartParameters p_;
   design::Source source_;
@@ -61,7 +62,8 @@ class StartSequence {
   State state_ = State::kIdle;
   Reason reason_ = Reason::kNone;
   long ticks_ = 0;  // since the state was entered
-  long hoped_ = -kHopes - 1;  // the last of them in which a rotor that is followed moved
+  bool lasts_ = false;        // a rotor that is followed moved in this part of kLasts so far
+  long hoped_ = -kHopes - 1;  // the end of the last one throughout which it did
   int good_ = 0, retries_ = 0, brakes_ = 0;
   bool reverse_ = false, stopping_ = false, entered_ = false, clear_was_ = false, refused_ = false;
 };

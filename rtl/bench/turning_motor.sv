@@ -1,9 +1,9 @@
-// A motor that turns: six_step_axi, its host and motor.sv.  It starts, locks and accelerates.
+// A motor that turns: six_step_axi, its host and motor.sv.  It starts, and holds its lock.
 //
 //     tools/bench icarus turning_motor [+dump=FILE.vcd]
 //     tools/bench verilator turning_motor [+long]
 //
-// The lock comes after 28 ms: half a minute of Icarus, half a second of Verilator.  With +long follow a load, a reversal, a fault that is cleared, a flying start or another one, and a stop.
+// The lock comes after 28 ms: half a minute of Icarus, half a second of Verilator.  With +long follow the way to its set speed, a load, a reversal, a fault that is cleared, a flying start or another one, and a stop.
 // The parameters of motor.sv are those of drives/maxon_ec45_flat.toml; for another drive give it that one's.  It prints what happened and PASSED; or FAILED and why, and its exit code is 1.
 //
 // Doc: docs/integration.md   Test: tests/rtl/turning_motor.sh
@@ -38,7 +38,7 @@ module turning_motor #(
 
   string file;
   int errors, count, ms;
-  real locked_rpm, told_rpm;
+  real told_rpm;
   logic [31:0] value;
   initial begin
     if ($value$plusargs("dump=%s", file)) begin
@@ -53,7 +53,6 @@ module turning_motor #(
     if (errors != 0 || count == 0) judge.fail($sformatf("%0d of %0d words are not kept", errors, count));
     drive.host.write(kControl, 32'd3);  // configured, run
     judge.locks(LATEST);
-    locked_rpm = motor.rpm;
     repeat (kAfter) begin
       @(negedge clk);
       if (!locked || latched) judge.fail("the lock is lost");
@@ -63,8 +62,7 @@ module turning_motor #(
     drive.host.read(12'h030, value);  // TELEMETRY_SPEED
     told_rpm = value * kClockHz / 4294967296.0 * 10.0 / kPolePairs;
     $display("%0.0f r/min %0.1f ms later, %0.0f by the drive", motor.rpm, kAfter * 1.0e3 / kClockHz, told_rpm);
-    if (motor.rpm <= locked_rpm) judge.fail("it does not accelerate");
-    // The set speed rises by 6.6 r/min a millisecond, and the loop's integral takes 1 / 0.16 steps, 5 ms: the drive's speed may be as much behind.
+    // The set speed rises by 3.1 r/min a millisecond, and the loop's integral takes 1 / 0.16 steps, 5 ms: the drive's speed may be as much behind.
     if (told_rpm < 0.98 * motor.rpm || told_rpm > 1.02 * motor.rpm) judge.fail("the drive's speed is not the rotor's");
     if ($test$plusargs("long")) long;
     $display("PASSED");

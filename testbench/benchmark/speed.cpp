@@ -32,6 +32,7 @@
 #include "testbench/engine/words.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/drive_loop.hpp"
+#include "testbench/run/timeline.hpp"
 #include "testbench/sinusoidal/run.hpp"
 
 namespace steplock {
@@ -44,10 +45,7 @@ design::Settings beginning(const char* path) {
   design::Settings settings = load_drive_file(path).settings;
   design::ScenarioSection& n = settings.scenario;
   n.duration_s = duration_s;
-  n.load_step_s.reset();
-  n.load_off_s.reset();
-  n.reverse_s.reset();
-  n.stop_s.reset();
+  drop_events(n);
   return settings;
 }
 

@@ -2,6 +2,7 @@
 
 #include "model/design/design.hpp"
 #include "testbench/paper/amano2003.hpp"
+#include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
 
 namespace steplock::amano2003 {
@@ -31,10 +32,7 @@ Trial run_refused(const design::Settings& s, const PaperOptions& options, Engine
 design::Settings steady_run(design::Settings s, double rpm, double seconds) {
   s.scenario.speed_rpm = rpm;
   s.scenario.duration_s = seconds;
-  s.scenario.load_step_s.reset();
-  s.scenario.load_off_s.reset();
-  s.scenario.reverse_s.reset();
-  s.scenario.stop_s.reset();
+  drop_events(s.scenario);
   return s;
 }
 

@@ -6,6 +6,7 @@
 
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/paper/matsui1996.hpp"
+#include "testbench/run/timeline.hpp"
 #include "testbench/sinusoidal/fixed_engine.hpp"
 #include "testbench/sinusoidal/rtl_engine.hpp"
 #include "testbench/sinusoidal/run.hpp"
@@ -51,10 +52,7 @@ std::unique_ptr<Rig> make_rig(EngineKind engine, const design::Settings& believe
 
 design::Settings steady(design::Settings s, design::Estimator estimator, double rpm,
                         double i_gamma) {
-  s.scenario.load_step_s.reset();
-  s.scenario.load_off_s.reset();
-  s.scenario.stop_s.reset();
-  s.scenario.reverse_s.reset();
+  drop_events(s.scenario);
   s.scenario.speed_rpm = rpm;
   s.scenario.duration_s = 60;  // more than any run here
   s.sinusoidal.estimator = estimator;

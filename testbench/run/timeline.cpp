@@ -29,6 +29,11 @@ std::vector<Moment> moments(const design::ScenarioSection& n) {
 
 }  // namespace
 
+void drop_events(design::ScenarioSection& n) {
+  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
+  for (auto* list : {&n.set_speed_s, &n.set_speed_rpm, &n.load_s, &n.load_nm}) list->clear();
+}
+
 double load_end(const design::ScenarioSection& n) {
   return std::min({n.load_off_s.value_or(n.duration_s), n.reverse_s.value_or(n.duration_s), n.stop_s.value_or(n.duration_s),
                    n.set_speed_s.empty() ? n.duration_s : n.set_speed_s.front()});

@@ -47,6 +47,9 @@ struct Timeline {
 
 Timeline timeline(const design::Settings&);
 
+// Nothing but the start is left: for what has events of its own, such as a sweep.
+void drop_events(design::ScenarioSection&);
+
 // s: until when the load step lasts with set speed and direction as they were.
 double load_end(const design::ScenarioSection&);
 

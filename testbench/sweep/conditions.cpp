@@ -7,6 +7,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/sinusoidal/design.hpp"
+#include "testbench/run/timeline.hpp"
 
 namespace steplock {
 namespace {
@@ -176,7 +177,7 @@ design::Settings settings_under(const design::Settings& file, const Conditions& 
   design::ScenarioSection& n = s.scenario;
   n.start_angle_deg = c.angle_deg;
   n.start_speed_rpm = c.speed * file.scenario.speed_rpm * (n.reverse ? -1 : 1);
-  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
+  drop_events(n);
   return s;
 }
 

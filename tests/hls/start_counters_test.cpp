@@ -185,29 +185,50 @@ TEST(StartCounters, ARotorThatMovesHasFourTimesTheTicksAtTheFirstTry) {
   EXPECT_EQ(bench.ticks_of(State::kAccelerate), 4095 + 1);
 }
 
-// A rotor that was turned round at that moment is, for some looks, not believed to move: what moved in the 1024 ticks before counts.
-TEST(StartCounters, ARotorThatMovedInTheLastThousandTicksIsHopeful) {
-  for (const int before : {1, 1023, 1026, 2000, 3000}) {  // ticks before each verdict, in which it last moved
+// A rotor that was turned round at that moment is, for some looks, not believed to move: of the 1024 ticks before a verdict any
+// eighth counts, throughout which it moved.  One that its cogging holds moves for moments only.
+TEST(StartCounters, ARotorThatWentOnMovingInTheLastThousandTicksIsHopeful) {
+  struct Case {
+    int from, to;  // ticks before each verdict, in which it moved
+    bool hopeful;
+  };
+  const Case cases[] = {{128, 1, true},    {126, 1, false},    {128, 2, false},    {129, 2, false},     {192, 64, false},
+                        {256, 129, true},  {1024, 897, true},  {1022, 897, false}, {1024, 898, false},  {1152, 1025, false},
+                        {1280, 900, false}, {4096, 1025, false}, {4096, 897, true}};
+  for (const Case& c : cases) {
     Bench bench;
     bench.in.words.method = Method::kFollow;
     bench.enter(State::kAccelerate);
     const auto moves = [&](int from, int to) {  // ticks left
       for (int left = from; left > to; --left) {
-        bench.in.hopeful = left % 4096 == (4095 + before) % 4096;
+        const int before = (left + 4095) % 4096 + 1;
+        bench.in.hopeful = before <= c.from && before >= c.to;
         ASSERT_FALSE(bench.tick()) << left;
       }
       bench.in.hopeful = false;
     };
     moves(kFirst, kFirst - kVerdict);
     const bool goes_on = !bench.tick();
-    EXPECT_EQ(goes_on, before <= 1024) << before;
+    EXPECT_EQ(goes_on, c.hopeful) << c.from << ' ' << c.to;
     if (!goes_on) continue;
     // To the end, where it is worth another try.
-    moves(kFirst - kVerdict - 1, 1);
-    bench.in.hopeful = before == 1;
-    ASSERT_FALSE(bench.tick());
-    bench.in.hopeful = false;
-    EXPECT_FALSE(bench.out.tried) << before;
+    moves(kFirst - kVerdict - 1, 0);
+    EXPECT_FALSE(bench.out.tried) << c.from;
+    EXPECT_TRUE(bench.tick());
+  }
+}
+
+// Edges to and fro, however many.
+TEST(StartCounters, ARotorThatIsShakenIsNot) {
+  for (const int moment : {1, 40, 126}) {
+    Bench bench;
+    bench.in.words.method = Method::kFollow;
+    bench.enter(State::kAccelerate);
+    for (int i = 0; i < kVerdict; ++i) {
+      bench.in.hopeful = i % (moment + 1) != 0;
+      ASSERT_FALSE(bench.tick()) << i;
+    }
+    EXPECT_TRUE(bench.out.tried);
     EXPECT_TRUE(bench.tick());
   }
 }

@@ -218,6 +218,28 @@ TEST(Command, ASweepWritesWhatItPrintsAndReplaysItsRuns) {
   EXPECT_TRUE(fs::exists(again / "wave.fst"));
 }
 
+// A sweep's runs have a scenario of their own: what the file's profile asks for has no part in them, nor in a replay.
+TEST(Command, ASweepOfADriveWithAProfileIsThatOfTheDriveWithoutIt) {
+  std::ostringstream text;
+  text << std::ifstream(kDrive).rdbuf();
+  const fs::path folder = fresh("profile"), own = fresh("without");
+  const std::string with = write(folder / "short.toml", text.str() + "set_speed_s = [0.01, 0.02]\nset_speed_rpm = [1500, 2900]\n");
+  fs::create_directories(folder), fs::create_directories(own);
+  const auto rows = [](const std::string& file, const fs::path& out) {
+    const Result r = steplock("sweep " + file + " --runs 3 --seed 3 --rtl 0 --out " + out.string());
+    EXPECT_LE(r.exit_code, 1) << r.output;
+    std::ostringstream csv;
+    csv << std::ifstream(out / "runs.csv").rdbuf();
+    return csv.str();
+  };
+  const std::string wanted = rows(kDrive, own / "out");
+  EXPECT_EQ(rows(with, folder / "out"), wanted);
+  const auto replay = [](const std::string& file, const fs::path& out) {
+    return steplock("run " + file + " --engine fixed --json --replay 3408613289919824 --out " + out.string(), false).output;
+  };
+  EXPECT_EQ(replay(with, folder / "run"), replay(kDrive, own / "run"));
+}
+
 TEST(Command, ABadShardOrASecondDriveOfANameIsExitCodeTwo) {
   for (const char* shard : {"2/2", "1", "a/b", "0/0", "-1/2"}) {
     EXPECT_EQ(steplock("sweep " + kDrive + " --shard=" + shard).exit_code, 2) << shard;

@@ -38,7 +38,7 @@ void expect_followed(const std::vector<Piece>& all, const std::vector<std::array
 }
 
 TEST(Profile, ASixStepDriveFollowsIt) {
-  for (const EngineKind engine : {EngineKind::kFixed, EngineKind::kFloat}) {
+  for (const EngineKind engine : {EngineKind::kRtl, EngineKind::kFixed, EngineKind::kFloat}) {
     const Summary sum = run_short(six_step(), engine);
     EXPECT_TRUE(sum.failures().empty()) << why(sum);
     expect_followed(sum.profile, {{0.3, 3000, 0.02}, {0.5, 2000, 0.02}, {0.85, 2800, 0.02}});
