@@ -29,7 +29,7 @@ bool turns_by_itself(const DrawnRun& run) {
 }
 
 // Twice the longest way to a latched fault or to set speed that the words allow, with brakes on a
-// heavy rotor; then a bounded drive has decided itself.  Once would not do: a rotor that is followed has its ticks twice.
+// heavy rotor; then a bounded drive has decided itself.
 double longest(const design::Settings& s, const design::Parameters& p) {
   const auto& t = p.start;
   double tries = 0;
@@ -37,7 +37,7 @@ double longest(const design::Settings& s, const design::Parameters& p) {
     const int gentle = std::min(k, 3);  // as StartSequence makes them: reset twice as long, the ramp a quarter as steep
     tries += t.observe + t.pull_in + t.rest;
     tries += t.method == design::Method::kFollow
-                 ? 4095 * p.pwm.tick()
+                 ? (k == 0 ? 4 : 1) * 4095 * p.pwm.tick()  // StartCounters
                  : std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle);
   }
   const double brakes = t.slow_down + 20 * (t.brake + t.observe);
