@@ -61,7 +61,8 @@ TEST(ReferenceStartSequence, GoesThroughThePapersModesInTime) {
   EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
 }
 
-// What has seen no rotor go on moving in the last 1024 of 4096 ticks fails for good; what has gets four times as many, and is tried again then.
+// What has seen no rotor go on moving in the last 1024 of 4096 ticks fails for good; what has gets four times as many, and is
+// tried again then.
 TEST(ReferenceStartSequence, ARotorThatMovesHasFourTimesTheTicksAtTheFirstTry) {
   auto times = kTimes;
   times.method = design::Method::kFollow;
