@@ -47,13 +47,13 @@ for spoils in '/SPEED_SLEW$/s/^\(.*\)[0-9a-f]/\11234/' 's/^sensors.comparator_no
   [ "$(digest)" != "$was" ] || { echo "the library says otherwise ($spoils): the digest stays"; failed=1; }
 done
 rm "$work/spoils"
-# A design library that fails leaves no digest.
-printf '#!/bin/sh\nexit 1\n' > "$work/bin/steplock"
-if said=$( tools/starts --digest 2>&1); then echo "a refused drive has a digest: $said"; failed=1; fi
 # A name that is another one everywhere.
 sed -i 's/\bfollower_drives_i\b/the_follower_drives_i/g' rtl/*.sv
 [ "$(digest)" = "$was" ] || { echo "a port's name, changed everywhere: the digest changes"; failed=1; }
 # Two ports that are wired the other way round.
 sed -i 's/\.comparator_u_i(/.swap_i(/; s/\.comparator_v_i(/.comparator_u_i(/; s/\.swap_i(/.comparator_v_i(/' rtl/six_step_top.sv
 [ "$(digest)" != "$was" ] || { echo "two ports wired the other way round: the digest stays"; failed=1; }
+# A design library that fails leaves no digest.
+printf '#!/bin/sh\nexit 1\n' > "$work/bin/steplock"
+if said=$(tools/starts --digest 2>&1); then echo "a refused drive has a digest: $said"; failed=1; fi
 [ $failed = 0 ] && echo 'the digest knows what is judged'
