@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "testbench/run/timeline.hpp"
 #include "testbench/sinusoidal/run.hpp"
 #include "tests/testbench/short_drive.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 design::Settings with_profile(design::Settings s, double duration_s, std::vector<double> at_s, std::vector<double> rpm, double load_s,
                               double load_nm = 0.02) {
   auto& n = s.scenario;
-  n.load_step_s = n.load_off_s = n.reverse_s = n.stop_s = std::nullopt;
+  drop_events(n);
   n.duration_s = duration_s;
   n.set_speed_s = std::move(at_s), n.set_speed_rpm = std::move(rpm);
   n.load_s = {load_s}, n.load_nm = {load_nm};
