@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # walk_links.sh ROOT: from docs/index.md every page of docs/ can be reached, and no link of a page reached, nor of the
 # pages beside README.md, is dead: the file is there, and behind a # the heading, too.  Links to other hosts are not asked.
-set -euo pipefail
+set -euf -o pipefail
 cd "$1"
 declare -A seen anchors
 failed=0 links=0
@@ -15,6 +15,17 @@ links_of() {  # line:target
     { grep -oE '^[0-9]+|\]\([^) ]+\)' || true; } |
     awk '/^[0-9]+$/ { line = $0; next } { print line ":" substr($0, 3, length($0) - 3) }'
 }
+resolve() {  # PATH: `to`, without . and .. (a process for each of a thousand links would be slow)
+  local parts=() part IFS=/
+  for part in $1; do
+    case $part in
+      '' | .) ;;
+      ..) if [ ${#parts[@]} -gt 0 ] && [ "${parts[-1]}" != .. ]; then unset 'parts[-1]'; else parts+=(..); fi ;;
+      *) parts+=("$part") ;;
+    esac
+  done
+  to="${parts[*]}"
+}
 while [ ${#queue[@]} -gt 0 ]; do
   page=${queue[0]}
   queue=("${queue[@]:1}")
@@ -27,7 +38,11 @@ while [ ${#queue[@]} -gt 0 ]; do
     [[ $target != *#* ]] || anchor=${target#*#}
     file=${target%%#*}
     to=$page
-    [ -z "$file" ] || to=$(realpath -ms --relative-to=. "$(dirname "$page")/$file")
+    if [ -n "$file" ]; then
+      folder=
+      [[ $page != */* ]] || folder=${page%/*}/
+      resolve "$folder$file"
+    fi
     if [ ! -e "$to" ]; then
       echo "$page:$line: dead link '$target'; no file $to"
       failed=1

@@ -24,12 +24,14 @@ each() {
 
 whole() {
   file=$1
-  local top=$2 said ports declared name left
+  local top=$2 said ports declared name
   if ! said=$(xmllint --noout --schema "$here/ip_xact.xsd" "$file" 2>&1); then broken "$file" "$said"; fi
-  ports=$(for name in $(texts "$file" port name); do
-    left=$(xmllint --xpath "string(//*[local-name()='port'][*[local-name()='name']='$name']//*[local-name()='left'])" "$file")
-    echo "$(xmllint --xpath "string(//*[local-name()='port'][*[local-name()='name']='$name']//*[local-name()='direction'])" "$file") $name $((${left:-0} + 1))"
-  done)
+  ports=$(xmllint --format "$file" | awk -F '[<>]' '
+    /<ipxact:port>/ { within = 1; name = direction = left = "" }
+    within && /<ipxact:name>/ && name == "" { name = $3 }
+    within && /<ipxact:direction>/ { direction = $3 }
+    within && /<ipxact:left>/ && left == "" { left = $3 }
+    /<\/ipxact:port>/ { print direction, name, left + 1; within = 0 }')
   declared=$(yosys -q -p "read_verilog -sv $root/rtl/$top.sv; write_json /dev/stdout" | jq -r --arg top "$top" \
     '.modules[$top].ports | to_entries[] | "\(.value.direction | sub("put"; "")) \(.key) \(.value.bits | length)"')
   each "ports that the module does not have" "$ports" "$declared"
