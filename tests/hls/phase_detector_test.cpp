@@ -196,6 +196,23 @@ TEST(PhaseDetector, FollowingIsGoodWithinAnEighth) {
   EXPECT_TRUE(change_after(1.1).good);
   EXPECT_FALSE(change_after(0.87).good);
   EXPECT_FALSE(change_after(1.13).good);
+  const double bit = 1.0 / 65536;
+  EXPECT_FALSE(change_after(0.875).good) << "an eighth is none within it";
+  EXPECT_TRUE(change_after(0.875 + bit).good);
+}
+
+TEST(PhaseDetector, ANewStepBeginsTheTurnsAnew) {
+  PhaseDetector dut;
+  dut.tick({.watch = Evidence::kSectors, .elapsed = true});
+  dut.tick({.watch = Evidence::kSectors, .commutate = true});
+  EXPECT_EQ(after(dut, {.watch = Evidence::kSectors, .changed = true, .phase = 0xC000}).error, PhaseError(0x4000));
+}
+
+TEST(PhaseDetector, TurnsThatNobodyFollowsDoNotCount) {
+  PhaseDetector dut;
+  dut.tick({.watch = Evidence::kSectors, .elapsed = true});
+  dut.tick({.watch = Evidence::kCrossings});
+  EXPECT_EQ(after(dut, {.watch = Evidence::kSectors, .changed = true, .phase = 0xC000}).error, PhaseError(0x4000));
 }
 
 // In lock the turn ends when the sector changes, and sooner or later in the same clock.
