@@ -6,6 +6,7 @@ export STEPLOCK=$1 DRIVE=$2 WORK=$3
 rm -rf "$WORK"
 mkdir -p "$WORK"
 
+# The four runs of this seed start: a lost one is simulated for half a minute, and says no more of shards.
 sweep() { "$STEPLOCK" sweep "$DRIVE" --runs 4 --seed 3 --rtl 0 "$@" >/dev/null || [ $? -eq 1 ]; }
 rank() { sweep --jobs 1 --shard "$OMPI_COMM_WORLD_RANK/$OMPI_COMM_WORLD_SIZE" --out "$WORK/shard$OMPI_COMM_WORLD_RANK"; }
 export -f sweep rank
