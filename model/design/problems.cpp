@@ -220,6 +220,24 @@ void check_envelope(Findings& found, const Settings& s) {
   }
 }
 
+// The nearest below that is written with three digits.
+double rounded_down(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::floor(value / digit) * digit;
+}
+
+// How large a gain its word holds goes by the clock: between one and two times, and back again with each doubling of it.
+bool check_speed_gain(Findings& found, const Settings& s, const Design& d) {
+  const double kp = d.parameters.speed.kp, most = most_speed_kp(d.parameters.loop, s.control.clock_hz);
+  const auto& v = s.speed;
+  if (kp <= most || (!v.kp_duty_per_rpm && !v.bandwidth_rad_s)) return true;
+  const char* key = v.kp_duty_per_rpm ? "kp_duty_per_rpm" : "bandwidth_rad_s";
+  const double value = v.kp_duty_per_rpm ? *v.kp_duty_per_rpm : *v.bandwidth_rad_s;
+  found.add("speed.", key, " is ", value, "; at most ", rounded_down(value * most / kp), " at a clock of ",
+            s.control.clock_hz / 1e6, " MHz, where the word of the gain ends");
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::string> problems(const Settings& s) {
@@ -235,8 +253,9 @@ std::vector<std::string> problems(const Settings& s) {
   const Design d = design_drive(s);
   check_speeds(found, s, d);
   check_start(found, s, d);
+  const bool gain_fits = check_speed_gain(found, s, d);
   for (const auto& line : quantise(d.parameters, s.control.clock_hz).problems) {
-    found.lines.push_back(line);
+    if (gain_fits || !line.starts_with("speed.kp ")) found.lines.push_back(line);
   }
   return found.lines;
 }

@@ -151,6 +151,28 @@ TEST(DesignRules, AVeryHeavyRotorIsControlledAsFastAsTheGainsWordAllows) {
   EXPECT_EQ(quantise(design_drive(s).parameters, clock).problems.size(), 1u);
 }
 
+// What the file names itself is refused with the value that its word holds; that value then has words.
+TEST(DesignRules, AGainOfTheFileThatItsWordDoesNotHoldIsRefusedWithTheNearestThatItDoes) {
+  const auto refused = [](Settings s, const std::string& begins) {
+    const auto found = problems(s);
+    EXPECT_EQ(found.size(), 1u);
+    if (found.empty()) return 0.0;
+    EXPECT_TRUE(found[0].starts_with(begins)) << found[0];
+    EXPECT_TRUE(found[0].ends_with(" at a clock of 20 MHz, where the word of the gain ends")) << found[0];
+    return std::stod(found[0].substr(begins.size()));
+  };
+  auto s = settings_of("amano2003");
+  EXPECT_TRUE(problems(s).empty());  // at 50 MHz the same gain fits
+  s.control.clock_hz = 20e6;
+  const double most = refused(s, "speed.bandwidth_rad_s is 16; at most ");
+  s.speed.bandwidth_rad_s = most;
+  EXPECT_TRUE(problems(s).empty());
+  EXPECT_GT(quantise(design_drive(s).parameters, 20e6).words.speed.kp, 65535 * 0.99 - 1);  // three digits
+  s.speed.kp_duty_per_rpm = 1;
+  s.speed.kp_duty_per_rpm = refused(s, "speed.kp_duty_per_rpm is 1; at most ");
+  EXPECT_TRUE(problems(s).empty());
+}
+
 // At the corner of the default envelope: 1.2 times flux and resistance at 0.8 times the bus, with the limit's current.
 TEST(DesignRules, NoRightLockOfTheEnvelopeSlips) {
   int once_slipped = 0;
