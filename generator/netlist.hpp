@@ -59,6 +59,7 @@ struct Node {
   std::string name;         // C++ variable, or empty
   std::string function;     // C++ function that made it, other than tick, or empty
   bool returned = false;    // it is what that function returned
+  std::string hint;         // what to call it where it has no name and needs one, as "not_goes"; "_0_to_3": behind what it is for
   SourceLine source;
 };
 

@@ -61,11 +61,11 @@ module bemf_comparator (
   logic [15:0] freewheel;  // u0.16, first sample that brought the filter to 0
 
   wire endless = commutate_i && !before_seen;
-  wire edge_differ = chop_i ^ chop;  // line 58
-  wire edge_ = edge_differ || commutate_i;
+  wire chop_xor_chop = chop_i ^ chop;  // line 58
+  wire edge_ = chop_xor_chop || commutate_i;
   wire floating_w_next = step_i == 3'd0 || step_i == 3'd3;  // line 67
-  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 107
-  wire [16:0] place_next_sum = {1'b0, before_} + {1'b0, phase_i};  // line 137
+  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 108
+  wire [16:0] before_plus_phase = {1'b0, before_} + {1'b0, phase_i};  // line 134
 
   always_ff @(posedge clk) begin
     if (edge_) begin
@@ -76,9 +76,9 @@ module bemf_comparator (
       due <= left == 10'd2;
     end
     floating_u <= !(floating_w_next || step_i == 3'd1 || step_i == 3'd4);  // line 67
-    floating_v <= step_i == 3'd1 || step_i == 3'd4;  // line 125
+    floating_v <= step_i == 3'd1 || step_i == 3'd4;  // line 122
     floating_w <= floating_w_next;  // line 67
-    floating_rises <= reverse_i ^ step_i[0];  // line 127
+    floating_rises <= reverse_i ^ step_i[0];  // line 124
     if (commutate_i) begin
       left <= words_blanking_i;
       count <= full;
@@ -89,7 +89,7 @@ module bemf_comparator (
         freewheel <= 16'd65535;
       end
     end else begin
-      if (edge_differ) begin
+      if (chop_xor_chop) begin
         left <= words_blanking_i;
       end else if (due) begin
         left <= {2'd0, words_sample_every_i};
@@ -101,7 +101,7 @@ module bemf_comparator (
         crossing <= 1'b0;
       end else if (words_sampling_i == Sampling_kBoth ||
           ((words_sampling_i != Sampling_kOnTime) ^ chop_i)) begin
-        if (edge_differ) begin
+        if (chop_xor_chop) begin
           found <= 1'b0;
           crossing <= 1'b0;
         end else if (due) begin
@@ -109,19 +109,19 @@ module bemf_comparator (
               floating_rises) begin
             case (count)
               4'd0, 4'd1: begin
-                logic [15:0] before_seen_choice;
-                before_seen_choice = before_seen ? freewheel : phase_i;
+                logic [15:0] freewheel_if_before_seen;
+                freewheel_if_before_seen = before_seen ? freewheel : phase_i;
                 case (count)
                   4'd0: begin
                     before_seen <= 1'b1;
                     before_ <= phase_i;
-                    freewheel <= before_seen_choice;
+                    freewheel <= freewheel_if_before_seen;
                   end
                   default: begin  // 4'd1
                     count <= count - 4'd1;
                     before_seen <= 1'b1;
                     before_ <= phase_i;
-                    freewheel <= before_seen_choice;
+                    freewheel <= freewheel_if_before_seen;
                   end
                 endcase
               end
@@ -132,7 +132,7 @@ module bemf_comparator (
           end else begin
             logic last_either;
             logic last;
-            last_either = count == full - 4'd1 || count == full;  // line 136
+            last_either = count == full - 4'd1 || count == full;  // line 133
             last = last_either || count == 4'd15;
             if (last) begin
               count <= full;
@@ -146,12 +146,12 @@ module bemf_comparator (
               end
               default: begin
                 logic before_seen_both;
-                before_seen_both = before_seen && last_either;  // line 139
+                before_seen_both = before_seen && last_either;  // line 136
                 case (count)
                   4'd0: begin
                     found <= before_seen_both;
                     crossing <= before_seen_both;
-                    place <= place_next_sum[16:1];
+                    place <= before_plus_phase[16:1];
                   end
                   default: begin
                     found <= before_seen_both;
@@ -195,5 +195,5 @@ module bemf_comparator (
   assign freewheel_o = endless ? 16'd65535 : freewheel;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, place_next_sum[0]};
+  wire unused = &{1'b0, before_plus_phase[0]};
 endmodule

@@ -40,7 +40,7 @@ module current_limit (
   wire heard = on_i && none;
   wire cut_ends = cut && due;
   wire hit_next = heard && comparator_i && words_off_time_i != 12'd0;
-  wire released_either = released || !comparator_i;  // line 52
+  wire released_or_not_comparator = released || !comparator_i;  // line 52
 
   always_ff @(posedge clk) begin
     if (hit_next) begin
@@ -61,16 +61,16 @@ module current_limit (
       none <= words_blanking_i == 8'd0;
     end
     cut <= hit_next || (cut && !due);
-    released <= cut && released_either;
+    released <= cut && released_or_not_comparator;
     hit <= hit_next;
     if (cut_ends) begin
-      if (released_either) begin
+      if (released_or_not_comparator) begin
         stuck <= 4'd0;
       end else begin
-        logic [4:0] stuck_next_sum;
-        stuck_next_sum = {1'b0, stuck} + 5'd1;  // line 48
-        if (!(stuck_next_sum[4] && stuck_next_sum[3:0] != 4'd15)) begin
-          stuck <= stuck_next_sum[3:0];
+        logic [4:0] stuck_plus_one;
+        stuck_plus_one = {1'b0, stuck} + 5'd1;  // line 48
+        if (!(stuck_plus_one[4] && stuck_plus_one[3:0] != 4'd15)) begin
+          stuck <= stuck_plus_one[3:0];
         end
       end
     end else if (heard && !comparator_i) begin

@@ -48,12 +48,12 @@ module current_sense (
     if (codes_valid_i) begin
       if (calibrate_i) begin
         if (!samples[4]) begin
-          logic [15:0] offset_u_next_choice;
-          logic [15:0] offset_v_next_choice;
-          offset_u_next_choice = (samples == 5'd0) ? 16'd0 : offset_u;  // line 63
-          offset_v_next_choice = (samples == 5'd0) ? 16'd0 : offset_v;  // line 64
-          offset_u <= offset_u_next_choice + {{4{codes_u_i[11]}}, codes_u_i};
-          offset_v <= offset_v_next_choice + {{4{codes_v_i[11]}}, codes_v_i};
+          logic [15:0] offset_u_unless_first;
+          logic [15:0] offset_v_unless_first;
+          offset_u_unless_first = (samples == 5'd0) ? 16'd0 : offset_u;  // line 63
+          offset_v_unless_first = (samples == 5'd0) ? 16'd0 : offset_v;  // line 64
+          offset_u <= offset_u_unless_first + {{4{codes_u_i[11]}}, codes_u_i};
+          offset_v <= offset_v_unless_first + {{4{codes_v_i[11]}}, codes_v_i};
         end
         i_u <= 16'd0;
         i_v <= 16'd0;

@@ -40,20 +40,21 @@ module divide_by_n (
       (!reverse_i || step[2]) ? (reverse_i ? step[0] : three_or_four) : !step[1] && !step[0];
   wire to_middle = reverse_i ? three_or_four : (step[1] ^ step[0]) && !step[2];
   wire [2:0] turned = (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0} | {2'd0, !step[0]};
-  wire [1:0] last_choice = (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};  // line 58
-  wire [2:0] last_choice_wide = {1'b0, last_choice};  // line 58
-  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : last_choice_wide;
-  wire sub_below = sub < last;  // line 58
+  wire [1:0] divide_is_one_unless_divide_is_two =  // line 58
+      (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};
+  wire [2:0] divide_is_one_unless_divide_is_two_wide = {1'b0, divide_is_one_unless_divide_is_two};
+  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : divide_is_one_unless_divide_is_two_wide;
+  wire sub_below_last = sub < last;  // line 58
   wire [2:0] step_next =
       load_i ? step_i :
-      (pulse_i && !(sub_below || hold_i)) ? turned :
+      (pulse_i && !(sub_below_last || hold_i)) ? turned :
       step;
-  wire [3:0] sub_next_sum = {1'b0, last} + 4'd1;  // line 61
-  wire last_at_most = last <= sub;
-  wire elapsed = !load_i && pulse_i && last_at_most;
+  wire [3:0] last_plus_one = {1'b0, last} + 4'd1;  // line 61
+  wire last_at_most_sub = last <= sub;
+  wire elapsed = !load_i && pulse_i && last_at_most_sub;
   wire [2:0] sub_next =
-      load_i ? (half_i ? sub_next_sum[3:1] : 3'd0) :
-      pulse_i ? ((last_at_most && !load_i) ? 3'd0 : sub + 3'd1) :
+      load_i ? (half_i ? last_plus_one[3:1] : 3'd0) :
+      pulse_i ? ((last_at_most_sub && !load_i) ? 3'd0 : sub + 3'd1) :
       sub;
   wire [18:0] phase_shifted = ({sub_next, 16'd0} | {3'd0, phase_i}) >> divide_i;  // line 78
 
@@ -70,8 +71,8 @@ module divide_by_n (
   assign phase_o = phase_shifted[15:0];
   assign commutate_o = load_i || (elapsed && !hold_i);
   assign elapsed_o = elapsed;
-  assign turned_o = (!pulse_i || sub_below || hold_i) ? step : turned;
+  assign turned_o = (!pulse_i || sub_below_last || hold_i) ? step : turned;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, sub_next_sum[0], phase_shifted[18:16]};
+  wire unused = &{1'b0, last_plus_one[0], phase_shifted[18:16]};
 endmodule

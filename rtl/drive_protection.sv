@@ -68,24 +68,24 @@ module drive_protection (
           fatal <= SinusoidalReason_kNone;
         end
         if (regulating_i && saturated_i) begin
-          logic [20:0] saturated_next_sum;
-          saturated_next_sum = {1'b0, saturated} + 21'd1;  // line 60
-          if (saturated_next_sum[20] && saturated_next_sum[19:0] != 20'd1048575) begin
+          logic [20:0] saturated_plus_one;
+          saturated_plus_one = {1'b0, saturated} + 21'd1;  // line 60
+          if (saturated_plus_one[20] && saturated_plus_one[19:0] != 20'd1048575) begin
             saturated <= 20'd1048575;
           end else begin
-            saturated <= saturated_next_sum[19:0];
+            saturated <= saturated_plus_one[19:0];
           end
         end else begin
           saturated <= 20'd0;
         end
         if (locked_i) begin
           if (slow_i) begin
-            logic [20:0] more_sum;
-            more_sum = {1'b0, slow} + 21'd1;  // line 76
-            if (more_sum[20] && more_sum[19:0] != 20'd1048575) begin
+            logic [20:0] slow_plus_one;
+            slow_plus_one = {1'b0, slow} + 21'd1;  // line 76
+            if (slow_plus_one[20] && slow_plus_one[19:0] != 20'd1048575) begin
               slow <= 20'd1048575;
             end else begin
-              slow <= more_sum[19:0];
+              slow <= slow_plus_one[19:0];
             end
           end else if (slow != 20'd0) begin
             slow <= slow - 20'd1;
@@ -93,12 +93,12 @@ module drive_protection (
           if (!fast_i || plausible_i) begin
             emf <= 20'd0;
           end else begin
-            logic [20:0] emf_next_sum;
-            emf_next_sum = {1'b0, emf} + 21'd1;  // line 61
-            if (emf_next_sum[20] && emf_next_sum[19:0] != 20'd1048575) begin
+            logic [20:0] emf_plus_one;
+            emf_plus_one = {1'b0, emf} + 21'd1;  // line 61
+            if (emf_plus_one[20] && emf_plus_one[19:0] != 20'd1048575) begin
               emf <= 20'd1048575;
             end else begin
-              emf <= emf_next_sum[19:0];
+              emf <= emf_plus_one[19:0];
             end
           end
         end else begin
@@ -107,11 +107,11 @@ module drive_protection (
         end
         lost <= 4'd0;
       end else if (period_i && awaited) begin
-        logic [4:0] lost_sum;
-        lost_sum = {1'b0, lost} + 5'd1;  // line 65
-        if (words_lost_samples_i == 4'd0 || lost_sum < {1'b0, words_lost_samples_i}) begin
-          if (!(lost_sum[4] && lost_sum[3:0] != 4'd15)) begin
-            lost <= lost_sum[3:0];
+        logic [4:0] lost_plus_one;
+        lost_plus_one = {1'b0, lost} + 5'd1;  // line 65
+        if (words_lost_samples_i == 4'd0 || lost_plus_one < {1'b0, words_lost_samples_i}) begin
+          if (!(lost_plus_one[4] && lost_plus_one[3:0] != 4'd15)) begin
+            lost <= lost_plus_one[3:0];
           end
         end else begin
           fatal <= SinusoidalReason_kLostSample;

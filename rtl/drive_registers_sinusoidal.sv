@@ -160,8 +160,8 @@ module drive_registers_sinusoidal (
   wire [31:0] shown = copies_0_data | copies_1_data | copies_2_data | copies_3_data | copies_4_data;
   wire [31:0] data_2 = read ? shown : 32'd0;
   wire writes = request_write_i && !refused_i;
-  wire [9:0] beats_sum = request_index_i - 10'd9;  // line 87
-  wire beats = writes && beats_sum[9:1] == 9'd0;
+  wire [9:0] request_index_minus_nine = request_index_i - 10'd9;  // line 87
+  wire beats = writes && request_index_minus_nine[9:1] == 9'd0;
   wire watch_either = period == 12'd0 || !configured || watchdog_fault;  // line 88
   wire bites = !(watch_either || !tick_i) && left == 12'd0 && !beats;
   wire run_next_both =  // line 106
@@ -187,8 +187,8 @@ module drive_registers_sinusoidal (
       {1'b0, {1'b0, (bites ? 2'd2 : 2'd0) | {1'b0, on}} | (locks ? 3'd4 : 3'd0)};
   wire on_2 = locks && starting;
   wire [4:0] events = {1'b0, events_wide | events_choice} | (on_2 ? 5'd16 : 5'd0);
-  wire [8:0] byte_mask_inverse = ~byte_mask;  // line 112
-  wire [11:0] ones_either = ones | (period & {{3{byte_mask_inverse[8]}}, byte_mask_inverse});
+  wire [8:0] not_byte_mask = ~byte_mask;  // line 112
+  wire [11:0] ones_either = ones | (period & {{3{not_byte_mask[8]}}, not_byte_mask});  // line 113
 
   always_ff @(posedge clk) begin
     if (writes) begin
@@ -328,5 +328,5 @@ module drive_registers_sinusoidal (
   assign interrupt_o = (interrupts & enabled) != 5'd0;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, request_data_i[31:12], request_strobes_i[3:2], beats_sum[0]};
+  wire unused = &{1'b0, request_data_i[31:12], request_strobes_i[3:2], request_index_minus_nine[0]};
 endmodule

@@ -31,16 +31,16 @@ module guarded_leg (
   logic [1:0] was;  // the request of the last clock
   logic [7:0] timer;  // clocks of minimum on-time (on) or dead time (off); 0 and 1 are due
 
-  wire off_either = off_i || timer[7:1] == 7'd0;  // line 47
-  wire [1:0] held = off_either ? 2'd0 : gate;
-  wire [1:0] gate_choice = (gate == 2'd0) ? was : gate;  // line 45
-  wire [1:0] same = off_i ? 2'd0 : gate_choice;
-  wire [1:0] ready = ((gate != 2'd0 || timer[7:1] == 7'd0) && !off_i) ? gate_choice : 2'd0;
+  wire off_or_due = off_i || timer[7:1] == 7'd0;  // line 47
+  wire [1:0] held = off_or_due ? 2'd0 : gate;
+  wire [1:0] was_if_gate_is_zero = (gate == 2'd0) ? was : gate;  // line 45
+  wire [1:0] same = off_i ? 2'd0 : was_if_gate_is_zero;
+  wire [1:0] ready = ((gate != 2'd0 || timer[7:1] == 7'd0) && !off_i) ? was_if_gate_is_zero : 2'd0;
   wire low = low_i && !high_i;
   wire high = high_i && !low_i;
   wire [1:0] request = (low ? 2'd2 : 2'd0) | {1'b0, high};
   wire wanted = (request & same) != 2'd0;
-  wire keeps = gate != 2'd0 && !off_either;
+  wire keeps = gate != 2'd0 && !off_or_due;
 
   always_ff @(posedge clk) begin
     gate <= held | (ready & request);  // line 58

@@ -52,7 +52,7 @@ module hall_decoder #(
   logic changed;  // one clock: either
 
   wire [2:0] other = code ^ last;
-  wire [2:0] other_sum = other - 3'd1;  // line 62
+  wire [2:0] other_minus_one = other - 3'd1;  // line 62
 
   always_ff @(posedge clk) begin
     if (DECODES) begin
@@ -69,10 +69,10 @@ module hall_decoder #(
         stood <= hold_i == 10'd0;
       end
       if (stood) begin
-        logic decode_either;
+        logic code_is_five_or_four_or_six;
         logic decode;
-        decode_either = code == 3'd5 || code == 3'd4 || code == 3'd6;
-        decode = decode_either || code == 3'd2 || code == 3'd3 || code == 3'd1;
+        code_is_five_or_four_or_six = code == 3'd5 || code == 3'd4 || code == 3'd6;
+        decode = code_is_five_or_four_or_six || code == 3'd2 || code == 3'd3 || code == 3'd1;
         if (!legal || code != last) begin
           if (decode) begin
             last <= code;
@@ -86,23 +86,23 @@ module hall_decoder #(
             endcase
             if (legal) begin
               logic other_either;
-              other_either = other == 3'd4 || other_sum[2:1] == 2'd0;
+              other_either = other == 3'd4 || other_minus_one[2:1] == 2'd0;
               if (other_either) begin
                 logic down;
                 logic turns;
-                logic turns_differ;
+                logic turns_xor_back;
                 down =
                     (other == 3'd4) ? code[2] == code[1] :
                     (other == 3'd2) ? code[1] ^ code[2] :
                     code[0] == code[2];
                 turns = sure && (down ^ reverse);
-                turns_differ = turns ^ back;  // line 64
-                moved <= !turns_differ;
-                if (!turns_differ) begin
+                turns_xor_back = turns ^ back;  // line 64
+                moved <= !turns_xor_back;
+                if (!turns_xor_back) begin
                   reverse <= down;
                 end
                 back <= turns && !back;
-                changed <= !turns_differ;
+                changed <= !turns_xor_back;
               end else begin
                 moved <= 1'b0;
                 back <= 1'b0;
@@ -171,5 +171,5 @@ module hall_decoder #(
   assign changed_o = changed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, other_sum[0]};
+  wire unused = &{1'b0, other_minus_one[0]};
 endmodule

@@ -102,7 +102,7 @@ module loop_filter (
       (loop == Loop_kRamp) ? {2'd0, ramp_i} :
       (loop != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
-  wire [9:0] factor_choice_4 = (loop == Loop_kTrack) ? delay_i : 10'd0;  // line 121
+  wire [9:0] delay_if_track = (loop == Loop_kTrack) ? delay_i : 10'd0;  // line 121
   wire out_fast = shown ? !below : fast;
 
   wire [55:0] multiplier_product;
@@ -114,7 +114,7 @@ module loop_filter (
       .rst(rst),
       .start_i(starts),
       .a_i(!(at_bits[Stage_kKeep] || at_bits[Stage_kDelay]) ? work : {4'd0, y}),
-      .b_i(at_bits[Stage_kDelay] ? {12'd0, factor_choice_4} :
+      .b_i(at_bits[Stage_kDelay] ? {12'd0, delay_if_track} :
         at_bits[Stage_kScale] ? factor_choice_3 :
         {6'd0, factor_choice_2}),
       .shift_i(4'd0),
@@ -131,14 +131,14 @@ module loop_filter (
       at_bits[Stage_kLow] ? maximum_i :
       at_bits[Stage_kHigh] ? stall_i :
       hand_over_i;
-  wire fresh_next_both = fresh && !at_bits[Stage_kOut];  // line 194
+  wire fresh_and_not_in_out = fresh && !at_bits[Stage_kOut];  // line 194
   wire [25:0] limit_2 =
       !(at_bits[Stage_kKeep] || at_bits[Stage_kIntegral]) ? limit :
       (loop == Loop_kRamp) ? 26'd0 :
-      (loop == Loop_kFollow && (loop == Loop_kStop || fresh_next_both)) ? hand_over_i :
+      (loop == Loop_kFollow && (loop == Loop_kStop || fresh_and_not_in_out)) ? hand_over_i :
       minimum_i;
-  wire [26:0] not_limit_next_inverse = ~{1'b0, limit_2};  // line 202
-  wire [30:0] below_next_sum = {1'b0, work[33:4] ^ 30'h20000000} + {2'd0, not_limit} + 31'd1;
+  wire [26:0] not_limit_2 = ~{1'b0, limit_2};  // line 202
+  wire [30:0] not_below_sum = {1'b0, work[33:4] ^ 30'h20000000} + {2'd0, not_limit} + 31'd1;
 
   always_ff @(posedge clk) begin
     if (loop == Loop_kStop) begin
@@ -151,14 +151,14 @@ module loop_filter (
     end else begin
       logic ticks;
       logic begins;
-      logic bounds_either;
+      logic bounds_or_multiplier_done;
       logic goes;
       ticks = loop == Loop_kRamp || (loop == Loop_kTrack && !bandwidth_i);
       begins = ticks ? tick_i : update_i;
-      bounds_either =
+      bounds_or_multiplier_done =
           at_bits[Stage_kOut] || at_bits[Stage_kSlow] || at_bits[Stage_kHigh] ||
           at_bits[Stage_kLow] || multiplier_done;
-      goes = at_bits[Stage_kIdle] ? begins : bounds_either;
+      goes = at_bits[Stage_kIdle] ? begins : bounds_or_multiplier_done;
       if (goes) begin
         if (!at_bits[Stage_kIntegral] || loop == Loop_kTrack) begin
           at_bits <= {at_bits[9:0], at_bits[Stage_kOut]};
@@ -166,7 +166,7 @@ module loop_filter (
           at_bits <= 11'd1 << Stage_kLow;
         end
       end
-      starts <= at_bits[Stage_kIdle] || bounds_either;
+      starts <= at_bits[Stage_kIdle] || bounds_or_multiplier_done;
       if (at_bits[Stage_kOut]) begin
         y <= work[29:0];
         slow <= below;
@@ -248,17 +248,17 @@ module loop_filter (
       end
       Loop_kTrack: begin
         clears <= 1'b0;
-        fresh <= fresh_next_both;
+        fresh <= fresh_and_not_in_out;
       end
       default: begin
         clears <= at_bits[Stage_kOut];
-        fresh <= fresh_next_both;
+        fresh <= fresh_and_not_in_out;
       end
     endcase
     follows <= follows_next;  // line 168
-    not_limit <= {{2{not_limit_next_inverse[26]}}, not_limit_next_inverse};  // line 202
+    not_limit <= {{2{not_limit_2[26]}}, not_limit_2};  // line 202
     fast <= loop != Loop_kStop && out_fast;
-    below <= !below_next_sum[30];  // line 78
+    below <= !not_below_sum[30];  // line 78
     shown <= loop != Loop_kStop && at_bits[Stage_kOut];
     if (rst) begin
       at_bits <= 11'd1 << Stage_kIdle;
@@ -291,5 +291,5 @@ module loop_filter (
   // What nothing reads, for the linters.
   wire unused =
       &{1'b0, pole_i[0], scale_i[3:0], smooth_sum[14:0], multiplier_product[13:0],
-      multiplier_product[55:48], below_next_sum[29:0]};
+      multiplier_product[55:48], not_below_sum[29:0]};
 endmodule

@@ -61,22 +61,22 @@ module open_loop_duty (
   wire [15:0] start =
       strong_i ? ((start_duty_i[15:14] == 2'd0) ? {start_duty_i[14:0], 1'b0} : 16'd32768) :
       start_duty_i;
-  wire lags_inverse = !lags_i;
-  wire [12:0] change = {{1'b0, duty[15:5]} ^ {12{lags_inverse}}, 1'b0} | {12'd0, lags_inverse};
+  wire not_lags = !lags_i;
+  wire [12:0] change = {{1'b0, duty[15:5]} ^ {12{not_lags}}, 1'b0} | {12'd0, not_lags};
   wire [16:0] change_2 = {{4{change[12]}}, change};
   wire [16:0] duty_next_sum = {duty, 1'b1} + change_2;  // line 67
 
   always_ff @(posedge clk) begin
     if (!state_bits_i[State_kPullIn] || follows_i) begin
       logic state_bits_either;
-      logic state_bits_both;
+      logic in_accelerate_and_follows;
       logic fast;
       logic falls;
       logic state_bits_choice;
       logic follows_both;
       state_bits_either = !(state_bits_i[State_kPullIn] || state_bits_i[State_kAccelerate]) || fell;
-      state_bits_both = state_bits_i[State_kAccelerate] && follows_i;  // line 70
-      fast = state_bits_both && sure_i && fast_i;
+      in_accelerate_and_follows = state_bits_i[State_kAccelerate] && follows_i;  // line 70
+      fast = in_accelerate_and_follows && sure_i && fast_i;
       falls = was_fast && !fast && state_bits_i[State_kAccelerate];
       state_bits_choice =
           (state_bits_either || !falls) ?
@@ -85,7 +85,7 @@ module open_loop_duty (
       follows_both = follows_i && state_bits_choice;
       if (state_bits_i[State_kPullIn] || fast) begin
         duty <= {2'd0, follows_both ? start[15:2] : {2'd0, start[15:4]}};
-      end else if (!state_bits_both || sure_i) begin
+      end else if (!in_accelerate_and_follows || sure_i) begin
         if (state_bits_i[State_kAccelerate]) begin
           logic falls_choice;
           falls_choice =
@@ -111,12 +111,12 @@ module open_loop_duty (
       end
       was_fast <= fast;
       if (state_bits_i[State_kAccelerate]) begin
-        logic follows_both_2;
+        logic follows_and_sure_and_fast;
         logic was_fast_both;
-        follows_both_2 = follows_i && sure_i && fast_i;  // line 70
-        was_fast_both = was_fast && !follows_both_2;  // line 71
-        began <= follows_both_2 && (began || commutate_i);
-        lasted <= follows_both_2 && (lasted || (began && commutate_i));
+        follows_and_sure_and_fast = follows_i && sure_i && fast_i;  // line 70
+        was_fast_both = was_fast && !follows_and_sure_and_fast;  // line 71
+        began <= follows_and_sure_and_fast && (began || commutate_i);
+        lasted <= follows_and_sure_and_fast && (lasted || (began && commutate_i));
         if (was_fast_both || !eases) begin
           eases <= was_fast_both;
         end else begin
@@ -128,7 +128,7 @@ module open_loop_duty (
         eases <= 1'b0;
       end
       fell <= follows_both;
-    end else if (commutate_i && (lags_inverse || faded)) begin
+    end else if (commutate_i && (not_lags || faded)) begin
       duty <= duty_next_sum[16:1];
     end
     faded <= duty < start;  // line 60

@@ -67,40 +67,41 @@ module phase_detector (
     case (watch_i)
       Evidence_kCrossings, Evidence_kSectors: begin
         logic turned_2;
-        logic place_either;
+        logic not_commutate_or_before;
         logic [15:0] place_choice;
         logic [16:0] place;
-        logic found_both;
+        logic elapsed_and_turned;
         logic [15:0] found;
-        logic [17:0] error_next_difference;
+        logic [17:0] place_minus_found;
         turned_2 = turned || elapsed_i;
-        place_either = !commutate_i || before_;  // line 107
+        not_commutate_or_before = !commutate_i || before_;  // line 107
         place_choice =  // line 107
-            place_either ? expected_i :
+            not_commutate_or_before ? expected_i :
             (hid || (!error[17] && error[16:13] != 4'd0)) ? lead_error_i :
             16'd0;
         place =  // line 76
             (watch_i == Evidence_kSectors) ? (turned_2 ? 17'd0 : 17'd65536) : {1'b0, place_choice};
-        found_both = elapsed_i && turned;  // line 110
+        elapsed_and_turned = elapsed_i && turned;  // line 110
         found =  // line 110
-            (watch_i == Evidence_kSectors) ? (found_both ? 16'd32768 : phase_i) :
+            (watch_i == Evidence_kSectors) ? (elapsed_and_turned ? 16'd32768 : phase_i) :
             commutate_i ? {16{before_}} :
             crossing_phase_i;
-        error_next_difference = {1'b0, place} - {2'd0, found};  // line 76
+        place_minus_found = {1'b0, place} - {2'd0, found};  // line 76
         case (watch_i)
           Evidence_kCrossings: begin
             if (answered) begin
               update <= 1'b0;
               missed <= 1'b0;
             end else begin
-              logic commutate_either;
-              commutate_either = commutate_i || crossing_i;
-              if (commutate_either) begin
-                error <= error_next_difference;
-                hid <= !place_either;
-                hurries <= !place_either && (hid || (!error[17] && error[16:12] != 5'd0));
+              logic commutate_or_crossing;
+              commutate_or_crossing = commutate_i || crossing_i;
+              if (commutate_or_crossing) begin
+                error <= place_minus_found;
+                hid <= !not_commutate_or_before;
+                hurries <=
+                    !not_commutate_or_before && (hid || (!error[17] && error[16:12] != 5'd0));
               end
-              update <= commutate_either;
+              update <= commutate_or_crossing;
               missed <= commutate_i;
             end
             if (commutate_i) begin
@@ -112,12 +113,12 @@ module phase_detector (
           end
           default: begin  // Evidence_kSectors
             logic elapsed_either;
-            elapsed_either = found_both || changed_i;
+            elapsed_either = elapsed_and_turned || changed_i;
             if (elapsed_either) begin
-              error <= error_next_difference;
+              error <= place_minus_found;
             end
             update <= elapsed_either;
-            missed <= found_both;
+            missed <= elapsed_and_turned;
             answered <= 1'b1;
             hid <= !elapsed_either && hid;
             hurries <= !elapsed_either && hurries;

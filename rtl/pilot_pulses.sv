@@ -108,7 +108,7 @@ module pilot_pulses (
     endcase
   end
 
-  wire [16:0] against_sum = {2'd0, words_polarity_i} + {a[15], a};  // line 180
+  wire [16:0] words_polarity_plus_a = {2'd0, words_polarity_i} + {a[15], a};  // line 180
 
   always_ff @(posedge clk) begin
     if (rest_i) begin
@@ -128,26 +128,26 @@ module pilot_pulses (
       quiet <= 1'b0;
       ready <= 1'b0;
     end else if (enable_i) begin
-      logic [4:0] next_short_sum;
+      logic [4:0] round_plus_one;
       logic next_short_equal;
       logic turn;
       logic [2:0] phase_choice;
       logic along;
-      logic judge_either;
-      logic seen_from_both;
-      logic sampled_both;
-      logic sampled_both_2;
+      logic along_or_against;
+      logic seen_from_and_ready;
+      logic sampled_and_out_search;
+      logic sampled_and_due;
       logic [2:0] sampled_choice;
-      logic follow_both;
+      logic not_taken_and_peak;
       logic [3:0] sampled_choice_2;
-      logic quiet_both;
-      logic sampled_both_3;
+      logic quiet_and_not_over;
+      logic sampled_and_idle;
       logic sampled_either;
       logic quiet_next_either;
-      logic sampled_both_4;
+      logic sampled_both;
       logic sampled_choice_3;
-      next_short_sum = round + 5'd1;  // line 146
-      next_short_equal = next_short_sum == words_rounds_i;  // line 150
+      round_plus_one = round + 5'd1;  // line 146
+      next_short_equal = round_plus_one == words_rounds_i;  // line 150
       turn = reversed && winding == 2'd2;
       phase_choice =
           (phase == Phase_kShort) ?
@@ -155,43 +155,44 @@ module pilot_pulses (
           (round == 5'd1) ? Phase_kJudge :
           phase;
       along = $signed({1'b0, words_polarity_i}) < a;
-      judge_either = along || against_sum[16];  // line 182
-      seen_from_both = phase == Phase_kJudge && ready;  // line 89
-      sampled_both = sampled_i && phase == Phase_kSearch;  // line 87
-      sampled_both_2 = sampled_i && due;  // line 84
+      along_or_against = along || words_polarity_plus_a[16];  // line 182
+      seen_from_and_ready = phase == Phase_kJudge && ready;  // line 89
+      sampled_and_out_search = sampled_i && phase == Phase_kSearch;  // line 87
+      sampled_and_due = sampled_i && due;  // line 84
       sampled_choice =
-          sampled_both_2 ? phase_choice :
-          sampled_both ? ((step[11:1] == 11'd0) ? Phase_kLong : Phase_kSearch) :
-          (seen_from_both && judge_either) ? Phase_kFound :
+          sampled_and_due ? phase_choice :
+          sampled_and_out_search ? ((step[11:1] == 11'd0) ? Phase_kLong : Phase_kSearch) :
+          (seen_from_and_ready && along_or_against) ? Phase_kFound :
           phase;
-      follow_both = !taken_i && peak;  // line 125
+      not_taken_and_peak = !taken_i && peak;  // line 125
       sampled_choice_2 =
-          sampled_both_2 ? failed :
-          sampled_both ?
+          sampled_and_due ? failed :
+          sampled_and_out_search ?
           ((step[11:1] == 11'd0 && $signed(i_gamma_i) < $signed({1'b0, words_saliency_i})) ?
           SinusoidalReason_kNoSaliency : failed) :
-          (seen_from_both && !judge_either) ? SinusoidalReason_kNoPolarity :
+          (seen_from_and_ready && !along_or_against) ? SinusoidalReason_kNoPolarity :
           failed;
-      quiet_both = quiet && !over_i;  // line 92
-      sampled_both_3 = sampled_i && idle;
-      sampled_either = sampled_both_2 || sampled_both;
-      quiet_next_either = sampled_both_2 || sampled_both || seen_from_both;
-      sampled_both_4 = sampled_i && !(peak || due);
+      quiet_and_not_over = quiet && !over_i;  // line 92
+      sampled_and_idle = sampled_i && idle;
+      sampled_either = sampled_and_due || sampled_and_out_search;
+      quiet_next_either = sampled_and_due || sampled_and_out_search || seen_from_and_ready;
+      sampled_both = sampled_i && !(peak || due);
       sampled_choice_3 =
-          sampled_either ? ready : seen_from_both || (sampled_both_4 ? quiet_both : ready);
+          sampled_either ? ready :
+          seen_from_and_ready || (sampled_both ? quiet_and_not_over : ready);
       phase <= sampled_choice;
-      if (period_i && follow_both) begin
+      if (period_i && not_taken_and_peak) begin
         failed <= SinusoidalReason_kLostSample;
         peak <= 1'b1;
       end else begin
         failed <= sampled_choice_2;
         if (period_i && pulsing) begin
-          peak <= left[5:1] == 5'd0 || follow_both;
+          peak <= left[5:1] == 5'd0 || not_taken_and_peak;
         end else begin
-          peak <= follow_both;
+          peak <= not_taken_and_peak;
         end
       end
-      if (sampled_both_2) begin
+      if (sampled_and_due) begin
         logic [15:0] sum;
         sum = a + i_gamma_i;
         if (phase == Phase_kShort) begin
@@ -202,7 +203,7 @@ module pilot_pulses (
               angle <= 13'd2048;
               step <= 12'd2048;
             end
-            round <= next_short_sum;
+            round <= round_plus_one;
             winding <= 2'd0;
           end else begin
             a <= sum;
@@ -256,7 +257,7 @@ module pilot_pulses (
             end
           end
           Phase_kJudge: begin
-            if (ready && against_sum[16]) begin
+            if (ready && words_polarity_plus_a[16]) begin
               angle <= {1'b1, angle[11:0]};
             end
           end
@@ -270,7 +271,7 @@ module pilot_pulses (
           end
           pulsing <= left[5:1] != 5'd0;
           if (!sampled_either) begin
-            ready <= seen_from_both || ready;
+            ready <= seen_from_and_ready || ready;
           end
         end else begin
           if (phase == Phase_kShort) begin
@@ -280,21 +281,21 @@ module pilot_pulses (
           end
           pulsing <=
               sampled_choice_3 && sampled_choice != Phase_kFound &&
-              !follow_both && sampled_choice_2 == SinusoidalReason_kNone;
+              !not_taken_and_peak && sampled_choice_2 == SinusoidalReason_kNone;
           ready <= 1'b0;
         end
       end else if (!sampled_either) begin
-        ready <= seen_from_both || (sampled_both_3 ? quiet_both : ready);
+        ready <= seen_from_and_ready || (sampled_and_idle ? quiet_and_not_over : ready);
       end
       due <= (taken_i && peak) || (!sampled_i && due);
       if (period_i && !pulsing) begin
         logic sampled_choice_4;
         sampled_choice_4 =
             quiet_next_either ? quiet :
-            sampled_both_4 ? !over_i :
+            sampled_both ? !over_i :
             quiet;
         quiet <= !sampled_choice_3 && sampled_choice_4;
-      end else if (!quiet_next_either && sampled_both_3) begin
+      end else if (!quiet_next_either && sampled_and_idle) begin
         quiet <= !over_i;
       end
     end
@@ -330,5 +331,5 @@ module pilot_pulses (
   assign failed_o = failed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_decayed_i, against_sum[15:0]};
+  wire unused = &{1'b0, words_decayed_i, words_polarity_plus_a[15:0]};
 endmodule

@@ -83,8 +83,8 @@ module protection (
   wire strikes_2 = (missed_i || !update_i) ? missed_i : !(good_i || hall_i);
   wire step_out =
       (!running_i || ended) ? running_i : (heavy && four_end) || (strikes_2 && one_ends);
-  wire stall_either = slow == 3'd6 || !commutate_i;  // line 77
-  wire stall_choice = stall_either ? slow == 3'd6 : slow_i && slow == 3'd5;
+  wire slow_is_six_or_not_commutate = slow == 3'd6 || !commutate_i;  // line 77
+  wire stall_choice = slow_is_six_or_not_commutate ? slow == 3'd6 : slow_i && slow == 3'd5;
   wire stall = running_i && stall_choice;
   wire wrong_2 = slips_i || long;
   wire wrong_tick = tick_i && wrong_2;

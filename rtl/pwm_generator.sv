@@ -44,26 +44,26 @@ module pwm_generator (
   logic start;  // as first_, in step with on_
   logic tick;  // as first_, in every `tick_periods`-th period
 
-  wire [1:0] left_next_inverse = ~{1'b0, left[13:1] == 13'd0};  // line 65
+  wire [1:0] not_first_next = ~{1'b0, left[13:1] == 13'd0};  // line 65
   wire [13:0] left_next_choice = (left[13:1] == 13'd0) ? period_i : 14'd16383;
   wire rise = waiting && lead == 13'd0;
-  wire counting_both = on && !first;  // line 53
+  wire on_and_not_first = on && !first;  // line 53
 
   always_ff @(posedge clk) begin
-    left <= (left & {{12{left_next_inverse[1]}}, left_next_inverse}) + left_next_choice;  // line 65
+    left <= (left & {{12{not_first_next[1]}}, not_first_next}) + left_next_choice;  // line 65
     if (left[13:1] == 13'd0) begin
       logic [14:0] rest;
-      logic minimum_at_most;
+      logic minimum_at_most_on_clocks;
       rest = {1'b0, period_i} - {1'b0, on_clocks_i};
-      minimum_at_most = minimum_i <= on_clocks_i;  // line 70
+      minimum_at_most_on_clocks = minimum_i <= on_clocks_i;  // line 70
       if (centred_i) begin
         lead <= rest[13:1];
       end else begin
         lead <= 13'd0;
       end
       pulse <= on_clocks_i;
-      waiting <= minimum_at_most;
-      always_ <= minimum_at_most && $signed(rest) < $signed({1'b0, minimum_i});
+      waiting <= minimum_at_most_on_clocks;
+      always_ <= minimum_at_most_on_clocks && $signed(rest) < $signed({1'b0, minimum_i});
     end else begin
       if (rise) begin
         pulse <= pulse - 14'd1;
@@ -71,7 +71,7 @@ module pwm_generator (
         if (waiting) begin
           lead <= lead - 13'd1;
         end
-        if (counting_both) begin
+        if (on_and_not_first) begin
           pulse <= pulse - 14'd1;
         end
       end
@@ -94,7 +94,7 @@ module pwm_generator (
       on <= left != 14'd0;
     end else begin
       logic counting;
-      counting = rise || counting_both;
+      counting = rise || on_and_not_first;
       on <= counting && pulse != 14'd0;
     end
     start <= first && left != 14'd0;  // line 55

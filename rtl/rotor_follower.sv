@@ -115,12 +115,12 @@ module rotor_follower #(
   logic out_moves;  // it passed an edge, the way that is believed
   logic out_blocked;  // strobe: three steps in a row moved nothing
 
-  wire at_bits_both = at_bits[Stage_kTurn] && belief_coast == 2'd0;  // line 103
-  wire on_both = on_i && FOLLOWS;  // line 126
+  wire in_turn_and_belief_coast_is_zero = at_bits[Stage_kTurn] && belief_coast == 2'd0;  // line 103
+  wire on_and_follows = on_i && FOLLOWS;  // line 126
   wire loads = at_bits[Stage_kLoad] && goes;
 
   always_ff @(posedge clk) begin
-    if (on_both) begin
+    if (on_and_follows) begin
       logic crossed;
       logic ready;
       logic caught;
@@ -130,17 +130,17 @@ module rotor_follower #(
       logic over;
       logic ends;
       logic coasts;
-      logic [1:0] ends_choice;
+      logic [1:0] ends_decay;
       logic [1:0] over_choice;
-      logic [2:0] over_choice_2;
-      logic [2:0] ends_choice_wide;
-      logic [3:0] at_bits_choice;
-      logic [4:0] ends_wide;
-      logic [7:0] at_bits_choice_2;
-      logic [7:0] ends_wide_2;
-      logic [7:0] ends_either_3;
-      logic [8:0] at_bits_choice_3;
-      logic [8:0] ends_either_4;
+      logic [2:0] over_sample;
+      logic [2:0] ends_decay_wide;
+      logic [3:0] at_bits_see;
+      logic [4:0] ends_so_far;
+      logic [7:0] at_bits_hold;
+      logic [7:0] ends_so_far_2;
+      logic [7:0] ends_so_far_3;
+      logic [8:0] at_bits_drive;
+      logic [8:0] ends_so_far_4;
       logic [7:0] count_choice;
       logic news;
       logic on;
@@ -157,27 +157,27 @@ module rotor_follower #(
       logic judge_either_2;
       logic stands_2;
       logic now_real;
-      logic judge_either_3;
+      logic belief_real_or_now_real;
       logic judge_both_3;
       logic judge_both_4;
       logic [1:0] now_edges;
       logic [1:0] now_edges_2;
       logic [1:0] now_edges_3;
-      logic [1:0] at_bits_choice_7;
+      logic [1:0] now_edges_if_in_judge;
       logic [2:0] code;
       logic [2:0] now_rest;
       logic [2:0] now_rest_2;
       logic [2:0] now_rest_3;
-      logic [2:0] at_bits_choice_8;
+      logic [2:0] now_rest_if_in_judge;
       logic [7:0] now_idle;
-      logic [7:0] at_bits_choice_9;
+      logic [7:0] now_idle_if_in_judge;
       logic now_coast_both;
-      logic [1:0] less_sum;
+      logic [1:0] belief_coast_minus_one;
       logic goes_either;
       logic goes_3;
       logic [1:0] now_coast;
       logic [1:0] now_coast_2;
-      logic [1:0] at_bits_choice_10;
+      logic [1:0] now_coast_if_in_judge;
       logic to_middle;
       crossed = at_bits[Stage_kDrive] && crossing_i && belief_real && !belief_back;
       ready = (!good || fast_i) ? good : steady_i && !slow_i;
@@ -189,26 +189,27 @@ module rotor_follower #(
       ends =
           (ends_either_2 || !over) ? ends_either ^ ends_either_2 : !timed && at_bits[Stage_kDrive];
       coasts = at_bits[Stage_kTurn] && belief_coast != 2'd0;
-      ends_choice =  // line 113
+      ends_decay =  // line 113
           (ends || (at_bits[Stage_kDecay] && !over) || at_bits[Stage_kOff] || coasts) ?
           2'd1 << Stage_kDecay : 2'd0;
       over_choice = over ? {1'b0, at_bits[Stage_kDecay]} : {at_bits[Stage_kSample], 1'b0};
-      over_choice_2 = (over_choice == 2'd0) ? 3'd0 : 3'd1 << Stage_kSample;  // line 113
-      ends_choice_wide = {1'b0, ends_choice};  // line 115
-      at_bits_choice = (at_bits[Stage_kSample] && over) ? 4'd1 << Stage_kSee : 4'd0;  // line 113
-      ends_wide = {1'b0, {1'b0, ends_choice_wide | over_choice_2} | at_bits_choice};  // line 117
-      at_bits_choice_2 =  // line 113
-          ((at_bits_both || !at_bits[Stage_kHold]) ? at_bits_both : !(over || ends)) ?
-          8'd1 << Stage_kHold : 8'd0;
-      ends_wide_2 =  // line 120
+      over_sample = (over_choice == 2'd0) ? 3'd0 : 3'd1 << Stage_kSample;  // line 113
+      ends_decay_wide = {1'b0, ends_decay};  // line 115
+      at_bits_see = (at_bits[Stage_kSample] && over) ? 4'd1 << Stage_kSee : 4'd0;  // line 113
+      ends_so_far = {1'b0, {1'b0, ends_decay_wide | over_sample} | at_bits_see};  // line 117
+      at_bits_hold =  // line 113
+          ((in_turn_and_belief_coast_is_zero || !at_bits[Stage_kHold]) ?
+          in_turn_and_belief_coast_is_zero : !(over || ends)) ? 8'd1 << Stage_kHold : 8'd0;
+      ends_so_far_2 =  // line 120
           {1'b0,
-          {1'b0, {1'b0, ends_wide | {at_bits[Stage_kSee], 4'd0}} | {at_bits[Stage_kJudge], 5'd0}} |
+          {1'b0,
+          {1'b0, ends_so_far | {at_bits[Stage_kSee], 4'd0}} | {at_bits[Stage_kJudge], 5'd0}} |
           {at_bits[Stage_kLoad], 6'd0}};
-      ends_either_3 = ends_wide_2 | at_bits_choice_2;  // line 120
-      at_bits_choice_3 =  // line 113
+      ends_so_far_3 = ends_so_far_2 | at_bits_hold;  // line 120
+      at_bits_drive =  // line 113
           (!(!at_bits[Stage_kHold] || !over || ends) || (at_bits[Stage_kDrive] && !ends)) ?
           9'd1 << Stage_kDrive : 9'd0;
-      ends_either_4 = {1'b0, ends_either_3} | at_bits_choice_3;  // line 121
+      ends_so_far_4 = {1'b0, ends_so_far_3} | at_bits_drive;  // line 121
       count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
       news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:159
       on = sight_on || sight_skipped;  // follow_law.hpp:144
@@ -228,39 +229,39 @@ module rotor_follower #(
       judge_either_2 = judge_choice || waits;  // follow_law.hpp:170
       stands_2 = !judge_either_2 && sight_tired;  // follow_law.hpp:170
       now_real = belief_looked && sight_legal && !sight_rests;  // follow_law.hpp:151
-      judge_either_3 = belief_real || now_real;  // line 95
+      belief_real_or_now_real = belief_real || now_real;  // line 95
       judge_both_3 = sight_legal && !(sight_here || stopped);  // line 95
       judge_both_4 = belief_real && judge_both_3;  // line 95
       now_edges = (!belief_back && belief_edges != 2'd3) ? belief_edges + 2'd1 : belief_edges;
       now_edges_2 =
           judge_both_4 ? (on ? now_edges : judge_both ? belief_edges : 2'd0) : belief_edges;
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
-      at_bits_choice_7 = at_bits[Stage_kJudge] ? now_edges_3 : belief_edges;
+      now_edges_if_in_judge = at_bits[Stage_kJudge] ? now_edges_3 : belief_edges;
       code = {u[3], 2'd0} | {1'b0, v[3], 1'b0} | {2'd0, w[3]};  // line 162
       now_rest = sight_clear ? code : 3'd0;  // follow_law.hpp:191
       now_rest_2 = (belief_real || belief_looked) ? belief_rest : now_rest;
       now_rest_3 = stands_2 ? now_rest : now_rest_2;
-      at_bits_choice_8 = at_bits[Stage_kJudge] ? now_rest_3 : belief_rest;
+      now_rest_if_in_judge = at_bits[Stage_kJudge] ? now_rest_3 : belief_rest;
       now_idle =
           (judge_either_2 || sight_tired) ? 8'd0 :
           (belief_coast == 2'd0) ? belief_idle + 8'd1 :
           belief_idle;
-      at_bits_choice_9 = at_bits[Stage_kJudge] ? now_idle : belief_idle;
-      now_coast_both = !(!judge_either_3 || judge_both_2 || turns) && !now_edges_2[1];
-      less_sum = belief_coast - 2'd1;  // follow_law.hpp:188
+      now_idle_if_in_judge = at_bits[Stage_kJudge] ? now_idle : belief_idle;
+      now_coast_both = !(!belief_real_or_now_real || judge_both_2 || turns) && !now_edges_2[1];
+      belief_coast_minus_one = belief_coast - 2'd1;  // follow_law.hpp:188
       goes_either = on || (!judge_both && !sight_across);  // follow_law.hpp:171
       goes_3 = belief_real ? sight_legal && !sight_here && !stopped && goes_either : goes_2;
       now_coast =  // follow_law.hpp:171
           goes_3 ?
           ((now_coast_both || turns) ? {2{now_coast_both}} :
           (belief_coast == 2'd0) ? 2'd0 :
-          less_sum) :
+          belief_coast_minus_one) :
           (turns || belief_coast == 2'd0) ? 2'd0 :
-          less_sum;
+          belief_coast_minus_one;
       now_coast_2 = stands_2 ? 2'd0 : now_coast;
-      at_bits_choice_10 = at_bits[Stage_kJudge] ? now_coast_2 : belief_coast;
+      now_coast_if_in_judge = at_bits[Stage_kJudge] ? now_coast_2 : belief_coast;
       to_middle = (step_i[1] ^ step_i[0]) && !step_i[2];  // divide_by_n.hpp:28
-      at_bits <= ends_either_4;
+      at_bits <= ends_so_far_4;
       prescale <= count_choice;
       strobe <= count_choice[7:1] == 7'd0;
       if (ends) begin
@@ -321,7 +322,7 @@ module rotor_follower #(
           goes <= 1'b1;
           out_moves <= 1'b0;
         end else begin
-          belief_real <= judge_either_3;
+          belief_real <= belief_real_or_now_real;
           if (belief_real) begin
             if (sight_legal) begin
               if (sight_here) begin
@@ -364,17 +365,17 @@ module rotor_follower #(
         out_moves <= belief_moved;
         out_blocked <= 1'b0;
       end
-      belief_edges <= at_bits_choice_7;
-      belief_rest <= at_bits_choice_8;
-      belief_idle <= at_bits_choice_9;
-      belief_coast <= at_bits_choice_10;
+      belief_edges <= now_edges_if_in_judge;
+      belief_rest <= now_rest_if_in_judge;
+      belief_idle <= now_idle_if_in_judge;
+      belief_coast <= now_coast_if_in_judge;
       if (at_bits[Stage_kSee]) begin
-        logic at_bits_choice_4;
+        logic at_bits_choice;
         logic clear;
         logic three_or_four;
         logic [2:0] next_step_either;
-        logic [2:0] code_of_choice;
-        logic [1:0] code_of_choice_2;
+        logic [2:0] next_step_if_reverse;
+        logic [1:0] code_of_choice;
         logic [2:0] code_of;  // follow_law.hpp:127
         logic [2:0] see_differ;
         logic [2:0] other;
@@ -388,23 +389,23 @@ module rotor_follower #(
         logic [2:0] behind_3;
         logic [2:0] ahead;
         logic see_equal;
-        at_bits_choice_4 = at_bits[Stage_kJudge] ? !(stands_2 || !judge_both_2) : belief_back;
+        at_bits_choice = at_bits[Stage_kJudge] ? !(stands_2 || !judge_both_2) : belief_back;
         clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 102
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
         next_step_either =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        code_of_choice = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:110
-        code_of_choice_2 =  // follow_law.hpp:127
-            (code_of_choice == 3'd3) ? 2'd2 :
-            (code_of_choice == 3'd4) ? 2'd3 :
+        next_step_if_reverse = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:110
+        code_of_choice =  // follow_law.hpp:127
+            (next_step_if_reverse == 3'd3) ? 2'd2 :
+            (next_step_if_reverse == 3'd4) ? 2'd3 :
             2'd1;
-        case (code_of_choice)
+        case (next_step_if_reverse)
           3'd0: code_of = 3'd5;
           3'd1: code_of = 3'd4;
           3'd2: code_of = 3'd6;
-          default: code_of = {1'b0, code_of_choice_2};
+          default: code_of = {1'b0, code_of_choice};
         endcase
-        see_differ = code_of ^ {3{at_bits_choice_4}};  // follow_law.hpp:127
+        see_differ = code_of ^ {3{at_bits_choice}};  // follow_law.hpp:127
         other = see_differ ^ code;  // follow_law.hpp:127
         v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:128
         w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:128
@@ -424,30 +425,30 @@ module rotor_follower #(
         behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:129
         ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:119
         see_equal = other == ~ahead;  // follow_law.hpp:135
-        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || at_bits_choice_7 != 2'd0);
+        sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || now_edges_if_in_judge != 2'd0);
         sight_clear <= clear;
-        sight_rests <= code == at_bits_choice_8;
+        sight_rests <= code == now_rest_if_in_judge;
         sight_here <= see_differ == code;
-        sight_on <= other == (at_bits_choice_4 ? behind_3 : ahead);
-        if (at_bits_choice_4) begin
-          logic at_bits_choice_6;
-          at_bits_choice_6 =
+        sight_on <= other == (at_bits_choice ? behind_3 : ahead);
+        if (at_bits_choice) begin
+          logic at_bits_choice_3;
+          at_bits_choice_3 =
               at_bits[Stage_kJudge] ? !stands_2 && (judge_both_4 ? sight_far : belief_far) :
               belief_far;
-          sight_skipped <= see_equal && at_bits_choice_6;
+          sight_skipped <= see_equal && at_bits_choice_3;
         end else begin
-          logic at_bits_choice_5;
-          at_bits_choice_5 =
+          logic at_bits_choice_2;
+          at_bits_choice_2 =
               at_bits[Stage_kJudge] ?
               !stands_2 && belief_real && (judge_both_3 ? judge_either : belief_moved) :
               belief_moved;
-          sight_skipped <= other == ~behind_3 && at_bits_choice_5;
+          sight_skipped <= other == ~behind_3 && at_bits_choice_2;
         end
         sight_far <= see_equal;
-        sight_contrary <= other == (at_bits_choice_4 ? ahead : behind_3);
+        sight_contrary <= other == (at_bits_choice ? ahead : behind_3);
         sight_across <= other == 3'd7;
         sight_tired <=
-            at_bits_choice_10 == 2'd0 && {1'b0, still_i} <= {1'b0, at_bits_choice_9} + 9'd1;
+            now_coast_if_in_judge == 2'd0 && {1'b0, still_i} <= {1'b0, now_idle_if_in_judge} + 9'd1;
       end
       if (belief_edges[1]) begin
         if (update_i) begin
@@ -459,31 +460,30 @@ module rotor_follower #(
         out_caught <= 1'b0;
       end
       out_drive <=
-          (ends_either_3[7] || ends_either_4[Stage_kDrive]) &&
+          (ends_so_far_3[7] || ends_so_far_4[Stage_kDrive]) &&
           (at_bits[Stage_kDrive] || at_bits[Stage_kHold]);
       if (at_bits[Stage_kLoad]) begin
         if (stands) begin
-          logic step_after_differ;
+          logic not_way;
           logic three_or_four_2;
           logic to_high_choice;
           logic to_high;
           logic to_middle_2;
-          step_after_differ = reverse_i ^ belief_onward;  // follow_law.hpp:196
+          not_way = reverse_i ^ belief_onward;  // follow_law.hpp:196
           three_or_four_2 = step_i[1:0] == 2'd3 || (step_i[2] && !step_i[0]);  // divide_by_n.hpp:27
           to_high_choice = step_i[2] ? step_i[0] : !step_i[1] && !step_i[0];  // divide_by_n.hpp:29
-          to_high = step_after_differ ? three_or_four_2 : to_high_choice;  // divide_by_n.hpp:29
-          to_middle_2 = step_after_differ ? to_middle : three_or_four_2;  // divide_by_n.hpp:28
+          to_high = not_way ? three_or_four_2 : to_high_choice;  // divide_by_n.hpp:29
+          to_middle_2 = not_way ? to_middle : three_or_four_2;  // divide_by_n.hpp:28
           if (belief_stood == 2'd2) begin
             logic three_or_four_3;
             logic to_high_2;
             logic to_middle_3;
             three_or_four_3 = step_i[0] ? to_high : to_middle_2;  // divide_by_n.hpp:27
             to_high_2 =  // divide_by_n.hpp:29
-                step_after_differ ? three_or_four_3 :
+                not_way ? three_or_four_3 :
                 to_high_choice ? !step_i[0] :
                 step_i[0] && !to_middle_2;
-            to_middle_3 =  // divide_by_n.hpp:28
-                step_after_differ ? (to_middle_2 ^ !step_i[0]) && !to_high : three_or_four_3;
+            to_middle_3 = not_way ? (to_middle_2 ^ !step_i[0]) && !to_high : three_or_four_3;
             out_step <=
                 (to_high_2 ? 3'd4 : 3'd0) | {1'b0, to_middle_3 ? 2'd2 : 2'd0} | {2'd0, step_i[0]};
           end else begin
@@ -563,11 +563,11 @@ module rotor_follower #(
       out_moves <= 1'b0;
       out_blocked <= 1'b0;
     end
-    timed <= on_both && belief_edges[1] && (update_i || timed);
-    out_load <= on_both && loads;
-    out_changed <= on_both && loads && changes;
-    out_restart <= on_both && at_bits_both;
-    out_sure <= on_both && belief_edges[1];
+    timed <= on_and_follows && belief_edges[1] && (update_i || timed);
+    out_load <= on_and_follows && loads;
+    out_changed <= on_and_follows && loads && changes;
+    out_restart <= on_and_follows && in_turn_and_belief_coast_is_zero;
+    out_sure <= on_and_follows && belief_edges[1];
     if (rst) begin
       at_bits <= 9'd1 << Stage_kOff;
       prescale <= 8'd0;

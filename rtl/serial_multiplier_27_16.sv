@@ -53,10 +53,10 @@ module serial_multiplier_27_16 (
       last <= 1'b0;
       dropping <= 1'b0;
     end else if (left != 5'd0) begin
-      logic [27:0] high_sum;
-      high_sum = {high[26], high} + {addend[26], addend};  // line 49
-      high <= high_sum[27:1];
-      low <= {high_sum[0], low[15:1]};
+      logic [27:0] high_plus_addend;
+      high_plus_addend = {high[26], high} + {addend[26], addend};  // line 49
+      high <= high_plus_addend[27:1];
+      low <= {high_plus_addend[0], low[15:1]};
       if (last_both) begin
         addend <= 27'd0;
         left <= {1'b0, shift_i};

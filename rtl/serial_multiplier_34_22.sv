@@ -53,10 +53,10 @@ module serial_multiplier_34_22 (
       last <= 1'b0;
       dropping <= 1'b0;
     end else if (left != 5'd0) begin
-      logic [34:0] high_sum;
-      high_sum = {high[33], high} + {addend[33], addend};  // line 49
-      high <= high_sum[34:1];
-      low <= {high_sum[0], low[21:1]};
+      logic [34:0] high_plus_addend;
+      high_plus_addend = {high[33], high} + {addend[33], addend};  // line 49
+      high <= high_plus_addend[34:1];
+      low <= {high_plus_addend[0], low[21:1]};
       if (last_both) begin
         addend <= 34'd0;
         left <= {1'b0, shift_i};

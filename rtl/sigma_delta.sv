@@ -100,7 +100,7 @@ module sigma_delta (
 
   wire [18:0] out_codes_dc_sum = {dc_value[17], dc_value} + 19'd16;  // line 91
   wire turns = words_half_i != 6'd0 && clocks == 6'd0;
-  wire [5:0] clocks_next_choice = (clocks == 6'd0) ? words_half_i : clocks;  // line 81
+  wire [5:0] words_half_if_clocks_is_zero = (clocks == 6'd0) ? words_half_i : clocks;  // line 81
 
   always_ff @(posedge clk) begin
     first_u <= data_u_i;
@@ -110,7 +110,7 @@ module sigma_delta (
     second_v <= first_v;
     second_dc <= first_dc;
     mclk <= !(turns ^ !mclk);  // line 80
-    clocks <= clocks_next_choice - 6'd1;  // line 81
+    clocks <= words_half_if_clocks_is_zero - 6'd1;  // line 81
     rises <= {rises[0], 1'b0} | {1'b0, turns && !mclk};  // line 79
     if (starts) begin
       waits <= sample_i;

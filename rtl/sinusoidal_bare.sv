@@ -165,12 +165,12 @@ module sinusoidal_bare (
   wire takes = sampled && bounce == 8'd0;
   wire [24:0] half = {1'b0, words_speed_target_i[24:1]};
   wire [24:0] quarter = {2'd0, words_speed_target_i[24:2]};
-  wire [24:0] part_sum = half + quarter;
+  wire [24:0] half_plus_quarter = half + quarter;
 
   logic [24:0] part;  // line 111
   always_comb begin
     case (taken_speed)
-      2'd2: part = part_sum;
+      2'd2: part = half_plus_quarter;
       2'd1: part = half;
       2'd0: part = quarter;
       default: part = words_speed_target_i;

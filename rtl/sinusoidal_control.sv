@@ -149,14 +149,14 @@ module sinusoidal_control (
       .data_o(program__data)
   );
 
-  wire active_both = program__data[64] && active;
+  wire writes = program__data[64] && active;
 
   wire [31:0] numbers_a_data;
   sinusoidal_control_numbers numbers_a (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[6:1], program__data[0] || (program__data[7] && fresh)}),
-      .write_i(active_both),
+      .write_i(writes),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_a_data)
@@ -167,7 +167,7 @@ module sinusoidal_control (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[14:9], program__data[8] || (program__data[15] && fresh)}),
-      .write_i(active_both),
+      .write_i(writes),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_b_data)
@@ -178,7 +178,7 @@ module sinusoidal_control (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[22:17], program__data[16] || (program__data[23] && fresh)}),
-      .write_i(active_both),
+      .write_i(writes),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_c_data)
@@ -189,7 +189,7 @@ module sinusoidal_control (
       .clk(clk),
       .rst(rst),
       .address_i({program__data[30:25], program__data[24] || (program__data[31] && fresh)}),
-      .write_i(active_both),
+      .write_i(writes),
       .write_address_i(program__data[71:65]),
       .write_data_i(result),
       .data_o(numbers_d_data)
@@ -203,102 +203,99 @@ module sinusoidal_control (
       .data_o(table__data)
   );
 
-  wire [30:0] result_choice = program__data[38] ? result[30:0] : numbers_c_data[30:0];
+  wire [30:0] factor = program__data[38] ? result[30:0] : numbers_c_data[30:0];
   wire [15:0] product_next_choice = program__data[39] ? port[15:0] : numbers_d_data[15:0];
-  wire [46:0] product_next = $signed(result_choice) * $signed(product_next_choice);
-  wire sum_next_choice =
+  wire [46:0] product_next = $signed(factor) * $signed(product_next_choice);
+  wire tested =
       program__data[51] ? (program__data[50] ? port[0] : sum[43]) :
       program__data[50] ? result[0] :
       condition;
-  wire sum_next_differ = sum_next_choice ^ program__data[52];
-  wire sum_next_both = program__data[40] && (!program__data[49] || sum_next_differ);
-  wire sum_next_both_2 = program__data[43] && (!program__data[49] || !sum_next_differ);
-  wire [31:0] sum_next_choice_2 =
+  wire holds = tested ^ program__data[52];
+  wire takes_a = program__data[40] && (!program__data[49] || holds);
+  wire takes_b = program__data[43] && (!program__data[49] || !holds);
+  wire [31:0] gated_a_choice =
       program__data[41] ? (program__data[42] ? sum[31:0] : result) : numbers_a_data;
-  wire [25:0] sum_next_choice_3 = program__data[45] ? {11'd0, table__data} : port;
-  wire [43:0] sum_next_choice_4 =
+  wire [25:0] recent_b_2_to_3 = program__data[45] ? {11'd0, table__data} : port;
+  wire [43:0] operand_b =
       program__data[44] ?
-      (program__data[46] ? {{18{sum_next_choice_3[25]}}, sum_next_choice_3} :
+      (program__data[46] ? {{18{recent_b_2_to_3[25]}}, recent_b_2_to_3} :
       program__data[45] ? {{12{result[31]}}, result} :
       product[43:0]) : {{12{numbers_b_data[31]}}, numbers_b_data};
-  wire [31:0] sum_next_both_3 = sum_next_choice_2 & {32{sum_next_both}};
-  wire [44:0] sum_next_sum =
-      {{12{sum_next_both_3[31]}}, sum_next_both_3, 1'b1} +
-      {(sum_next_choice_4 & {44{sum_next_both_2}}) ^ {44{program__data[47]}}, program__data[48]};
-  wire [43:0] result_next_shifted = $signed(sum) >>> program__data[57:53];
-  wire [4:0] result_next_part = program__data[62:58];
-  wire result_next_either =
-      result_next_shifted[43:17] == 27'd0 || result_next_shifted[43:17] == 27'd134217727;
-  wire result_next_either_2 =
-      result_next_shifted[43:27] == 17'd0 || result_next_shifted[43:27] == 17'd131071;
+  wire [31:0] gated_a = gated_a_choice & {32{takes_a}};
+  wire [44:0] sum_and_carry =
+      {{12{gated_a[31]}}, gated_a, 1'b1} +
+      {(operand_b & {44{takes_b}}) ^ {44{program__data[47]}}, program__data[48]};
+  wire [43:0] shifted_down = $signed(sum) >>> program__data[57:53];
+  wire [4:0] low_bits_part = program__data[62:58];
+  wire fits_either = shifted_down[43:17] == 27'd0 || shifted_down[43:17] == 27'd134217727;
+  wire fits_either_2 = shifted_down[43:27] == 17'd0 || shifted_down[43:27] == 17'd131071;
 
-  logic [31:0] result_next_entry;  // low_bits
+  logic [31:0] low_bits;  // low_bits
   always_comb begin
-    case (result_next_part)
-      5'd0: result_next_entry = 32'd4294967295;
-      5'd1: result_next_entry = 32'd1;
-      5'd2: result_next_entry = 32'd31;
-      5'd3: result_next_entry = 32'd63;
-      5'd4: result_next_entry = 32'd255;
-      5'd5: result_next_entry = 32'd1023;
-      5'd6: result_next_entry = 32'd8191;
-      5'd7, 5'd10, 5'd25, 5'd26: result_next_entry = 32'd32767;
-      5'd8: result_next_entry = 32'd16383;
-      5'd9: result_next_entry = 32'd65535;
-      5'd11, 5'd13, 5'd27: result_next_entry = 32'd131071;
-      5'd12, 5'd15: result_next_entry = 32'd262143;
-      5'd14, 5'd17, 5'd28: result_next_entry = 32'd524287;
-      5'd16, 5'd18: result_next_entry = 32'd1048575;
-      5'd19, 5'd22: result_next_entry = 32'd16777215;
-      5'd20: result_next_entry = 32'd8388607;
-      5'd21, 5'd23: result_next_entry = 32'd33554431;
-      5'd24, 5'd29: result_next_entry = 32'd134217727;
-      default: result_next_entry = 32'd0;
+    case (low_bits_part)
+      5'd0: low_bits = 32'd4294967295;
+      5'd1: low_bits = 32'd1;
+      5'd2: low_bits = 32'd31;
+      5'd3: low_bits = 32'd63;
+      5'd4: low_bits = 32'd255;
+      5'd5: low_bits = 32'd1023;
+      5'd6: low_bits = 32'd8191;
+      5'd7, 5'd10, 5'd25, 5'd26: low_bits = 32'd32767;
+      5'd8: low_bits = 32'd16383;
+      5'd9: low_bits = 32'd65535;
+      5'd11, 5'd13, 5'd27: low_bits = 32'd131071;
+      5'd12, 5'd15: low_bits = 32'd262143;
+      5'd14, 5'd17, 5'd28: low_bits = 32'd524287;
+      5'd16, 5'd18: low_bits = 32'd1048575;
+      5'd19, 5'd22: low_bits = 32'd16777215;
+      5'd20: low_bits = 32'd8388607;
+      5'd21, 5'd23: low_bits = 32'd33554431;
+      5'd24, 5'd29: low_bits = 32'd134217727;
+      default: low_bits = 32'd0;
     endcase
   end
 
-  wire result_next_inverse = !result_next_shifted[43];
-  wire result_next_choice =
-      program__data[58] ? result_next_either :
-      result_next_shifted[43:15] == 29'd0 || result_next_shifted[43:15] == 29'd536870911;
-  wire result_next_choice_2 =
-      program__data[58] ? result_next_either_2 :
-      result_next_shifted[43:19] == 25'd0 || result_next_shifted[43:19] == 25'd33554431;
-  wire result_next_choice_3 =
-      program__data[60] ? program__data[59] || result_next_choice_2 :
-      program__data[59] ? result_next_choice :
-      !program__data[58] || result_next_shifted[43:15] == 29'd0;
-  wire [31:0] result_next_choice_4 =
-      (!program__data[62] || !program__data[61] || result_next_choice_3) ?
-      result_next_shifted[31:0] : {32{result_next_inverse}};
-  wire result_next_choice_5 =
+  wire clamped_inverse = !shifted_down[43];
+  wire fits_26_to_27 =
+      program__data[58] ? fits_either :
+      shifted_down[43:15] == 29'd0 || shifted_down[43:15] == 29'd536870911;
+  wire fits_28_to_29 =
+      program__data[58] ? fits_either_2 :
+      shifted_down[43:19] == 25'd0 || shifted_down[43:19] == 25'd33554431;
+  wire fits_24_to_31 =
+      program__data[60] ? program__data[59] || fits_28_to_29 :
+      program__data[59] ? fits_26_to_27 :
+      !program__data[58] || shifted_down[43:15] == 29'd0;
+  wire [31:0] clamped =
+      (!program__data[62] || !program__data[61] || fits_24_to_31) ? shifted_down[31:0] :
+      {32{clamped_inverse}};
+  wire sign_above_8_to_15 =
       program__data[60] ?
-      (program__data[59] ? program__data[58] && result_next_shifted[18] :
-      program__data[58] && result_next_shifted[17]) :
-      program__data[59] ? !program__data[58] && result_next_shifted[15] :
-      !program__data[58] && result_next_shifted[14];
-  wire result_next_choice_6 =
+      (program__data[59] ? program__data[58] && shifted_down[18] :
+      program__data[58] && shifted_down[17]) :
+      program__data[59] ? !program__data[58] && shifted_down[15] :
+      !program__data[58] && shifted_down[14];
+  wire sign_above_16_to_31 =
       program__data[61] ?
-      (program__data[60] ? !program__data[59] && result_next_shifted[43] :
-      program__data[59] ? result_next_shifted[43] :
-      !program__data[58] && result_next_shifted[27]) :
+      (program__data[60] ? !program__data[59] && shifted_down[43] :
+      program__data[59] ? shifted_down[43] :
+      !program__data[58] && shifted_down[27]) :
       program__data[60] ?
-      (program__data[59] ? (program__data[58] ? result_next_shifted[25] : result_next_shifted[24]) :
-      !program__data[58] && result_next_shifted[23]) :
-      program__data[59] ? !program__data[58] && result_next_shifted[20] :
-      program__data[58] && result_next_shifted[19];
-  wire result_next_choice_7 =
-      program__data[62] ? result_next_choice_6 :
-      program__data[61] ? result_next_choice_5 :
-      program__data[60] ? program__data[59] && !program__data[58] && result_next_shifted[13] :
-      program__data[59] ? (program__data[58] ? result_next_shifted[6] : result_next_shifted[5]) :
-      !program__data[58] && result_next_shifted[43];
-  wire [27:0] result_next_both = ~result_next_entry[27:0] & {28{result_next_choice_7}};
-  wire [31:0] result_next_either_3 =
-      (result_next_entry & result_next_choice_4) | {{4{result_next_both[27]}}, result_next_both};
-  wire result_next_choice_8 =
+      (program__data[59] ? (program__data[58] ? shifted_down[25] : shifted_down[24]) :
+      !program__data[58] && shifted_down[23]) :
+      program__data[59] ? !program__data[58] && shifted_down[20] :
+      program__data[58] && shifted_down[19];
+  wire sign_above =
+      program__data[62] ? sign_above_16_to_31 :
+      program__data[61] ? sign_above_8_to_15 :
+      program__data[60] ? program__data[59] && !program__data[58] && shifted_down[13] :
+      program__data[59] ? (program__data[58] ? shifted_down[6] : shifted_down[5]) :
+      !program__data[58] && shifted_down[43];
+  wire [27:0] formatted_both = ~low_bits[27:0] & {28{sign_above}};
+  wire [31:0] formatted = (low_bits & clamped) | {{4{formatted_both[27]}}, formatted_both};
+  wire flag_30_to_31 =
       program__data[58] ? sum[43] ^ program__data[63] : (sum == 44'd0) ^ program__data[63];
-  wire result_next_both_2 = program__data[59] && result_next_choice_8;
+  wire flag_28_to_31 = program__data[59] && flag_30_to_31;
   wire [3:0] part = program__data[75:72];
 
   always_ff @(posedge clk) begin
@@ -312,58 +309,58 @@ module sinusoidal_control (
     active <= step != 9'd0;
     fresh <= fresh && step != 9'd477;
     result <=
-        result_next_either_3 |
-        {31'd0, program__data[62] && program__data[61] && program__data[60] && result_next_both_2};
+        formatted |
+        {31'd0, program__data[62] && program__data[61] && program__data[60] && flag_28_to_31};
     if (program__data[37]) begin
       if (program__data[36]) begin
-        logic [14:0] port_next_choice_12;
-        port_next_choice_12 =
+        logic [14:0] port_next_choice_5;
+        port_next_choice_5 =
             program__data[34] ? hold_voltage_i :
             program__data[33] ? (program__data[32] ? control_limit_i : control_emf_i) :
             program__data[32] ? control_inductance_i :
             control_k_i_i;
-        port <= {11'd0, port_next_choice_12};
+        port <= {11'd0, port_next_choice_5};
       end else if (program__data[35]) begin
-        logic [14:0] port_next_choice_4;
-        logic [15:0] port_next_choice_5;
+        logic [14:0] port_next_choice_3;
+        logic [15:0] port_next_44_to_47;
         logic [15:0] port_next_choice_wide;
-        logic [15:0] port_next_choice_11;
-        port_next_choice_4 =
+        logic [15:0] port_next_40_to_47;
+        port_next_choice_3 =
             program__data[33] ? (program__data[32] ? speed_stop_i : speed_slow_i) :
             program__data[32] ? speed_lock_i :
             speed_limit_i;
-        port_next_choice_5 =
+        port_next_44_to_47 =
             program__data[33] ? (program__data[32] ? {1'b0, control_k_p_i} : control_set_gamma_i) :
             {1'b0, program__data[32] ? speed_emf_high_i : speed_emf_low_i};
-        port_next_choice_wide = {1'b0, port_next_choice_4};
-        port_next_choice_11 = program__data[34] ? port_next_choice_5 : port_next_choice_wide;
-        port <= {{10{port_next_choice_11[15]}}, port_next_choice_11};
+        port_next_choice_wide = {1'b0, port_next_choice_3};
+        port_next_40_to_47 = program__data[34] ? port_next_44_to_47 : port_next_choice_wide;
+        port <= {{10{port_next_40_to_47[15]}}, port_next_40_to_47};
       end else begin
-        logic [14:0] port_next_choice_3;
-        logic [24:0] port_next_choice_10;
-        port_next_choice_3 =
+        logic [14:0] port_next_choice_2;
+        logic [24:0] port_next_32_to_39;
+        port_next_choice_2 =
             program__data[33] ? (program__data[32] ? speed_k_i_i : speed_k_p_i) :
             program__data[32] ? speed_filter_i :
             speed_slew_i;
-        port_next_choice_10 =
-            program__data[34] ? {10'd0, port_next_choice_3} :
+        port_next_32_to_39 =
+            program__data[34] ? {10'd0, port_next_choice_2} :
             program__data[33] ? (program__data[32] ? speed_target_i : {10'd0, estimator_k_si_i}) :
             {10'd0, program__data[32] ? estimator_k_emf_i : estimator_k_speed_i};
-        port <= {1'b0, port_next_choice_10};
+        port <= {1'b0, port_next_32_to_39};
       end
     end else begin
       logic [15:0] port_next_choice;
-      logic [15:0] port_next_choice_2;
-      logic port_next_choice_6;
-      logic [24:0] port_next_choice_7;
-      logic [13:0] port_next_choice_8;
-      logic [14:0] port_next_choice_9;
-      logic [24:0] port_next_choice_13;
+      logic [15:0] port_next_8_to_11;
+      logic port_next_choice_4;
+      logic [24:0] port_next_8_to_15;
+      logic [13:0] port_next_16_to_23;
+      logic [14:0] port_next_24_to_31;
+      logic [24:0] port_next_0_to_31;
       port_next_choice = program__data[32] ? i_v_i : i_u_i;
-      port_next_choice_2 =
+      port_next_8_to_11 =
           program__data[33] ? (program__data[32] ? a_i : {15'd0, search_i}) :
           {15'd0, program__data[32] ? pilot_i : hold_w_i};
-      port_next_choice_6 =
+      port_next_choice_4 =
           program__data[34] ?
           (program__data[33] ? (program__data[32] ? hold_v_i : hold_u_i) :
           program__data[32] ? hold_i :
@@ -371,12 +368,12 @@ module sinusoidal_control (
           program__data[33] ? (program__data[32] ? reverse_i : locked_i) :
           program__data[32] ? regulate_i :
           estimate_i;
-      port_next_choice_7 =
+      port_next_8_to_15 =
           program__data[34] ?
           (program__data[33] ? {{9{port_next_choice[15]}}, port_next_choice} :
           program__data[32] ? {1'b0, initial_i} :
-          {{9{b_i[15]}}, b_i}) : {{9{port_next_choice_2[15]}}, port_next_choice_2};
-      port_next_choice_8 =
+          {{9{b_i[15]}}, b_i}) : {{9{port_next_8_to_11[15]}}, port_next_8_to_11};
+      port_next_16_to_23 =
           program__data[34] ?
           (program__data[33] ?
           {2'd0, program__data[32] ? {11'd0, bridge_compensate_i} : bridge_lost_i} :
@@ -385,7 +382,7 @@ module sinusoidal_control (
           program__data[33] ? (program__data[32] ? ended_on_w_i : ended_on_v_i) :
           program__data[32] ? ended_on_u_i :
           {2'd0, v_dc_i};
-      port_next_choice_9 =
+      port_next_24_to_31 =
           program__data[34] ?
           (program__data[33] ? (program__data[32] ? estimator_k_e_i : estimator_k_theta_i) :
           program__data[32] ? estimator_gain_i :
@@ -394,16 +391,16 @@ module sinusoidal_control (
           {14'd0, program__data[32] ? estimator_average_i : estimator_voltage_i} :
           program__data[32] ? bridge_inverse_i :
           {14'd0, bridge_sine_i};
-      port_next_choice_13 =
+      port_next_0_to_31 =
           program__data[36] ?
-          {10'd0, program__data[35] ? port_next_choice_9 : {1'b0, port_next_choice_8}} :
-          program__data[35] ? port_next_choice_7 :
-          {24'd0, port_next_choice_6};
-      port <= {port_next_choice_13[24], port_next_choice_13};
+          {10'd0, program__data[35] ? port_next_24_to_31 : {1'b0, port_next_16_to_23}} :
+          program__data[35] ? port_next_8_to_15 :
+          {24'd0, port_next_choice_4};
+      port <= {port_next_0_to_31[24], port_next_0_to_31};
     end
-    condition <= result_choice[0];
+    condition <= factor[0];
     product <= product_next;
-    sum <= sum_next_sum[44:1];
+    sum <= sum_and_carry[44:1];
     case (part)
       4'd0: ;
       4'd1: early_on_u_new <= result[13:0];
@@ -509,5 +506,5 @@ module sinusoidal_control (
   // What nothing reads, for the linters.
   wire unused =
       &{1'b0, bridge_dead_time_i, product[46:44], numbers_c_data[31], numbers_d_data[31:16],
-      sum_next_sum[0]};
+      sum_and_carry[0]};
 endmodule

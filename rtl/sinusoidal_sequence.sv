@@ -93,20 +93,21 @@ module sinusoidal_sequence (
   logic refused;  // `run` was up before the words were valid: that is no wish to start
   logic entered;
 
-  wire holding_both = state == SinusoidalState_kPattern && third != 2'd2;  // line 76
+  wire holding_and_third_is_not_two = state == SinusoidalState_kPattern && third != 2'd2;
   wire regulating =
       state == SinusoidalState_kStarting || state == SinusoidalState_kRun ||
       state == SinusoidalState_kSlowDown;
-  wire run_both = command_run_i && command_configured_i;  // line 139
+  wire command_run_and_command_configured = command_run_i && command_configured_i;  // line 139
   wire refused_next = command_run_i && (refused || !command_configured_i);
-  wire run = run_both && !(refused_next || still_i);
-  wire walk_both = timer == 20'd0 && third != 2'd2;  // line 176
-  wire leave_differ = command_reverse_i ^ reverse;  // line 140
-  wire leave = !run || leave_differ;
+  wire run = command_run_and_command_configured && !(refused_next || still_i);
+  wire over_and_third_is_not_two = timer == 20'd0 && third != 2'd2;  // line 176
+  wire command_reverse_xor_reverse = command_reverse_i ^ reverse;  // line 140
+  wire leave = !run || command_reverse_xor_reverse;
   wire state_either = state == SinusoidalState_kFault || command_configured_i;  // line 100
   wire state_either_2 = state_either || state == SinusoidalState_kIdle;  // line 100
-  wire alive_both = state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;
-  wire alive_both_2 = state != SinusoidalState_kFault && fault_pin_i;  // line 96
+  wire alive_and_fatal_is_not_none =  // line 98
+      state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;
+  wire alive_and_fault_pin = state != SinusoidalState_kFault && fault_pin_i;  // line 96
   wire [19:0] timer_next_choice = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
   wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
   wire [19:0] trust_next_choice_2 =  // line 92
@@ -116,10 +117,10 @@ module sinusoidal_sequence (
   wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 90
   wire command_configured_both = command_configured_i && failed_i != SinusoidalReason_kNone;
   wire command_run_either =  // line 140
-      !(command_run_i && !((command_run_i && refused) || still_i)) || leave_differ;
+      !(command_run_i && !((command_run_i && refused) || still_i)) || command_reverse_xor_reverse;
 
   always_ff @(posedge clk) begin
-    if (alive_both_2 || alive_both) begin
+    if (alive_and_fault_pin || alive_and_fatal_is_not_none) begin
       state <= SinusoidalState_kFault;
       timer <= timer_next_choice;
       trust <= trust_next_choice_2;
@@ -127,11 +128,11 @@ module sinusoidal_sequence (
       regulated <= regulated_next_either;
     end else if (state_either_2) begin
       logic last;
-      logic state_next_both;
-      logic failed_both;
+      logic over_and_third_is_two;
+      logic failed_and_found;
       last = tries < words_retries_i;
-      state_next_both = timer == 20'd0 && third == 2'd2;
-      failed_both = failed_i == SinusoidalReason_kNone && found_i;
+      over_and_third_is_two = timer == 20'd0 && third == 2'd2;
+      failed_and_found = failed_i == SinusoidalReason_kNone && found_i;
       if (state == SinusoidalState_kIdle) begin
         if (run) begin
           state <= SinusoidalState_kCalibrate;
@@ -163,7 +164,8 @@ module sinusoidal_sequence (
             end
           end else if (state == SinusoidalState_kPattern) begin
             state <=
-                run ? (state_next_both ? SinusoidalState_kStarting : state) : SinusoidalState_kIdle;
+                run ? (over_and_third_is_two ? SinusoidalState_kStarting : state) :
+                SinusoidalState_kIdle;
           end else begin
             logic slow_down;
             logic [3:0] state_next_choice_3;
@@ -217,7 +219,7 @@ module sinusoidal_sequence (
         logic [19:0] timer_next_choice_2;
         timer_next_choice_2 = (timer == 20'd0) ? words_rest_i : timer_next_choice;
         if (state == SinusoidalState_kPilot) begin
-          if (run && failed_both) begin
+          if (run && failed_and_found) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
@@ -233,14 +235,14 @@ module sinusoidal_sequence (
             trust <= trust_next_choice_2;
           end
         end else begin
-          logic run_both_2;
-          run_both_2 = run && timer == 20'd0;
-          if (state == SinusoidalState_kPattern && run_both_2 && third == 2'd2) begin
+          logic run_and_over;
+          run_and_over = run && timer == 20'd0;
+          if (state == SinusoidalState_kPattern && run_and_over && third == 2'd2) begin
             timer <= words_give_up_i;
             trust <= words_lock_i;
           end else begin
             if (state == SinusoidalState_kPattern) begin
-              if (run_both_2) begin
+              if (run_and_over) begin
                 timer <= (third == 2'd2) ? words_give_up_i : words_pattern_i;
               end else begin
                 timer <= timer_next_choice;
@@ -266,17 +268,17 @@ module sinusoidal_sequence (
         SinusoidalState_kIdle, SinusoidalState_kCalibrate, SinusoidalState_kPilot,
         SinusoidalState_kPattern, SinusoidalState_kStarting, SinusoidalState_kRun,
         SinusoidalState_kSlowDown: begin
-          logic [3:0] tries_next_sum;
+          logic [3:0] tries_plus_last;
           logic [3:0] tries_next_choice;
-          logic sampled_either;
-          logic refused_either;
-          tries_next_sum = tries + {3'd0, last};  // line 126
-          tries_next_choice = (timer == 20'd0) ? tries_next_sum : tries;
-          sampled_either = sampled_i || regulated;  // line 90
-          refused_either = refused || still_i;  // line 139
+          logic sampled_or_regulated;
+          logic refused_or_still;
+          tries_plus_last = tries + {3'd0, last};  // line 126
+          tries_next_choice = (timer == 20'd0) ? tries_plus_last : tries;
+          sampled_or_regulated = sampled_i || regulated;  // line 90
+          refused_or_still = refused || still_i;  // line 139
           case (state)
             SinusoidalState_kIdle: begin
-              if (run_both && !refused_either) begin
+              if (command_run_and_command_configured && !refused_or_still) begin
                 tries <= 4'd0;
                 reverse <= command_reverse_i;
               end
@@ -284,13 +286,13 @@ module sinusoidal_sequence (
             end
             SinusoidalState_kCalibrate: begin
               if (measured_i) begin
-                if (run_both) begin
-                  if (!refused_either && words_arbitrary_i) begin
+                if (command_run_and_command_configured) begin
+                  if (!refused_or_still && words_arbitrary_i) begin
                     modulated <= 2'd0;
                     regulated <= 1'b0;
                   end else begin
                     modulated <= modulated_next_sum;
-                    if (!refused_either) begin
+                    if (!refused_or_still) begin
                       regulated <= !words_arbitrary_i && regulated;
                       third <= words_arbitrary_i ? third : 2'd0;
                     end
@@ -303,17 +305,17 @@ module sinusoidal_sequence (
               end
             end
             SinusoidalState_kPilot: begin
-              if (run_both) begin
-                if (!refused_either && failed_both) begin
+              if (command_run_and_command_configured) begin
+                if (!refused_or_still && failed_and_found) begin
                   modulated <= 2'd0;
                   regulated <= 1'b0;
                 end else begin
-                  if (!refused_either) begin
+                  if (!refused_or_still) begin
                     if (failed_i == SinusoidalReason_kNone) begin
                       tries <= found_i ? tries : tries_next_choice;
                       regulated <= !found_i && regulated;
                     end else begin
-                      tries <= tries_next_sum;
+                      tries <= tries_plus_last;
                     end
                   end
                   modulated <= modulated_next_sum;
@@ -323,19 +325,19 @@ module sinusoidal_sequence (
               end
             end
             SinusoidalState_kPattern: begin
-              if (run_both) begin
-                if (refused_either) begin
+              if (command_run_and_command_configured) begin
+                if (refused_or_still) begin
                   modulated <= modulated_next_sum;
                 end else begin
-                  if (state_next_both) begin
+                  if (over_and_third_is_two) begin
                     modulated <= 2'd0;
                   end else begin
                     modulated <= modulated_next_sum;
-                    if (walk_both) begin
+                    if (over_and_third_is_not_two) begin
                       third <= third + 2'd1;
                     end
                   end
-                  if (!walk_both) begin
+                  if (!over_and_third_is_not_two) begin
                     regulated <= timer != 20'd0 && regulated;
                   end
                 end
@@ -350,22 +352,22 @@ module sinusoidal_sequence (
                     tries <= tries_next_choice;
                   end
                 end else begin
-                  tries <= tries_next_sum;
+                  tries <= tries_plus_last;
                 end
               end
               modulated <= modulated_next_sum;
-              regulated <= sampled_either;
+              regulated <= sampled_or_regulated;
             end
             SinusoidalState_kRun: begin
               if (command_configured_both) begin
-                tries <= tries_next_sum;
+                tries <= tries_plus_last;
               end
               modulated <= modulated_next_sum;
-              regulated <= sampled_either;
+              regulated <= sampled_or_regulated;
             end
             default: begin  // SinusoidalState_kSlowDown
               modulated <= modulated_next_sum;
-              regulated <= sampled_either;
+              regulated <= sampled_or_regulated;
             end
           endcase
         end
@@ -378,10 +380,10 @@ module sinusoidal_sequence (
       modulated <= modulated_next_sum;
       regulated <= regulated_next_either;
     end
-    if (alive_both_2) begin
+    if (alive_and_fault_pin) begin
       reason <= SinusoidalReason_kFaultPin;
       entered <= 1'b1;
-    end else if (alive_both) begin
+    end else if (alive_and_fatal_is_not_none) begin
       reason <= fatal_i;
       entered <= 1'b1;
     end else begin
@@ -391,7 +393,8 @@ module sinusoidal_sequence (
         SinusoidalState_kCalibrate: entered_next_choice = !run || measured_i;
         SinusoidalState_kPilot: entered_next_choice =
             !run || failed_i != SinusoidalReason_kNone || found_i || timer == 20'd0;
-        SinusoidalState_kPattern: entered_next_choice = !run || (!walk_both && timer == 20'd0);
+        SinusoidalState_kPattern: entered_next_choice =
+            !run || (!over_and_third_is_not_two && timer == 20'd0);
         SinusoidalState_kStarting: entered_next_choice =
             leave || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
         SinusoidalState_kRun: entered_next_choice = failed_i != SinusoidalReason_kNone || leave;
@@ -466,8 +469,8 @@ module sinusoidal_sequence (
   assign hold_o = state[3:1] == 3'd1;
   assign hold_u_o =
       state == SinusoidalState_kPilot || (state == SinusoidalState_kPattern && third != 2'd0);
-  assign hold_v_o = holding_both && reverse;
-  assign hold_w_o = holding_both && !reverse;
+  assign hold_v_o = holding_and_third_is_not_two && reverse;
+  assign hold_w_o = holding_and_third_is_not_two && !reverse;
   assign regulate_o = regulating;
   assign estimate_o = regulating && modulated[1];
   assign modulate_o = state == SinusoidalState_kPattern || (regulating && modulated != 2'd0);

@@ -439,7 +439,7 @@ module sinusoidal_top (
       .tries_o(sequence__tries)
   );
 
-  wire guard_either = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 147
+  wire not_off = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 147
   wire on_u = sequence__pilot ? pilot_high_u && pwm_u_on : pwm_u_on;
 
   wire pwm_v_on;
@@ -487,12 +487,12 @@ module sinusoidal_top (
   gate_guard guard (
       .clk(clk),
       .rst(rst),
-      .request_uh_i(guard_either && on_u),
-      .request_ul_i(sequence__brake || (guard_either && !on_u)),
-      .request_vh_i(guard_either && on_v),
-      .request_vl_i(sequence__brake || (guard_either && !on_v)),
-      .request_wh_i(guard_either && on_w),
-      .request_wl_i(sequence__brake || (guard_either && !on_w)),
+      .request_uh_i(not_off && on_u),
+      .request_ul_i(sequence__brake || (not_off && !on_u)),
+      .request_vh_i(not_off && on_v),
+      .request_vl_i(sequence__brake || (not_off && !on_v)),
+      .request_wh_i(not_off && on_w),
+      .request_wl_i(sequence__brake || (not_off && !on_w)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
       .dead_time_i(words_bridge_dead_time_i),

@@ -401,7 +401,7 @@ module six_step_registered #(
   wire [6:0] absent_2 = (!read_capability || WITH_TELEMETRY) ? {2'd0, absent} : {2'd2, absent};
   wire [19:0] absent_3 = (!read_capability || WITH_RAMP) ? {13'd0, absent_2} : {13'd4096, absent_2};
   wire [19:0] absent_4 = (!read_capability || WITH_FOLLOWER) ? absent_3 : absent_3 | 20'h80;
-  wire [20:0] data_inverse = ~{1'b0, absent_4};  // line 81
+  wire [20:0] not_absent = ~{1'b0, absent_4};  // line 81
 
   always_ff @(posedge clk) begin
     command_configured <= registers_command_configured;
@@ -435,7 +435,7 @@ module six_step_registered #(
   assign interrupt_o = registers_interrupt;
   assign locked_o = drive_locked;
   assign fault_o = drive_state == 4'd10;
-  assign data_o = registers_data & {{11{data_inverse[20]}}, data_inverse};
+  assign data_o = registers_data & {{11{not_absent[20]}}, not_absent};
   assign read_error_o = registers_read_error;
   assign write_error_o = registers_write_error;
 endmodule

@@ -521,8 +521,8 @@ module six_step_top #(
       .stuck_o(limit_stuck)
   );
 
-  wire [2:0] commutation_sum = hall_step - 3'd3;  // commutation.hpp:39
-  wire [2:0] commutation_sum_2 = hall_step - 3'd1;  // commutation.hpp:43
+  wire [2:0] hall_step_minus_three = hall_step - 3'd3;  // commutation.hpp:39
+  wire [2:0] hall_step_minus_one = hall_step - 3'd1;  // commutation.hpp:43
 
   wire commutation_uh;
   wire commutation_ul;
@@ -533,11 +533,11 @@ module six_step_top #(
   commutation commutation (
       .pattern_bits_i((limit_cut && start_running) ? 5'd0 : start_pattern_bits),
       .legs_uh_i(hall_2 ? hall_step[2:1] == 2'd0 : legs_uh),
-      .legs_ul_i(hall_2 ? commutation_sum[2:1] == 2'd0 : legs_ul),
+      .legs_ul_i(hall_2 ? hall_step_minus_three[2:1] == 2'd0 : legs_ul),
       .legs_vh_i(hall_2 ? $signed(hall_step) > 3'sd1 : legs_vh),
       .legs_vl_i(hall_2 ? hall_step == 3'd0 || hall_step == 3'd5 : legs_vl),
       .legs_wh_i(hall_2 ? hall_step[2] && !hall_step[1] : legs_wh),
-      .legs_wl_i(hall_2 ? commutation_sum_2[2:1] == 2'd0 : legs_wl),
+      .legs_wl_i(hall_2 ? hall_step_minus_one[2:1] == 2'd0 : legs_wl),
       .chop_i(limit_on),
       .complementary_i(words_pwm_complementary_i),
       .uh_o(commutation_uh),
@@ -655,8 +655,8 @@ module six_step_top #(
   );
 
   wire [2:0] step_2 = start_load_step ? start_step : divide_turned;
-  wire [2:0] legs_ul_next_sum = step_2 - 3'd3;  // commutation.hpp:39
-  wire [2:0] legs_wl_next_sum = step_2 - 3'd1;  // commutation.hpp:43
+  wire [2:0] step_minus_three = step_2 - 3'd3;  // commutation.hpp:39
+  wire [2:0] step_minus_one = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
     still <= words_speed_target_i == 26'd0;  // line 259
@@ -668,11 +668,11 @@ module six_step_top #(
     divided_commutate <= divide_commutate;
     divided_elapsed <= divide_elapsed;
     legs_uh <= step_2[2:1] == 2'd0;  // commutation.hpp:38
-    legs_ul <= legs_ul_next_sum[2:1] == 2'd0;  // commutation.hpp:39
+    legs_ul <= step_minus_three[2:1] == 2'd0;  // commutation.hpp:39
     legs_vh <= $signed(step_2) > 3'sd1;  // commutation.hpp:40
     legs_vl <= step_2 == 3'd0 || step_2 == 3'd5;  // commutation.hpp:41
     legs_wh <= step_2[2] && !step_2[1];  // commutation.hpp:42
-    legs_wl <= legs_wl_next_sum[2:1] == 2'd0;  // commutation.hpp:43
+    legs_wl <= step_minus_one[2:1] == 2'd0;  // commutation.hpp:43
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
@@ -750,5 +750,6 @@ module six_step_top #(
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, commutation_sum[0], commutation_sum_2[0], legs_ul_next_sum[0], legs_wl_next_sum[0]};
+      &{1'b0, hall_step_minus_three[0], hall_step_minus_one[0], step_minus_three[0],
+      step_minus_one[0]};
 endmodule

@@ -120,7 +120,7 @@ module speed_control (
       of_error ? reference[26:0] : {11'd0, at_bits[Stage_kOnClocks] ? duty : 16'd0};
   wire [26:0] multiplicand_choice_2 =  // line 127
       of_error ? ~{1'b0, frequency_i} : {1'b0, at_bits[Stage_kOnClocks] ? 26'd0 : frequency_i};
-  wire [16:0] at_bits_next_joined = {at_bits[15:0], at_bits[Stage_kOnClocks]};  // line 96
+  wire [16:0] at_bits_next_so_far = {at_bits[15:0], at_bits[Stage_kOnClocks]};  // line 96
 
   wire [42:0] multiplier_product;
   wire multiplier_done;
@@ -148,14 +148,14 @@ module speed_control (
   wire integrated_choice =
       integrated ? !(!(control && descends) || far) && !multiplier_product[31] : resumes;
   wire resumes_next = (control || !at_bits[Stage_kDuty]) && integrated_choice;  // line 217
-  wire presets_next_both = resumes_next && mode_i == SpeedMode_kControl;  // line 217
-  wire presets_next = at_bits[Stage_kIdle] ? presets_next_both : presets;  // line 217
+  wire resumes_next_and_mode_is_control = resumes_next && mode_i == SpeedMode_kControl;  // line 217
+  wire presets_next = at_bits[Stage_kIdle] ? resumes_next_and_mode_is_control : presets;
   wire [16:0] at_bits_next_choice =
-      control ? at_bits_next_joined :
+      control ? at_bits_next_so_far :
       at_bits[Stage_kBemf] ? 17'd1 << Stage_kUp :
-      (presets_next || !at_bits[Stage_kUp]) ? at_bits_next_joined :
+      (presets_next || !at_bits[Stage_kUp]) ? at_bits_next_so_far :
       17'd1 << Stage_kDuty;
-  wire [21:0] work_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 170
+  wire [21:0] not_below_sum = {1'b0, work ^ 21'h100000} + {5'd7, not_limit} + 22'd1;  // line 170
   wire at_high_2 = at_high || (high_was && !below);
   wire [15:0] duty_next = at_bits[Stage_kDuty] ? (work[20] ? 16'd0 : work[15:0]) : duty;
   wire falls_2 = !at_bits[Stage_kProportional] || yields;
@@ -180,10 +180,10 @@ module speed_control (
   wire [16:0] bound =  // line 196
       (!at_bits[Stage_kWhole] && !(control && at_bits[Stage_kDown])) ? bound_choice_3 :
       {1'b0, words_minimum_i};
-  wire [28:0] slew_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;  // line 141
+  wire [28:0] not_lower_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;
   wire asks_next_either = held_next || at_high || (!addend[33] && addend[32:18] != 15'd0);
-  wire far_next_both = at_bits[Stage_kBemf] && starts;  // line 214
-  wire far_next_both_2 = falls && !passes;  // line 214
+  wire in_bemf_and_starts = at_bits[Stage_kBemf] && starts;  // line 214
+  wire falls_and_not_passes = falls && !passes;  // line 214
   wire fast_next = (at_bits[Stage_kAdd] ? asks_next_either : asks) && freewheels_i;  // line 240
 
   always_ff @(posedge clk) begin
@@ -191,9 +191,9 @@ module speed_control (
       if (tick_i) begin
         at_bits <= at_bits_next_choice;
       end
-      falls <= slew_sum[28];
-      rises <= !(slew_sum[28] || held_next);
-      presets <= presets_next_both;
+      falls <= not_lower_sum[28];
+      rises <= !(not_lower_sum[28] || held_next);
+      presets <= resumes_next_and_mode_is_control;
     end else begin
       logic multiplies;
       multiplies = !(of_error || at_bits[Stage_kOnClocks]) && !at_bits[Stage_kBemf];
@@ -209,17 +209,17 @@ module speed_control (
     whole <= at_bits[Stage_kProportional] || at_bits[Stage_kAdd];  // line 86
     alone <= mode_i == SpeedMode_kFixed || at_bits[Stage_kAdd];  // line 87
     less <= mode_i == SpeedMode_kBelowBemf;  // line 88
-    if (work_sum[21] ? high : low) begin
+    if (not_below_sum[21] ? high : low) begin
       if (sums) begin
         logic [17:0] base;
         logic [20:0] base_2;
         logic [19:0] part;
-        logic [19:0] total_differ;
+        logic [19:0] part_xor_less;
         base = whole ? integral[33:16] : {2'd0, control ? slip_i : fixed_duty_i};
         base_2 = {{3{base[17]}}, base};
         part = alone ? 20'd0 : multiplier_product[31:12];
-        total_differ = part ^ {20{less}};  // line 163
-        work <= base_2 + {total_differ[19], total_differ};
+        part_xor_less = part ^ {20{less}};  // line 163
+        work <= base_2 + {part_xor_less[19], part_xor_less};
       end else begin
         work <= {4'd0, ~not_limit};
       end
@@ -262,7 +262,7 @@ module speed_control (
       reference <= {2'd0, frequency_i};
     end
     not_target <= ~{1'b0, target_i};  // line 157
-    passes <= at_bits[Stage_kReach] && control && (slew_sum[28] ? rises : falls);  // line 152
+    passes <= at_bits[Stage_kReach] && control && (not_lower_sum[28] ? rises : falls);  // line 152
     duty <= duty_next;  // line 188
     if (multiplier_done) begin
       if (at_bits[Stage_kOnClocks]) begin
@@ -273,11 +273,12 @@ module speed_control (
       end
     end
     if (at_bits[Stage_kDuty]) begin
-      slips <= control && (at_bits[Stage_kSlip] ? !work_sum[21] : slips);
+      slips <= control && (at_bits[Stage_kSlip] ? !not_below_sum[21] : slips);
       descends <=
-          control && !integrated_choice && (descends || (far_next_both ? far_next_both_2 : far));
+          control &&
+          !integrated_choice && (descends || (in_bemf_and_starts ? falls_and_not_passes : far));
     end else if (at_bits[Stage_kSlip]) begin
-      slips <= !work_sum[21];
+      slips <= !not_below_sum[21];
     end
     if (limited_i || !limited) begin
       limited <= limited_i;
@@ -312,15 +313,15 @@ module speed_control (
           at_bits[Stage_kHigh] || (multiplier_done && at_bits[Stage_kProportional]) ||
           high_next_choice;
     end
-    if (far_next_both) begin
-      far <= far_next_both_2;
+    if (in_bemf_and_starts) begin
+      far <= falls_and_not_passes;
     end
     resumes <= resumes_next;  // line 217
     yields <= hurries_i || fast_next;  // line 241
     fast <= fast_next;  // line 240
     low_was <= low && !sums;  // line 202
     high_was <= high && !sums;  // line 203
-    below <= !work_sum[21];  // line 170
+    below <= !not_below_sum[21];  // line 170
     at_high <= !at_bits[Stage_kWhole] && at_high_2;  // line 194
     at_low <= !at_bits[Stage_kWhole] && (at_low || (low_was && below));  // line 84
     if (rst) begin
@@ -371,5 +372,6 @@ module speed_control (
   assign slips_o = slips;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_target_i, multiplier_product[42:32], work_sum[20:0], slew_sum[27:0]};
+  wire unused =
+      &{1'b0, words_target_i, multiplier_product[42:32], not_below_sum[20:0], not_lower_sum[27:0]};
 endmodule

@@ -91,8 +91,8 @@ module spi_adc (
       words_dc_i;
   wire [3:0] channel_wide = {1'b0, channel};  // line 107
   wire error_next_unequal = answer[15:12] != channel_wide;  // line 114
-  wire judge_either = !whole || (whole && counts && error_next_unequal);  // line 115
-  wire [2:0] whole_choice = judge_either ? (whole ? Frame_kWake : frame) : frame_choice;
+  wire not_whole_or_error_next = !whole || (whole && counts && error_next_unequal);  // line 115
+  wire [2:0] whole_choice = not_whole_or_error_next ? (whole ? Frame_kWake : frame) : frame_choice;
   wire falls_2 = !rests && left == 8'd0 && selected && !half[0];
 
   always_ff @(posedge clk) begin
@@ -136,12 +136,12 @@ module spi_adc (
               end
             end
             default: begin
-              logic [6:0] left_next_sum_2;
-              logic [7:0] left_next_sum_wide;
+              logic [6:0] words_half_minus_one;
+              logic [7:0] words_half_minus_one_wide;
               logic [2:0] address;
               logic mosi_next_either;
-              left_next_sum_2 = {1'b0, words_half_i} - 7'd1;  // line 93
-              left_next_sum_wide = {left_next_sum_2[6], left_next_sum_2};  // line 93
+              words_half_minus_one = {1'b0, words_half_i} - 7'd1;  // line 93
+              words_half_minus_one_wide = {words_half_minus_one[6], words_half_minus_one};
               address =
                   (whole_choice != Frame_kU && whole_choice != Frame_kV) ? words_u_i :
                   (whole_choice == Frame_kU) ? words_v_i :
@@ -150,37 +150,37 @@ module spi_adc (
               case (half)
                 5'd1, 5'd3, 5'd15, 5'd17, 5'd23, 5'd25, 5'd27, 5'd29: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                   mosi <= mosi_next_either;
                 end
                 5'd5: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                   mosi <= mosi_next_either || address[2];
                 end
                 5'd7: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                   mosi <= mosi_next_either || address[1];
                 end
                 5'd9: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                   mosi <= mosi_next_either || address[0];
                 end
                 5'd11, 5'd13, 5'd21: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                   mosi <= 1'b1;
                 end
                 5'd19: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                   mosi <= mosi_next_either || !words_twice_i;
                 end
                 default: begin
                   half <= half + 5'd1;
-                  left <= left_next_sum_wide;
+                  left <= words_half_minus_one_wide;
                 end
               endcase
             end

@@ -94,39 +94,39 @@ module start_counters (
   wire hopes_next_either = hopes || (ticks[6:0] == 7'd0 && lasts);  // line 62
   wire hopes_next_choice =  // line 62
       (ticks[11:10] == 2'd0) ? hopes_next_either : ticks[11:10] != 2'd2 && hopes;
-  wire in_vain_both =  // line 115
+  wire last_next_and_not_hopes_next =  // line 115
       !entered_i && last_next_either &&
       !(words_method_i && !(!state_bits_i[State_kAccelerate] || entered_i) && hopes_next_choice);
-  wire in_vain = words_method_i && state_bits_i[State_kAccelerate] && in_vain_both;
-  wire [6:0] count_crossings_sum = {1'b0, good} + 7'd1;  // line 135
+  wire in_vain = words_method_i && state_bits_i[State_kAccelerate] && last_next_and_not_hopes_next;
+  wire [6:0] good_plus_one = {1'b0, good} + 7'd1;  // line 135
 
   always_ff @(posedge clk) begin
     if (entered_i) begin
       logic [14:0] ticks_next_wide;
       logic [14:0] once;
-      logic [14:0] ticks_next_choice;
+      logic [14:0] doubled_if_in_settle;
       logic [14:0] ticks_next_either;
       logic [14:0] once_2;
-      logic [14:0] ticks_next_choice_2;
+      logic [14:0] doubled_if_in_reset;
       logic [14:0] ticks_next_either_2;
       logic [14:0] ticks_next_either_3;
       logic [14:0] ticks_next_either_4;
       logic [1:0] times_choice;
       logic [1:0] times;
       logic [12:0] once_3;
-      logic [14:0] ticks_next_choice_3;
+      logic [14:0] doubled_if_in_accelerate;
       ticks_next_wide =  // line 84
           {3'd0,
           (state_bits_i[State_kObserve] ? words_observe_i : 12'd0) |
           (state_bits_i[State_kBrake] ? words_brake_i : 12'd0)};
       once = {3'd0, words_settle_i} << gentle[0];
-      ticks_next_choice =  // line 83
+      doubled_if_in_settle =  // line 83
           state_bits_i[State_kSettle] ? (gentle[1] ? {once[12:0], 2'd0} : once) : 15'd0;
-      ticks_next_either = ticks_next_wide | ticks_next_choice;  // line 84
+      ticks_next_either = ticks_next_wide | doubled_if_in_settle;  // line 84
       once_2 = {3'd0, words_reset_i} << gentle[0];
-      ticks_next_choice_2 =  // line 83
+      doubled_if_in_reset =  // line 83
           state_bits_i[State_kReset] ? (gentle[1] ? {once_2[12:0], 2'd0} : once_2) : 15'd0;
-      ticks_next_either_2 = ticks_next_either | ticks_next_choice_2;  // line 85
+      ticks_next_either_2 = ticks_next_either | doubled_if_in_reset;  // line 85
       ticks_next_either_3 =  // line 87
           ticks_next_either_2 | {3'd0, state_bits_i[State_kPullIn] ? words_pull_in_i : 12'd0} |
           {3'd0, state_bits_i[State_kSlowDown] ? words_slow_down_i : 12'd0};
@@ -136,9 +136,9 @@ module start_counters (
       times_choice = (retries[3:2] == 2'd0 && retries[1:0] == 2'd0) ? 2'd2 : 2'd0;  // line 91
       times = words_method_i ? times_choice : gentle;
       once_3 = times[0] ? 13'd8190 : 13'd4095;
-      ticks_next_choice_3 =  // line 83
+      doubled_if_in_accelerate =  // line 83
           state_bits_i[State_kAccelerate] ? (times[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
-      ticks <= ticks_next_either_4 | ticks_next_choice_3;
+      ticks <= ticks_next_either_4 | doubled_if_in_accelerate;
       last <= 1'b0;
       hopes <= 1'b0;
       good <= 6'd0;
@@ -154,7 +154,7 @@ module start_counters (
           logic same;
           same = !state_bits_i[State_kObserve] || !(turns_reverse_i ^ turns_reverse);
           if (same) begin
-            good <= count_crossings_sum[5:0];
+            good <= good_plus_one[5:0];
           end else begin
             good <= 6'd0;
           end
@@ -188,7 +188,7 @@ module start_counters (
     end
     tried <= words_retries_i <= retries || in_vain;  // line 116
     braked <= brakes == 8'd255;  // line 122
-    nearly <= ({1'b0, words_good_crossings_i} <= count_crossings_sum);  // line 135
+    nearly <= ({1'b0, words_good_crossings_i} <= good_plus_one);  // line 135
     if (rst) begin
       ticks <= 15'd0;
       late <= 1'b0;

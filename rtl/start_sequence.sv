@@ -205,8 +205,8 @@ module start_sequence #(
       state_wide | {at_bits[State_kSlowDown], 3'd0} | (at_bits[State_kRest] ? 4'd9 : 4'd0);
   wire follows_rotor = at_bits[State_kAccelerate] && words_method_i;
   wire rests = follows_rotor && !follower_drives_i;
-  wire [1:0] present_pattern_choice = (drives && !rests) ? 2'd1 << Pattern_kDrive : 2'd0;
-  wire [4:0] present_pattern_wide = {3'd0, present_pattern_choice | {1'b0, !enables || rests}};
+  wire [1:0] present_pattern_drive = (drives && !rests) ? 2'd1 << Pattern_kDrive : 2'd0;
+  wire [4:0] present_pattern_so_far = {3'd0, present_pattern_drive | {1'b0, !enables || rests}};
   wire [1:0] mode_choice =
       (at_bits[State_kObserve] || boosts) ? SpeedMode_kAboveBemf :
       at_bits[State_kBrake] ? SpeedMode_kBelowBemf :
@@ -229,83 +229,91 @@ module start_sequence #(
       .duty_o(open_loop_duty)
   );
 
-  wire reverse_inverse = !reverse;  // line 302
+  wire not_reverse = !reverse;  // line 302
   wire to_high = sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0];  // divide_by_n.hpp:29
   wire three_or_four = sector_i[0] ? sector_i[1] : sector_i[2];  // divide_by_n.hpp:27
   wire [2:0] next_step =  // divide_by_n.hpp:30
       (to_high ? 3'd4 : 3'd0) | {1'b0, three_or_four ? 2'd2 : 2'd0} | {2'd0, !sector_i[0]};
   wire runs_on = command_run_i && !still_i;  // line 212
-  wire is_started_differ = counters_turns_reverse ^ reverse;  // line 219
-  wire turns_on_either = !runs_on || is_started_differ;  // line 215
-  wire is_started_both = !(turns_on_either ? !fast_i : slow_i) && counters_enough;  // line 104
+  wire counters_turns_reverse_xor_reverse = counters_turns_reverse ^ reverse;  // line 219
+  wire turns_on_either = !runs_on || counters_turns_reverse_xor_reverse;  // line 215
+  wire not_is_started_and_counters_enough =  // line 104
+      !(turns_on_either ? !fast_i : slow_i) && counters_enough;
   wire choose_both = turns_on_either && !(words_method_i && runs_on);  // line 116
-  wire enough = (!at_bits[State_kObserve] || choose_both) ? counters_enough : is_started_both;
+  wire enough =
+      (!at_bits[State_kObserve] || choose_both) ? counters_enough :
+      not_is_started_and_counters_enough;
   wire failed_next_either =  // line 196
       (at_bits[State_kPullIn] && counters_over && !enough) ||
       ((at_bits[State_kSlowDown] || at_bits[State_kRun]) && lost_i);
   wire arrives = words_method_i ? caught_i : fast_i;  // line 116
-  wire choose_either = !at_bits[State_kAccelerate] || arrives;  // line 195
-  wire choose_either_2 = counters_over || blocked_i;  // line 116
-  wire failed_next_either_2 = (!choose_either && choose_either_2) || failed_next_either;
-  wire choose_either_3 = at_bits[State_kFault] || !command_configured_i;  // line 188
-  wire brakes_either = command_brake_to_stop_i || still_i;  // line 183
+  wire not_in_accelerate_or_arrives = !at_bits[State_kAccelerate] || arrives;  // line 195
+  wire counters_over_or_blocked = counters_over || blocked_i;  // line 116
+  wire failed_next_either_2 =  // line 116
+      (!not_in_accelerate_or_arrives && counters_over_or_blocked) || failed_next_either;
+  wire fault_or_not_command_configured = at_bits[State_kFault] || !command_configured_i;
+  wire command_brake_to_stop_or_still = command_brake_to_stop_i || still_i;  // line 183
   wire brakes =
-      (!brakes_either || at_bits[State_kSlowDown] || at_bits[State_kRun]) ? brakes_either :
-      at_bits[State_kBrake] || at_bits[State_kObserve];
+      (!command_brake_to_stop_or_still || at_bits[State_kSlowDown] || at_bits[State_kRun]) ?
+      command_brake_to_stop_or_still : at_bits[State_kBrake] || at_bits[State_kObserve];
   wire halts = (!runs_on || refused) && !brakes;
-  wire choose_either_4 = choose_either_3 || fatal_i || halts;  // line 188
-  wire failed_next = !choose_either_4 && failed_next_either_2;
-  wire [9:0] at_bits_next_choice = (failed_next && !counters_tried) ? 10'd1 << State_kRest : 10'd0;
+  wire not_goes = fault_or_not_command_configured || fatal_i || halts;  // line 188
+  wire failed_next = !not_goes && failed_next_either_2;
+  wire [9:0] at_bits_next_rest = (failed_next && !counters_tried) ? 10'd1 << State_kRest : 10'd0;
   wire rearm = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);
   wire trips = command_configured_i && fatal_i;
   wire moves_trips = at_bits[State_kFault] ? !rearm : trips;
-  wire choose_differ = command_reverse_i ^ reverse;  // line 116
-  wire choose_either_5 = !runs_on || choose_differ;  // line 116
+  wire command_reverse_xor_reverse = command_reverse_i ^ reverse;  // line 116
+  wire choose_either = !runs_on || command_reverse_xor_reverse;  // line 116
   wire braking_next_both =  // line 193
-      at_bits[State_kObserve] && (choose_both ? counters_enough : is_started_both) &&
-      turns_on_either;
+      at_bits[State_kObserve] &&
+      (choose_both ? counters_enough : not_is_started_and_counters_enough) && turns_on_either;
   wire braking_next_either =  // line 116
       braking_next_both ||
-      (at_bits[State_kSlowDown] && !lost_i && choose_either_5 && (counters_over || !fast_i));
-  wire braking_next = !choose_either_4 && braking_next_either;
-  wire [10:0] at_bits_next_choice_2 =  // line 233
+      (at_bits[State_kSlowDown] && !lost_i && choose_either && (counters_over || !fast_i));
+  wire braking_next = !not_goes && braking_next_either;
+  wire [10:0] at_bits_next_fault =  // line 233
       (moves_trips || (braking_next && counters_braked) || (failed_next && counters_tried)) ?
       11'd1 << State_kFault : 11'd0;
-  wire moves_tries_both = at_bits[State_kRest] && counters_over;  // line 192
-  wire looks_both = OBSERVES && !source_i;  // line 166
-  wire looks_both_2 = looks_both && words_observe_i != 12'd0;  // line 166
-  wire choose_both_2 = at_bits[State_kBrake] && counters_over;  // line 191
+  wire in_rest_and_counters_over = at_bits[State_kRest] && counters_over;  // line 192
+  wire observes_and_not_source = OBSERVES && !source_i;  // line 166
+  wire looks_both = observes_and_not_source && words_observe_i != 12'd0;  // line 166
+  wire in_brake_and_counters_over = at_bits[State_kBrake] && counters_over;  // line 191
   wire moves_tries_choice =  // line 116
-      choose_both_2 ? runs_on || looks_both_2 || moves_tries_both : moves_tries_both;
+      in_brake_and_counters_over ? runs_on || looks_both || in_rest_and_counters_over :
+      in_rest_and_counters_over;
   wire moves_tries_either = at_bits[State_kIdle] || moves_tries_choice;  // line 116
-  wire moves_tries = !choose_either_4 && moves_tries_either;
-  wire [3:0] admit_choice =  // line 251
-      (!moves_tries || looks_both_2 || source_i || words_method_i) ? 4'd0 : 4'd1 << State_kSettle;
-  wire [5:0] admit_choice_2 =  // line 252
-      (moves_tries && !(looks_both_2 || source_i) && words_method_i) ? 6'd1 << State_kAccelerate :
+  wire moves_tries = !not_goes && moves_tries_either;
+  wire [3:0] admit_settle =  // line 251
+      (!moves_tries || looks_both || source_i || words_method_i) ? 4'd0 : 4'd1 << State_kSettle;
+  wire [5:0] admit_accelerate =  // line 252
+      (moves_tries && !(looks_both || source_i) && words_method_i) ? 6'd1 << State_kAccelerate :
       6'd0;
-  wire [5:0] admit_choice_wide = {2'd0, admit_choice};  // line 251
-  wire [1:0] admit_choice_3 =  // line 233
-      (moves_tries && looks_both && words_observe_i != 12'd0) ? 2'd1 << State_kObserve : 2'd0;
-  wire moves_stops = choose_either_3 ? !at_bits[State_kFault] || rearm : halts && !fatal_i;
-  wire wanted_inverse = !(enough || counters_over);
-  wire [1:0] wanted_choice =
-      (OBSERVES && at_bits[State_kObserve] && wanted_inverse) ? 2'd1 << State_kObserve : 2'd0;
+  wire [5:0] admit_settle_wide = {2'd0, admit_settle};  // line 251
+  wire [1:0] admit_observe =  // line 233
+      (moves_tries && observes_and_not_source && words_observe_i != 12'd0) ?
+      2'd1 << State_kObserve : 2'd0;
+  wire moves_stops =
+      fault_or_not_command_configured ? !at_bits[State_kFault] || rearm : halts && !fatal_i;
+  wire neither_enough_nor_counters_over = !(enough || counters_over);
+  wire [1:0] wanted_observe =
+      (OBSERVES && at_bits[State_kObserve] && neither_enough_nor_counters_over) ?
+      2'd1 << State_kObserve : 2'd0;
   wire missed = at_bits[State_kObserve] && !enough && counters_over;
-  wire gives_up = choose_both_2 && !runs_on && (!OBSERVES || source_i || words_observe_i == 12'd0);
-  wire [2:0] wanted_choice_2 =  // line 233
-      (at_bits[State_kBrake] && !counters_over) ? 3'd1 << State_kBrake : 3'd0;
-  wire [2:0] wanted_wide = {1'b0, wanted_choice | {1'b0, (missed && !runs_on) || gives_up}};
+  wire gives_up =
+      in_brake_and_counters_over && !runs_on && (!OBSERVES || source_i || words_observe_i == 12'd0);
+  wire [2:0] wanted_brake = (at_bits[State_kBrake] && !counters_over) ? 3'd1 << State_kBrake : 3'd0;
+  wire [2:0] wanted_so_far = {1'b0, wanted_observe | {1'b0, (missed && !runs_on) || gives_up}};
   wire begins = missed && runs_on;
-  wire [3:0] wanted_choice_3 =  // line 233
+  wire [3:0] wanted_settle =  // line 233
       ((words_method_i || begins) ? !words_method_i : at_bits[State_kSettle] && !counters_over) ?
       4'd1 << State_kSettle : 4'd0;
-  wire [4:0] wanted_choice_4 =  // line 233
+  wire [4:0] wanted_reset =  // line 233
       (!words_method_i && (counters_over ? at_bits[State_kSettle] : at_bits[State_kReset])) ?
       5'd1 << State_kReset : 5'd0;
-  wire [4:0] wanted_wide_2 = {1'b0, {1'b0, wanted_wide | wanted_choice_2} | wanted_choice_3};
-  wire wanted_either = choose_either || choose_either_2;
-  wire [5:0] wanted_choice_5 =
+  wire [4:0] wanted_so_far_2 = {1'b0, {1'b0, wanted_so_far | wanted_brake} | wanted_settle};
+  wire wanted_either = not_in_accelerate_or_arrives || counters_over_or_blocked;
+  wire [5:0] wanted_accelerate =
       words_method_i ?
       (begins ? 6'd1 << State_kAccelerate :
       (!(at_bits[State_kReset] || at_bits[State_kSettle]) &&
@@ -314,49 +322,48 @@ module start_sequence #(
       (at_bits[State_kReset] && counters_over) ? 6'd1 << State_kAccelerate :
       wanted_either ? 6'd0 :
       6'd1 << State_kAccelerate;
-  wire [5:0] wanted_wide_3 = {1'b0, wanted_wide_2 | wanted_choice_4};  // line 239
-  wire [6:0] wanted_choice_6 =  // line 242
-      ((at_bits[State_kAccelerate] && arrives) || (at_bits[State_kPullIn] && wanted_inverse)) ?
-      7'd1 << State_kPullIn : 7'd0;
-  wire caught = at_bits[State_kObserve] && enough && runs_on && !is_started_differ;
+  wire [5:0] wanted_so_far_3 = {1'b0, wanted_so_far_2 | wanted_reset};  // line 239
+  wire [6:0] wanted_pull_in =  // line 242
+      ((at_bits[State_kAccelerate] && arrives) ||
+      (at_bits[State_kPullIn] && neither_enough_nor_counters_over)) ? 7'd1 << State_kPullIn :
+      7'd0;
+  wire caught = at_bits[State_kObserve] && enough && runs_on && !counters_turns_reverse_xor_reverse;
   wire locks = at_bits[State_kPullIn] && enough;
-  wire wanted_either_2 = caught || locks;  // line 244
-  wire admit_both = runs_on && !choose_differ;  // line 244
+  wire caught_or_locks = caught || locks;  // line 244
+  wire admit_both = runs_on && !command_reverse_xor_reverse;  // line 244
   wire on = (at_bits[State_kSlowDown] || at_bits[State_kRun]) && !lost_i;
-  wire [7:0] wanted_choice_7 =  // line 233
-      ((wanted_either_2 || !on) ? wanted_either_2 : admit_both) ? 8'd1 << State_kRun : 8'd0;
-  wire [8:0] wanted_choice_8 =  // line 245
-      (on && choose_either_5 && (at_bits[State_kRun] || (!counters_over && fast_i))) ?
+  wire [7:0] wanted_run =  // line 233
+      ((caught_or_locks || !on) ? caught_or_locks : admit_both) ? 8'd1 << State_kRun : 8'd0;
+  wire [8:0] wanted_slow_down =  // line 245
+      (on && choose_either && (at_bits[State_kRun] || (!counters_over && fast_i))) ?
       9'd1 << State_kSlowDown : 9'd0;
-  wire [9:0] wanted_choice_9 =  // line 233
-      (at_bits[State_kRest] && !counters_over) ? 10'd1 << State_kRest : 10'd0;
-  wire [9:0] wanted_wide_4 =  // line 245
+  wire [9:0] wanted_rest = (at_bits[State_kRest] && !counters_over) ? 10'd1 << State_kRest : 10'd0;
+  wire [9:0] wanted_so_far_4 =  // line 245
       {1'b0,
-      {1'b0, {1'b0, {1'b0, wanted_wide_3 | wanted_choice_5} | wanted_choice_6} | wanted_choice_7} |
-      wanted_choice_8};
-  wire [9:0] wanted = wanted_wide_4 | wanted_choice_9;
+      {1'b0, {1'b0, {1'b0, wanted_so_far_3 | wanted_accelerate} | wanted_pull_in} | wanted_run} |
+      wanted_slow_down};
+  wire [9:0] wanted = wanted_so_far_4 | wanted_rest;
   wire [9:0] admit = (moves_stops || moves_trips) ? 10'd0 : wanted;  // line 247
-  wire [9:0] admit_wide = {8'd0, admit_choice_3 | {1'b0, moves_stops}};  // line 248
-  wire [9:0] admit_2 = admit_wide | admit;  // line 248
-  wire [7:0] admit_choice_4 =  // line 250
-      (moves_tries && !looks_both_2 && source_i) ? 8'd1 << State_kRun : 8'd0;
-  wire [9:0] admit_3 = admit_2 | {2'd0, admit_choice_4};  // line 249
-  wire [9:0] admit_wide_2 = {4'd0, admit_choice_wide | admit_choice_2};  // line 251
-  wire [9:0] admit_4 = admit_wide_2 | admit_3;  // line 251
-  wire [2:0] admit_choice_5 = (braking_next && !counters_braked) ? 3'd1 << State_kBrake : 3'd0;
-  wire [9:0] admit_5 = admit_4 | {7'd0, admit_choice_5};  // line 252
-  wire [10:0] at_bits_next = {1'b0, at_bits_next_choice} | at_bits_next_choice_2 | {1'b0, admit_5};
+  wire [9:0] admit_so_far = {8'd0, admit_observe | {1'b0, moves_stops}};  // line 248
+  wire [9:0] admit_2 = admit_so_far | admit;  // line 248
+  wire [7:0] admit_run = (moves_tries && !looks_both && source_i) ? 8'd1 << State_kRun : 8'd0;
+  wire [9:0] admit_3 = admit_2 | {2'd0, admit_run};  // line 249
+  wire [9:0] admit_so_far_2 = {4'd0, admit_settle_wide | admit_accelerate};  // line 251
+  wire [9:0] admit_4 = admit_so_far_2 | admit_3;  // line 251
+  wire [2:0] admit_brake = (braking_next && !counters_braked) ? 3'd1 << State_kBrake : 3'd0;
+  wire [9:0] admit_5 = admit_4 | {7'd0, admit_brake};  // line 252
+  wire [10:0] at_bits_next = {1'b0, at_bits_next_rest} | at_bits_next_fault | {1'b0, admit_5};
   wire boosts_next = admit_4[State_kAccelerate] || admit[State_kPullIn];  // line 137
-  wire boosts_next_either = boosts_next || admit_3[State_kRun];  // line 138
+  wire boosts_next_or_in_run = boosts_next || admit_3[State_kRun];  // line 138
   wire runs = admit_3[State_kRun] || admit[State_kSlowDown];
   wire began_next = moves_tries && at_bits[State_kIdle];  // line 119
-  wire load_step_next_both = at_bits[State_kObserve] && admit_3[State_kRun];
+  wire in_observe_and_in_run = at_bits[State_kObserve] && admit_3[State_kRun];
 
   always_ff @(posedge clk) begin
     at_bits <= at_bits_next;  // line 254
-    drives <= boosts_next_either || admit[State_kSlowDown];
+    drives <= boosts_next_or_in_run || admit[State_kSlowDown];
     enables <=
-        boosts_next_either ||
+        boosts_next_or_in_run ||
         admit[State_kSlowDown] ||
         !(!admit_5[State_kBrake] && !admit_4[State_kSettle]) || admit[State_kReset];
     boosts <= boosts_next;  // line 137
@@ -371,7 +378,7 @@ module start_sequence #(
       reason <= Reason_kNone;
       reverse <= command_reverse_i;
     end else begin
-      if (choose_either_4) begin
+      if (not_goes) begin
         entered <=
             !(at_bits[State_kFault] || at_bits[State_kIdle]) ||
             (at_bits[State_kIdle] && trips) || (at_bits[State_kFault] && rearm);
@@ -385,7 +392,8 @@ module start_sequence #(
             (!at_bits[State_kSlowDown] || lost_i) ? at_bits[State_kSlowDown] :
             admit_both || !fast_i;
         entered_next_choice_2 =  // line 197
-            at_bits[State_kRun] ? lost_i || !runs_on || choose_differ || entered_next_choice :
+            at_bits[State_kRun] ?
+            lost_i || !runs_on || command_reverse_xor_reverse || entered_next_choice :
             entered_next_choice;
         entered_next_either =  // line 207
             ((arrives || blocked_i) && at_bits[State_kAccelerate]) ||
@@ -429,10 +437,10 @@ module start_sequence #(
           load_step <= admit_3[State_kRun];
         end
       end else begin
-        load_step <= load_step_next_both;
+        load_step <= in_observe_and_in_run;
       end
     end else if (at_bits[State_kAccelerate]) begin
-      load_step <= load_step_next_both;
+      load_step <= in_observe_and_in_run;
     end else if (admit_4[State_kAccelerate] || !at_bits[State_kObserve]) begin
       load_step <= admit_4[State_kAccelerate];
     end else begin
@@ -467,8 +475,8 @@ module start_sequence #(
   assign reason_o = reason;
   assign enable_o = enables;
   assign pattern_bits_o =
-      present_pattern_wide | {at_bits[State_kBrake], 4'd0} | {2'd0, at_bits[State_kSettle], 2'd0} |
-      {1'b0, at_bits[State_kReset], 3'd0};
+      present_pattern_so_far | {at_bits[State_kBrake], 4'd0} |
+      {2'd0, at_bits[State_kSettle], 2'd0} | {1'b0, at_bits[State_kReset], 3'd0};
   assign reverse_o = reverse;
   assign running_o = at_bits[State_kSlowDown] || at_bits[State_kRun];
   assign mode_o =
@@ -491,7 +499,7 @@ module start_sequence #(
   assign load_step_o = load_step;
   assign step_o =
       at_bits[State_kPullIn] ? at_i :
-      at_bits[State_kAccelerate] ? {1'b0, {2{reverse_inverse}}} :
+      at_bits[State_kAccelerate] ? {1'b0, {2{not_reverse}}} :
       reverse ? sector_i :
       next_step;
   assign turn_vco_o = at_bits[State_kObserve] || drives;

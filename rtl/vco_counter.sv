@@ -30,7 +30,7 @@ module vco_counter (
   logic full;  // which are all ones: the carry ends the turn
 
   wire carries = low[26] && counted;
-  wire [5:0] high_sum = high + {5'd0, carries};  // line 40
+  wire [5:0] high_plus_carries = high + {5'd0, carries};  // line 40
 
   always_ff @(posedge clk) begin
     if (load_i) begin
@@ -45,7 +45,7 @@ module vco_counter (
       if (enable_i) begin
         low <= {1'b0, low[25:0]} + {1'b0, frequency_i};
       end
-      high <= high_sum;
+      high <= high_plus_carries;
       if (carries) begin
         full <= high == 6'd62;
       end
@@ -59,6 +59,6 @@ module vco_counter (
     end
   end
 
-  assign phase_o = {high_sum, 10'd0} | {6'd0, low[25:16]};
+  assign phase_o = {high_plus_carries, 10'd0} | {6'd0, low[25:16]};
   assign pulse_o = carries && full;
 endmodule

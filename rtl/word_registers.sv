@@ -168,74 +168,13 @@ module word_registers (
   logic words_source;
   logic [25:0] staged_speed_target;  // u0.32
   logic unlocked;
-  logic written_0;  // since the reset
-  logic written_1;  // since the reset
-  logic written_2;  // since the reset
-  logic written_3;  // since the reset
-  logic written_4;  // since the reset
-  logic written_5;  // since the reset
-  logic written_6;  // since the reset
-  logic written_7;  // since the reset
-  logic written_8;  // since the reset
-  logic written_9;  // since the reset
-  logic written_10;  // since the reset
-  logic written_11;  // since the reset
-  logic written_12;  // since the reset
-  logic written_13;  // since the reset
-  logic written_14;  // since the reset
-  logic written_15;  // since the reset
-  logic written_16;  // since the reset
-  logic written_17;  // since the reset
-  logic written_18;  // since the reset
-  logic written_19;  // since the reset
-  logic written_20;  // since the reset
-  logic written_21;  // since the reset
-  logic written_22;  // since the reset
-  logic written_23;  // since the reset
-  logic written_24;  // since the reset
-  logic written_25;  // since the reset
-  logic written_26;  // since the reset
-  logic written_27;  // since the reset
-  logic written_28;  // since the reset
-  logic written_29;  // since the reset
+  logic [31:0] written;  // a bit for each register of words, since the reset
   logic shows;  // the last read was of the map
 
   wire [5:0] mirror_part = request_index_i[5:0];  // line 195
-  wire [4:0] mirror_part_2 = request_index_i[4:0];  // line 189
-  wire mirror_choice =  // line 189
-      request_index_i[2] ?
-      (request_index_i[1] ? (request_index_i[0] ? written_15 : written_14) :
-      request_index_i[0] ? written_13 :
-      written_12) :
-      request_index_i[1] ? (request_index_i[0] ? written_11 : written_10) :
-      request_index_i[0] ? written_9 :
-      written_8;
-  wire mirror_choice_2 =  // line 189
-      request_index_i[3] ? mirror_choice :
-      request_index_i[2] ?
-      (request_index_i[1] ? (request_index_i[0] ? written_7 : written_6) :
-      request_index_i[0] ? written_5 :
-      written_4) :
-      request_index_i[1] ? (request_index_i[0] ? written_3 : written_2) :
-      request_index_i[0] ? written_1 :
-      written_0;
-  wire mirror_choice_3 =  // line 189
-      request_index_i[2] ?
-      (request_index_i[1] ? (request_index_i[0] ? written_23 : written_22) :
-      request_index_i[0] ? written_21 :
-      written_20) :
-      request_index_i[1] ? (request_index_i[0] ? written_19 : written_18) :
-      request_index_i[0] ? written_17 :
-      written_16;
-  wire mirror_choice_4 =  // line 189
-      request_index_i[2] ? !request_index_i[1] && (request_index_i[0] ? written_29 : written_28) :
-      request_index_i[1] ? (request_index_i[0] ? written_27 : written_26) :
-      request_index_i[0] ? written_25 :
-      written_24;
-  wire mirror_choice_5 =  // line 189
-      request_index_i[4] ? (request_index_i[3] ? mirror_choice_4 : mirror_choice_3) :
-      mirror_choice_2;
-  wire mirror_both = request_index_i[5] && mirror_choice_5;  // line 99
+  wire [4:0] mirror_part_2 = request_index_i[4:0];  // line 188
+  wire [31:0] mirror_shifted = 32'd1 << mirror_part_2;  // line 188
+  wire not_fresh = request_index_i[5] && (written & mirror_shifted) != 32'd0;  // line 99
 
   logic [2:0] rule_at_entry;  // kRules
   always_comb begin
@@ -258,7 +197,7 @@ module word_registers (
       (request_index_i[9:6] == 4'd0 && rule_at_entry == 3'd3) ? stopped_i : allowed_both;
   wire allowed = (request_index_i[9:6] == 4'd0 && rule_at_entry == 3'd2) || allowed_choice;
   wire writes = request_write_i && allowed;
-  wire [3:0] lanes = mirror_both ? request_strobes_i : 4'd15;
+  wire [3:0] lanes = not_fresh ? request_strobes_i : 4'd15;
   wire [8:0] mask_either =  // bus.hpp:27
       {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
   wire [16:0] mask_either_2 =  // bus.hpp:27
@@ -351,12 +290,14 @@ module word_registers (
       .clk(clk),
       .rst(rst),
       .read_i(request_read_i),
-      .address_i({1'b0, mirror_part} | (mirror_both ? 7'd0 : 7'd64)),
+      .address_i({1'b0, mirror_part} | (not_fresh ? 7'd0 : 7'd64)),
       .write_i(writes ? lanes : 4'd0),
       .write_address_i({1'b0, mirror_part}),
       .write_data_i(data | {1'b0, mirror_entry & {{6{mirror_3[24]}}, mirror_3}}),
       .data_o(mirror_data)
   );
+
+  wire [31:0] written_next_choice = (request_index_i[5] && writes) ? mirror_shifted : 32'd0;
 
   always_ff @(posedge clk) begin
     if (writes) begin
@@ -369,8 +310,8 @@ module word_registers (
       logic request_index_either_3;
       word_of_wide = {{3{mirror_3[24]}}, mirror_3[24:16]};  // register_map.hpp:72
       word_of_wide_2 = {4{mirror_3[24]}};  // register_map.hpp:72
-      write_wide = {{7{mirror_3[24]}}, mirror_3[24:16]};  // line 181
-      mirror_wide = {mirror_3[24], mirror_3};  // line 178
+      write_wide = {{7{mirror_3[24]}}, mirror_3[24:16]};  // line 180
+      mirror_wide = {mirror_3[24], mirror_3};  // line 177
       request_index_either =
           request_index_i == 10'd47 || request_index_i == 10'd48 || request_index_i == 10'd49;
       request_index_either_2 =
@@ -493,11 +434,6 @@ module word_registers (
         if (request_index_i == 10'd8) begin
           unlocked <= mirror_2[15:0] == 16'd49374;
         end
-        written_25 <= request_index_i == 10'd57 || written_25;
-        written_26 <= request_index_i == 10'd58 || written_26;
-        written_27 <= request_index_i == 10'd59 || written_27;
-        written_28 <= request_index_i == 10'd60 || written_28;
-        written_29 <= request_index_i == 10'd61 || written_29;
       end
       if (request_index_i == 10'd43) begin
         words_start_settle <= mirror_2[11:0] | (words_start_settle & mirror_3[11:0]);
@@ -513,35 +449,11 @@ module word_registers (
       if (request_index_i == 10'd46) begin
         words_start_hand_over <= mirror_2[25:0] | (words_start_hand_over & mirror_wide);
       end
-      written_0 <= request_index_i == 10'd32 || written_0;
-      written_1 <= request_index_i == 10'd33 || written_1;
-      written_2 <= request_index_i == 10'd34 || written_2;
-      written_3 <= request_index_i == 10'd35 || written_3;
-      written_4 <= request_index_i == 10'd36 || written_4;
-      written_5 <= request_index_i == 10'd37 || written_5;
-      written_6 <= request_index_i == 10'd38 || written_6;
-      written_7 <= request_index_i == 10'd39 || written_7;
-      written_8 <= request_index_i == 10'd40 || written_8;
-      written_9 <= request_index_i == 10'd41 || written_9;
-      written_10 <= request_index_i == 10'd42 || written_10;
-      written_11 <= request_index_i == 10'd43 || written_11;
-      written_12 <= request_index_i == 10'd44 || written_12;
-      written_13 <= request_index_i == 10'd45 || written_13;
-      written_14 <= request_index_i == 10'd46 || written_14;
-      written_15 <= request_index_i == 10'd47 || written_15;
-      written_16 <= request_index_i == 10'd48 || written_16;
-      written_17 <= request_index_i == 10'd49 || written_17;
-      written_18 <= request_index_i == 10'd50 || written_18;
-      written_19 <= request_index_i == 10'd51 || written_19;
-      written_20 <= request_index_i == 10'd52 || written_20;
-      written_21 <= request_index_i == 10'd53 || written_21;
-      written_22 <= request_index_i == 10'd54 || written_22;
-      written_23 <= request_index_i == 10'd55 || written_23;
-      written_24 <= request_index_i == 10'd56 || written_24;
     end
     if (boundary_i || stopped_i) begin
       words_speed_target <= staged_speed_target;
     end
+    written <= written | written_next_choice;  // line 189
     if (request_read_i) begin
       shows <= request_index_i[9:6] == 4'd0;
     end
@@ -608,36 +520,7 @@ module word_registers (
       words_source <= Source_kBemf;
       staged_speed_target <= 26'd0;
       unlocked <= 1'b0;
-      written_0 <= 1'b0;
-      written_1 <= 1'b0;
-      written_2 <= 1'b0;
-      written_3 <= 1'b0;
-      written_4 <= 1'b0;
-      written_5 <= 1'b0;
-      written_6 <= 1'b0;
-      written_7 <= 1'b0;
-      written_8 <= 1'b0;
-      written_9 <= 1'b0;
-      written_10 <= 1'b0;
-      written_11 <= 1'b0;
-      written_12 <= 1'b0;
-      written_13 <= 1'b0;
-      written_14 <= 1'b0;
-      written_15 <= 1'b0;
-      written_16 <= 1'b0;
-      written_17 <= 1'b0;
-      written_18 <= 1'b0;
-      written_19 <= 1'b0;
-      written_20 <= 1'b0;
-      written_21 <= 1'b0;
-      written_22 <= 1'b0;
-      written_23 <= 1'b0;
-      written_24 <= 1'b0;
-      written_25 <= 1'b0;
-      written_26 <= 1'b0;
-      written_27 <= 1'b0;
-      written_28 <= 1'b0;
-      written_29 <= 1'b0;
+      written <= 32'd0;
       shows <= 1'b0;
     end
   end

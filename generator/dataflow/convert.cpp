@@ -33,7 +33,8 @@ class Converter {
         nodes_(module_.nodes),
         control_(*step.function, nodes_, [this](const llvm::Value* v) { return value(v); }),
         variables_(variable_names(*step.function)),
-        parameters_(parameter_names(*step.function)) {}
+        parameters_(parameter_names(*step.function)),
+        inverses_(inverse_names(*step.function)) {}
 
   Module run() {
     module_.name = block_.module;
@@ -179,6 +180,8 @@ class Converter {
     } else if (parameter != parameters_.end()) {
       nodes_.name(node, flat_name(parameter->second));
     }
+    const auto inverse = inverses_.find(&at);
+    if (inverse != inverses_.end() && at.getType()->isIntegerTy(1)) nodes_.hint(node, "not_" + flat_name(inverse->second));
   }
 
   NodeId convert(const llvm::Instruction& at) {
@@ -304,6 +307,7 @@ class Converter {
   Control control_;
   ValueNames variables_;
   ValueNames parameters_;
+  ValueNames inverses_;
   std::map<const llvm::GlobalVariable*, Source> sources_;
   std::map<const llvm::Value*, NodeId> values_;
   std::vector<unsigned> tables_;

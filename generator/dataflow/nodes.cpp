@@ -13,6 +13,10 @@ void NodeBuilder::name(NodeId node, const std::string& name) {
   if (!has_own && nodes_[node].name.empty()) nodes_[node].name = name;
 }
 
+void NodeBuilder::hint(NodeId node, const std::string& name) {
+  if (nodes_[node].hint.empty()) nodes_[node].hint = name;
+}
+
 void NodeBuilder::returned(NodeId node, const std::string& function) {
   if (nodes_[node].returned) return;
   nodes_[node].function = function;
@@ -192,10 +196,14 @@ NodeId NodeBuilder::shift_by(Op op, NodeId a, std::uint64_t amount) {
 }
 
 NodeId NodeBuilder::choice(std::vector<NodeId> list, NodeId number) {
+  const std::size_t all = list.size();
   for (unsigned place = 0; list.size() > 1; ++place) {
     std::vector<NodeId> half;
-    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
+    for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
       half.push_back(mux(bit(number, place), list[i + 1], list[i]));
+      const std::size_t first = i << place, last = std::min(all, (i + 2) << place) - 1;
+      if (last - first + 1 < all) hint(half.back(), "_" + std::to_string(first) + "_to_" + std::to_string(last));
+    }
     if (list.size() % 2 == 1) half.push_back(list.back());
     list = std::move(half);
   }

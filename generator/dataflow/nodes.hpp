@@ -31,6 +31,8 @@ class NodeBuilder {
   void name(NodeId node, const std::string& name);
   // It is what a C++ function returned.
   void returned(NodeId node, const std::string& function);
+  // What to call it where it has no name and needs one; "_0_to_3" comes behind what it is for.
+  void hint(NodeId node, const std::string& name);
 
   NodeId constant(const llvm::APInt& value);
   NodeId constant(unsigned width, std::uint64_t value) { return constant({width, value}); }

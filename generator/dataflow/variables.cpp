@@ -68,6 +68,28 @@ bool is_the_value(const llvm::DIExpression& expression) {
   return true;
 }
 
+// Whether the variable is the value inverted: what was `goes` may have become an or of what stands against it.
+bool is_the_inverse(const llvm::DIExpression& expression) {
+  bool ones = false, inverted = false;
+  for (const auto& operand : expression.expr_ops()) {
+    switch (operand.getOp()) {
+      case llvm::dwarf::DW_OP_constu:
+      case llvm::dwarf::DW_OP_consts:
+        ones = operand.getArg(0) == 1 || operand.getArg(0) == ~std::uint64_t{0};
+        break;
+      case llvm::dwarf::DW_OP_xor:
+        inverted = ones;
+        break;
+      case llvm::dwarf::DW_OP_LLVM_convert:
+      case llvm::dwarf::DW_OP_stack_value:
+        break;
+      default:
+        return false;
+    }
+  }
+  return inverted;
+}
+
 // A lambda, or an operator of a class of the block's own.
 bool is_lambda(const llvm::DISubprogram* function) {
   return function != nullptr && function->getName().startswith("operator");
@@ -108,13 +130,15 @@ bool names_something(const llvm::DISubprogram& function) {
   return !is_lambda(&function) && function.getName() != "tick";
 }
 
-ValueNames names_in(llvm::Function& function, bool parameters) {
+using Reading = bool (*)(const llvm::DIExpression&);  // of a variable's value from another
+
+ValueNames names_in(llvm::Function& function, bool parameters, Reading reading = is_the_value) {
   ValueNames names;
   for (const auto& instruction : llvm::instructions(function)) {
     const auto* at = llvm::dyn_cast<llvm::DbgValueInst>(&instruction);
     if (at == nullptr || at->hasArgList() || at->getVariable()->isArtificial()) continue;
     const auto* variable = at->getVariable();
-    if ((variable->getArg() > 0) != parameters || !is_the_value(*at->getExpression())) continue;
+    if ((variable->getArg() > 0) != parameters || !reading(*at->getExpression())) continue;
     if (parameters && is_lambda(variable->getScope()->getSubprogram())) continue;
     const auto* value = at->getValue(0);
     if (value == nullptr || !llvm::isa<llvm::Instruction>(value)) continue;
@@ -129,6 +153,7 @@ ValueNames names_in(llvm::Function& function, bool parameters) {
 
 ValueNames variable_names(llvm::Function& function) { return names_in(function, false); }
 ValueNames parameter_names(llvm::Function& function) { return names_in(function, true); }
+ValueNames inverse_names(llvm::Function& function) { return names_in(function, false, is_the_inverse); }
 
 std::string function_of(const llvm::Instruction& instruction) {
   const Frame frame = frame_of(instruction);

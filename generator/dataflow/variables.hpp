@@ -21,6 +21,7 @@ using ValueNames = std::map<const llvm::Value*, std::string>;
 
 ValueNames variable_names(llvm::Function& function);
 ValueNames parameter_names(llvm::Function& function);
+ValueNames inverse_names(llvm::Function& function);  // variables that hold a bit's inverse
 
 // The function that an instruction was inlined from; empty for tick itself.
 std::string function_of(const llvm::Instruction& instruction);

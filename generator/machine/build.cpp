@@ -114,6 +114,7 @@ class Builder {
                                                            : reg.reset.zextOrTrunc(width());
     }
     const NodeId writes = nodes_.binary(Op::kAnd, field(code_.write), present(active_));
+    nodes_.hint(writes, "writes");
     for (unsigned bank = kA; bank < kBanks; ++bank) {
       if (!code_.has_bank(bank)) continue;
       const NodeId low = nodes_.binary(
@@ -150,11 +151,13 @@ class Builder {
     }
     if (code_.has_bank(kC)) {
       const NodeId first = nodes_.mux(field(code_.factor_result), present(result_), bank_[kC]);
+      nodes_.hint(first, "factor");
       early_ = new_register("condition", 1, "of a choice");
       out_.registers[early_].next = nodes_.bit(first, 0);
       if (!code_.has_products) return;
       const NodeId second = code_.inputs.empty() ? bank_[kD]
           : nodes_.mux(field(code_.factor_port), resized(present(port_read_), width()), bank_[kD]);
+      nodes_.hint(second, "second_factor");
       const unsigned bits = p_.factor + p_.second_factor;
       product_ = new_register("product", bits, "of two factors");
       out_.registers[product_].next = nodes_.binary(
@@ -172,6 +175,8 @@ class Builder {
                                    nodes_.bit(present(sum_), p_.sum - 1), read}, field(code_.test));
       const NodeId test = nodes_.binary(Op::kXor, found, field(code_.unless));
       const NodeId always = nodes_.unary_not(field(code_.test_on));
+      nodes_.hint(found, "tested");
+      nodes_.hint(test, "holds");
       a_gate = nodes_.binary(Op::kAnd, a_gate, nodes_.binary(Op::kOr, always, test));
       b_gate = nodes_.binary(Op::kAnd, b_gate,
                              nodes_.binary(Op::kOr, always, nodes_.unary_not(test)));
@@ -184,11 +189,18 @@ class Builder {
                             code_.inputs.empty() ? none : resized(present(port_read_), p_.sum),
                             code_.has_entries ? nodes_.zext(entry_, p_.sum) : none}, field(code_.b_from));
     NodeId b = nodes_.mux(field(code_.b_new), b_late, resized(bank_[kB], p_.sum));
+    nodes_.hint(a_gate, "takes_a");
+    nodes_.hint(b_gate, "takes_b");
+    nodes_.hint(a_late, "recent_a");
+    nodes_.hint(b_late, "recent_b");
+    nodes_.hint(b, "operand_b");
     a = nodes_.binary(Op::kAnd, a, spread(a_gate));
+    nodes_.hint(a, "gated_a");
     b = nodes_.binary(Op::kXor, nodes_.binary(Op::kAnd, b, spread(b_gate)), spread(field(code_.negate)));
     // The carry as a place below: adders have no other way in.
     const NodeId wide = nodes_.binary(Op::kAdd, nodes_.concat({a, nodes_.constant(1, 1)}),
                                       nodes_.concat({b, field(code_.carry)}));
+    nodes_.hint(wide, "sum_and_carry");
     NodeId sum = nodes_.slice(wide, p_.sum, 1);
     if (code_.has_logic) {
       sum = nodes_.choice({sum, nodes_.binary(Op::kAnd, a, b), nodes_.binary(Op::kOr, a, b),
@@ -202,6 +214,7 @@ class Builder {
     const FormatUnit unit(nodes_, code_.formats, out_.tables);
     const NodeId shifted = code_.most_shift == 0 ? present(sum_)
         : nodes_.shift(Op::kAshr, present(sum_), field(code_.shift));
+    nodes_.hint(shifted, "shifted_down");
     out_.registers[result_].next =
         unit.make(present(sum_), shifted, width(), field(code_.format), field(code_.invert));
   }

@@ -48,11 +48,18 @@ NodeId FormatUnit::make(NodeId sum, NodeId shifted, unsigned width, NodeId forma
   const NodeId mask =
       nodes_.table(width, format, static_cast<unsigned>(tables_.size() - 1));
   const NodeId end = nodes_.sext(nodes_.unary_not(nodes_.bit(shifted, all - 1)), width);
-  const NodeId low = nodes_.mux(nodes_.choice(fit, format), nodes_.slice(shifted, width, 0), end);
-  const NodeId high = nodes_.sext(nodes_.choice(sign, format), width);
+  const NodeId fitting = nodes_.choice(fit, format);
+  const NodeId low = nodes_.mux(fitting, nodes_.slice(shifted, width, 0), end);
+  const NodeId beyond = nodes_.choice(sign, format);
+  const NodeId high = nodes_.sext(beyond, width);
   const NodeId cut = nodes_.binary(Op::kOr, nodes_.binary(Op::kAnd, mask, low),
                                    nodes_.binary(Op::kAnd, nodes_.unary_not(mask), high));
-  return nodes_.binary(Op::kOr, cut, nodes_.zext(nodes_.choice(flag, format), width));
+  const NodeId flagged = nodes_.choice(flag, format);
+  for (const auto& [node, name] : {std::pair{fitting, "fits"}, {beyond, "sign_above"}, {flagged, "flag"}, {mask, "low_bits"},
+                                   {low, "clamped"}, {cut, "formatted"}}) {
+    nodes_.hint(node, name);
+  }
+  return nodes_.binary(Op::kOr, cut, nodes_.zext(flagged, width));
 }
 
 }  // namespace hlsgen::machine

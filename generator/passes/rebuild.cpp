@@ -105,6 +105,7 @@ bool rewrite(Module& module, const Rule& rule) {
         r.name = n.name;
         if (n.returned) r.function = n.function;
         r.returned = n.returned;
+        r.hint = n.hint;
       }
       for (NodeId i = made; i < b.nodes_.size(); ++i)
         if (b.nodes_[i].source.line == 0) {

@@ -35,6 +35,7 @@ bool share_common(Module& module) {
     }
     Node& first = nodes[at->second];
     if (first.name.empty()) first.name = n.name;
+    if (first.hint.empty()) first.hint = n.hint;
     if (n.returned && !first.returned) {
       first.function = n.function;
       first.returned = true;

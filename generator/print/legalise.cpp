@@ -5,6 +5,7 @@
 #include "generator/print/expressions.hpp"
 #include "generator/print/identifiers.hpp"
 #include "generator/print/place.hpp"
+#include "generator/print/sets.hpp"
 #include "generator/print/synchronisers.hpp"
 #include "generator/print/wire_names.hpp"
 
@@ -25,7 +26,7 @@ class Legaliser {
         plan_(plan(m_, clocked_)),
         expressions_(m_, plan_, [this](NodeId id) { return name_of(id); }, name_enumerators()) {
     name_instance_outputs();
-    wires_ = wire_names(m_, plan_, names_);
+    wires_ = wire_names(m_, plan_, names_, instance_outputs_);
     place_wires(m_, plan_, clocked_);
     mark_locals(clocked_);
   }
@@ -101,26 +102,12 @@ class Legaliser {
     }
   }
 
-  // What has a bit for each value of an enumeration: such ports and registers, and the values that go there bit by bit.
+  // Signals of the print that have a bit for each value of an enumeration.
   void find_sets() {
-    std::vector<int> set(m_.nodes.size(), -1);
-    for (NodeId id = 0; id < m_.nodes.size(); ++id) {
-      const Node& n = m_.nodes[id];
-      if (n.op == Op::kInput) set[id] = m_.inputs[n.index].set_of;
-      if (n.op == Op::kRegister) set[id] = m_.registers[n.index].leaf.set_of;
-    }
-    const auto goes = [&set](NodeId id, int to) {
-      if (set[id] < 0) set[id] = to;
-    };
-    for (const Register& r : m_.registers) goes(r.next, r.leaf.set_of);
-    for (const Output& o : m_.outputs) goes(o.value, o.leaf.set_of);
-    for (NodeId id = m_.nodes.size(); id-- > 0;) {
+    const std::vector<int> set = sets_of(m_);
+    for (NodeId id = static_cast<NodeId>(m_.nodes.size()); id-- > 0;) {
       const Node& n = m_.nodes[id];
       if (set[id] < 0) continue;
-      if (n.op == Op::kOr || n.op == Op::kAnd || n.op == Op::kZext || n.op == Op::kNot)
-        for (const NodeId operand : n.in) goes(operand, set[id]);
-      if (n.op == Op::kMux) goes(n.in[1], set[id]), goes(n.in[2], set[id]);
-      if (n.op == Op::kConcat) goes(n.in.back(), set[id]);
       const bool source = n.op == Op::kInput || n.op == Op::kRegister || n.op == Op::kInstanceOutput;
       if (n.width > 1 && plan_.uses[id] > 0 && (source || plan_.wire[id])) text_.sets.emplace(name_of(id), set[id]);
     }

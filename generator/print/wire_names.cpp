@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "generator/names.hpp"
+#include "generator/print/sets.hpp"
+#include "generator/print/spoken_names.hpp"
 
 namespace hlsgen {
 namespace {
@@ -81,7 +83,8 @@ std::string root_name(const Module& m, const std::vector<std::string>& wanted, c
 
 }  // namespace
 
-std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedNames& names) {
+std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedNames& names,
+                                    const std::vector<std::vector<std::string>>& instance_outputs) {
   std::vector<std::string> wanted(m.nodes.size());
   for (NodeId id = 0; id < m.nodes.size(); ++id) {
     const Node& n = m.nodes[id];
@@ -94,7 +97,21 @@ std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedName
   }
   for (std::size_t r = m.registers.size(); r-- > 0;)
     wanted[m.registers[r].next] = names.registers[r] + "_next";
+  for (NodeId id = 0; id < m.nodes.size(); ++id) {  // a bit whose inverse has a name
+    const Node& n = m.nodes[id];
+    if (n.op == Op::kNot && n.width == 1 && !n.name.empty() && wanted[n.in[0]].empty()) wanted[n.in[0]] = inverted(n.name);
+    if (wanted[id].empty() && n.hint[0] != '_') wanted[id] = n.hint;
+  }
   const Purposes purposes(m, wanted);
+  const std::vector<int> sets = sets_of(m);
+  const std::vector<std::string> known = wanted;  // without those that are made here
+  const SpokenNames spoken(m, plan, sets, [&](NodeId id) -> std::string {
+    const Node& n = m.nodes[id];
+    if (n.op == Op::kInput) return flat_name(m.inputs[n.index].name);
+    if (n.op == Op::kRegister) return flat_name(m.registers[n.index].leaf.name);
+    if (n.op == Op::kInstanceOutput) return instance_outputs[n.index][n.port];
+    return known[id];
+  });
 
   std::vector<std::string> result(m.nodes.size());
   std::vector<std::string> root(m.nodes.size());  // the first name among what a node is made from
@@ -102,12 +119,17 @@ std::vector<std::string> wire_names(const Module& m, const Plan& plan, FixedName
     const Node& n = m.nodes[id];
     root[id] = root_name(m, wanted, root, id);
     if (!plan.wire[id] || plan.uses[id] == 0) continue;
+    if (wanted[id].empty()) wanted[id] = spoken.of(id);
     if (wanted[id].empty()) {
       std::string of = operand_name(m, wanted, id);
+      const bool renames = !of.empty();
       if (of.empty()) of = purposes.of(id);
       if (of.empty()) of = n.function;
       if (of.empty()) of = root[id];
-      wanted[id] = of.empty() ? noun(n.op) : of + "_" + noun(n.op);
+      const std::string member = spoken.member(id);
+      const bool gathers = sets[id] >= 0 && (n.op == Op::kOr || n.op == Op::kConcat || (n.op == Op::kZext && !renames));
+      const std::string what = !n.hint.empty() ? n.hint.substr(1) : !member.empty() ? member : gathers ? "so_far" : noun(n.op);
+      wanted[id] = of.empty() ? what : of + "_" + what;
     }
     result[id] = names.pool.take(wanted[id]);
   }

@@ -4,7 +4,9 @@
 //     a C++ variable                              ->  its name
 //     what an output shows                        ->  the output's name, if it is free
 //     what a C++ function returned                ->  the function's name
-//     one of these, extended or inverted          ->  <its name>_wide, <its name>_inverse
+//     made of what has such names                 ->  run_and_not_held (spoken_names.hpp)
+//     one bit of a set, or what is gathered of it ->  <what it is for>_rest, <what it is for>_so_far
+//     one of these, extended                      ->  <its name>_wide
 //     what only one of these is made from         ->  <its name>_operator, as limit_choice
 //     what such a function works with             ->  <function>_operator, as limit_sum
 //     anything else                               ->  <the first name that it is made from>_operator
@@ -16,9 +18,14 @@
 #include "generator/print/identifiers.hpp"
 #include "generator/print/plan.hpp"
 
+#include <string>
+#include <vector>
+
 namespace hlsgen {
 
 // One per node; empty where the node is no wire.
-std::vector<std::string> wire_names(const Module& module, const Plan& plan, FixedNames& names);
+// `instance_outputs` are the names of what instances put out, by instance and port.
+std::vector<std::string> wire_names(const Module& module, const Plan& plan, FixedNames& names,
+                                    const std::vector<std::vector<std::string>>& instance_outputs);
 
 }  // namespace hlsgen

@@ -174,7 +174,6 @@ class WordRegisters {
   template <class R>
   void write(const BusRequest& request, UInt<32> mask) {
     if (request.index != R::index) return;
-    written_[R::index - kFirst] = true;
     const UInt<32> merged = (request.data & mask) | (placed<R>() & ~mask);
     Words& words = R::shadowed ? staged_ : words_;
     auto& word = R::Word::of(words);
@@ -186,7 +185,8 @@ class WordRegisters {
   UInt<32> mirror(const BusRequest& request, bool writes) {
     const auto place = request.index.slice<5, 0>();
     const auto row = place.slice<4, 0>().raw();
-    const bool fresh = !(place.bit(5) && written_[row]);
+    const bool fresh = !(place.bit(5) && (written_ >> int(row)).bit(0));
+    if (writes && place.bit(5)) written_ = written_ | (UInt<kRegisters - kFirst>(1) << int(row));
     const UInt<32> mask = byte_mask(request.strobes);
     const UInt<32> data = request.data & mask & Mirror::kFieldBits[row];
     const UInt<4> lanes = fresh ? UInt<4>::max() : request.strobes;
@@ -205,7 +205,7 @@ class WordRegisters {
   Words staged_;  // of shadowed words alone; the others' bits never leave their reset values
   bool unlocked_ = false;
   Memory<Mirror> mirror_;
-  std::array<bool, kRegisters - kFirst> written_{};  // since the reset
+  UInt<kRegisters - kFirst> written_ = 0;  // a bit for each register of words, since the reset
   bool shows_ = false;  // the last read was of the map
 };
 

@@ -80,7 +80,8 @@ class BemfComparator {
   // Samples that only confirm what the filter holds are no event; skip() tells in which of the
   // skipped clocks, from 1, the last of them was whose phase has to be remembered, or 0.
   std::uint64_t quiet(const In& in) const {
-    return confirms(in) ? ~std::uint64_t{0} : left_ < 2 ? 0 : left_.raw() - 1;
+    const bool confirms = found_ || !allowed(in) || (after(in) ? count_ == full(in) && !before_seen_ : count_ == 0 && before_seen_);
+    return confirms ? ~std::uint64_t{0} : left_ < 2 ? 0 : left_.raw() - 1;
   }
   std::uint64_t skip(const In& in, std::uint64_t clocks) {
     const std::uint64_t first = left_ < 2 ? 1 : left_.raw();
@@ -105,10 +106,6 @@ class BemfComparator {
   }
   static UInt<4> full(const In& in) {
     return in.words.samples == 0 ? UInt<4>(1) : in.words.samples;
-  }
-  bool confirms(const In& in) const {
-    if (found_ || !allowed(in)) return true;
-    return after(in) ? count_ == full(in) && !before_seen_ : count_ == 0 && before_seen_;
   }
 
   // The floating phase of a step, and whether its crossing rises: in the odd steps, and in the even ones when

@@ -31,6 +31,19 @@ std::string held_at_rest(const design::Settings& s) {
                              most, kWorstStep * motor.k_e * most / 2);
 }
 
+// Between two looks a rotor at rest gains so little that comparators keep what the freewheeling left: they tell no sector.
+std::string hidden_by_hysteresis(const design::Settings& s) {
+  if (s.drive.kind != design::DriveKind::kSixStep || s.start.method != design::Method::kFollow) return {};
+  const auto d = design::design_drive(s);
+  const double current = std::min(s.sensors.limit_a, s.inverter.bus_v / d.motor.r_loop);
+  const double torque = d.motor.k_e * current - s.motor.coulomb_nm - s.load.opposing_nm;
+  // V, of a phase at its peak.
+  const double gives = s.motor.pole_pairs * s.motor.flux_vs * torque * d.parameters.start.probe / d.motor.inertia;
+  if (gives <= 0 || s.sensors.comparator_hysteresis_v <= gives) return {};
+  return fmt::format("one drive of the start gives a rotor at rest {:.2g} V of back-EMF, less than the comparators' hysteresis: lower "
+                     "sensors.comparator_hysteresis_v to {:.2g}", gives, gives / 2);  // offset and noise want their part
+}
+
 // One that brakes by nothing but friction keeps the speed that it has.
 std::string runs_on(const design::Settings& s, const Summary& sum) {
   const double too_fast = sum.steady.error_percent * (sum.set_speed_rpm < 0 ? -1 : 1);
@@ -105,7 +118,7 @@ std::vector<std::string> advice(const design::Settings& s, const Summary& sum, c
   std::string late;
   if (under_way) late = ends_too_soon(s, gaining(record.overview, lock, sum.steady.to_s, sum.set_speed_rpm));
   for (const std::string& line :
-       {sum.lock_time_s ? std::string() : held_at_rest(s), runs_on(s, sum), bus, late, load_step_beyond(s)}) {
+       {sum.lock_time_s ? std::string() : held_at_rest(s), hidden_by_hysteresis(s), runs_on(s, sum), bus, late, load_step_beyond(s)}) {
     if (!line.empty()) all.push_back(line);
   }
   return all;

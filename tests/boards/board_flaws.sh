@@ -2,8 +2,7 @@
 # board_flaws.sh FLAW OUT: tools/bitstream must refuse the iCEBreaker with that flaw, and say why.
 set -euo pipefail
 flaw=$1 out=$2
-rm -rf "$out"
-mkdir -p "$out"
+"$(dirname "$0")/../empty_folder" "$out"
 cp -r constraints/icebreaker "$out/icebreaker"
 pcf=$out/icebreaker/icebreaker.pcf top=$out/icebreaker/icebreaker_six_step.sv
 drive=drives/amano2003.toml lint=--lint says="disagree about the pins"

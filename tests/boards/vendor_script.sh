@@ -4,8 +4,7 @@
 # one of TOP's.  What the tools make of it only the tools can tell.
 set -euo pipefail
 script=$1 top=$2 list=$3 out=$4
-rm -rf "$out"
-mkdir -p "$out"
+"$(dirname "$0")/../empty_folder" "$out"
 touch "$out/six_step_fixed.sv"  # tools/bitstream leaves it there
 sed -n 's/^ *\(in\|out\)put *\(logic\)\? *\(\[[0-9:]*\]\)\? *\([a-z0-9_]*\).*/\4/p' "$top" >"$out/ports"
 cat >"$out/stand_ins.tcl" <<'TCL'

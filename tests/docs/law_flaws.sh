@@ -4,7 +4,7 @@ set -euo pipefail
 root=$1 out=$2
 for flaw in 's/x += ki p/x += kp p/ hls/six_step/loop_filter_law.hpp' 's/lags ? 4 : 1/lags ? 3 : 1/ docs/blocks/protection.md' \
             '/^<!-- end of law -->$/d docs/blocks/speed_control.md' 's/forth = peak/back = peak/ docs/sinusoidal.md'; do
-  rm -rf "$out"
+  "$root/tests/empty_folder" "$out"
   mkdir -p "$out/hls" "$out/docs" "$out/tools"
   cp -r "$root/hls/six_step" "$root/hls/sinusoidal" "$out/hls/"
   cp -r "$root/docs/blocks" "$root/docs/theory.md" "$root/docs/sinusoidal.md" "$out/docs/"

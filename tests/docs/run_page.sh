@@ -26,8 +26,7 @@ done <"$page" >"$fresh"
 if $print; then cp "$fresh" "$page"; exit 0; fi
 diff "$page" "$fresh" || { echo "run_page: $page is stale: tests/docs/run_page.sh --print $page $build"; exit 1; }
 
-rm -rf "$out"
-mkdir -p "$out"
+tests/empty_folder "$out"
 for entry in "$root"/*; do
   case $(basename "$entry") in build | out) ;; *) ln -s "$entry" "$out/" ;; esac
 done

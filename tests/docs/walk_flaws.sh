@@ -5,9 +5,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 work=$1
-[ ! -e "$work/.git" ] || { echo "walk_flaws.sh: $work is a checkout; name a folder that may be emptied" >&2; exit 2; }
-rm -rf "$work"
-mkdir -p "$work"
+"$(dirname "$0")/../empty_folder" "$work"
 for entry in "$root"/*; do
   case $(basename "$entry") in build | out | docs) ;; *) ln -s "$entry" "$work/" ;; esac
 done

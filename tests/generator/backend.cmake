@@ -3,6 +3,7 @@ unit_test(backend_print hlsgen_lib)
 unit_test(clocked_print hlsgen_lib)
 unit_test(backend_pass hlsgen_lib)
 unit_test(machine hlsgen_lib)
+unit_test(spoken_names hlsgen_lib)
 compile_quickly(backend_print clocked_print)
 
 # Every printed module is proved equal to its plain print, and is lint-clean.

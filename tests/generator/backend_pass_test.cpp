@@ -146,7 +146,7 @@ TEST(Narrow, ProductIsAsWideAsItsFactorsAsk) {
   b.output("y", b.op(Op::kMul, b.sext(x, 64), b.sext(k, 64)));
   Design d = alone(std::move(b.m));
   optimise(d);
-  EXPECT_NE(print_module(d, d.modules[0]).find("wire [25:0] y_product = $signed(x_i) * $signed(k_i)"),
+  EXPECT_NE(print_module(d, d.modules[0]).find("wire [25:0] x_times_k = $signed(x_i) * $signed(k_i)"),
             std::string::npos);
 }
 

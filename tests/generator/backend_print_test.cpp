@@ -68,7 +68,7 @@ TEST(Print, NextValueThatIsReadTwiceIsNamedAfterItsRegister) {
   EXPECT_PRINTS(text, "assign phase_o = phase_next;");
 }
 
-// What several things are made from has the name of what it is made of itself, never the line of its C++.
+// What several things are made from says what it is made of itself, never the line of its C++.
 TEST(Print, ValueOfSeveralPurposesIsNamedAfterWhatItIsMadeOf) {
   for (const unsigned line : {7u, 8u}) {
     Build b("shared");
@@ -79,7 +79,7 @@ TEST(Print, ValueOfSeveralPurposesIsNamedAfterWhatItIsMadeOf) {
     b.output("a", b.op(Op::kXor, both, b.input("x", 1)));
     b.output("b", b.op(Op::kXor, both, b.input("y", 1)));
     b.output("c", b.op(Op::kXor, both, b.input("z", 1)));
-    EXPECT_PRINTS(printed(std::move(b)), "wire level_both = level_i < least_i && gate_i;");
+    EXPECT_PRINTS(printed(std::move(b)), "wire level_below_least_and_gate = level_i < least_i && gate_i;");
   }
 }
 

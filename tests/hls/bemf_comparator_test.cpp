@@ -26,6 +26,7 @@ struct Motor {
 struct Seen {
   int crossings = 0;
   int phase = -1;         // of the last crossing
+  int clock = -1;         // in which that one was told
   bool before = false;
   int freewheel = -1;     // as shown with the next commutation
 };
@@ -57,6 +58,7 @@ Seen run(BemfComparator& dut, const Motor& motor, const BemfWords& words, Distur
     if (clock != 0 && out.crossing) {
       ++seen.crossings;
       seen.phase = int(out.crossing_phase.raw());
+      seen.clock = clock;
     }
     if (clock == motor.clocks) {
       seen.before = out.before_seen;
@@ -102,6 +104,35 @@ TEST(BemfComparator, FindsTheCrossingOfEveryPhaseInBothDirections) {
   }
 }
 
+// Of the driven phases' comparators nothing counts: they show the opposite throughout.
+TEST(BemfComparator, OnlyTheFloatingPhaseOfAStepIsRead) {
+  for (int step = 0; step < 6; ++step) {
+    for (const bool reverse : {false, true}) {
+      const auto seen = run({.step = step, .reverse = reverse}, {.samples = 1});
+      EXPECT_EQ(seen.crossings, 1) << step << ' ' << reverse;
+      EXPECT_NEAR(seen.phase, 0x8000, 9) << step << ' ' << reverse;
+    }
+  }
+}
+
+TEST(BemfComparator, TheCrossingIsToldAClockAfterTheSampleThatDecides) {
+  // Clock 2048 is the first that shows the level behind it; one sample a clock.
+  for (int samples = 1; samples <= 15; ++samples) {
+    EXPECT_EQ(run({}, {.samples = samples}).clock, 2048 + samples - 1 + 1) << samples;
+  }
+}
+
+TEST(BemfComparator, EachStepHasItsOwnCrossing) {
+  BemfComparator dut;
+  const auto as_it_is = [](bool after, int, int) { return after; };
+  for (int step = 0; step < 8; ++step) {
+    const auto seen = run(dut, {.step = step % 6}, {.samples = 3}, as_it_is);
+    EXPECT_EQ(seen.crossings, 1) << step;
+    EXPECT_TRUE(seen.before) << step;
+  }
+  EXPECT_FALSE(run(dut, {.freewheel = 0x9000}, {.samples = 3}, as_it_is).before) << "seen in the step before, not in this";
+}
+
 TEST(BemfComparator, TheFilterDoesNotShiftTheCrossing) {
   for (int samples = 1; samples <= 15; ++samples) {
     for (const int every : {1, 2, 7, 50}) {
@@ -145,8 +176,9 @@ TEST(BemfComparator, FreewheelingIsNoCrossingAndItsEndIsMeasured) {
       const auto seen = run({.freewheel = freewheel}, {.samples = samples});
       ASSERT_EQ(seen.crossings, 1);
       ASSERT_TRUE(seen.before);
-      // Confirmed by the last of `samples` samples, one per clock of 16 units.
-      ASSERT_NEAR(seen.freewheel, freewheel + 16 * samples, 32);
+      // Confirmed by the last of `samples` samples, one in each clock of 16 units from the first behind the commutation.
+      const int first = std::max(1, (freewheel + 15) / 16);
+      ASSERT_EQ(seen.freewheel, 16 * (first + samples - 1)) << freewheel << ' ' << samples;
     }
   }
 }
@@ -156,6 +188,17 @@ TEST(BemfComparator, FreewheelingBeyondTheCrossingIsSeenAsSuch) {
   EXPECT_EQ(seen.crossings, 0);
   EXPECT_FALSE(seen.before);
   EXPECT_EQ(seen.freewheel, 0xFFFF);
+}
+
+TEST(BemfComparator, FreewheelingWithoutAnEndIsShownUntilOneIsSeen) {
+  BemfComparator dut;
+  run(dut, {.freewheel = 0x9000}, {.samples = 3}, [](bool after, int, int) { return after; });
+  // The next step's freewheeling lasts: U floats, and its level of after is "above".
+  for (int clock = 0; clock < 20; ++clock) {
+    EXPECT_EQ(dut.tick({.u = true, .step = 5, .chop = true, .phase = clock, .words = {.samples = 3}}).freewheel, Phase::max()) << clock;
+  }
+  for (int clock = 0; clock < 3; ++clock) dut.tick({.step = 5, .chop = true, .phase = 1000 + clock, .words = {.samples = 3}});
+  EXPECT_EQ(dut.tick({.step = 5, .chop = true, .phase = 2000, .words = {.samples = 3}}).freewheel, 1002);
 }
 
 TEST(BemfComparator, ALaggingRotorShowsTheLevelBeforeAndNoCrossing) {
@@ -198,15 +241,28 @@ TEST(BemfComparator, WithinTheBlankingThePinMayShowAnything) {
 
 TEST(BemfComparator, TheFirstClockAfterTheBlankingCounts) {
   // Nothing but clock `blanking` after each edge shows the level: one sample per edge has to do.
-  const int blanking = 20;
-  BemfComparator dut;
-  const auto seen = run(dut, {.pwm_period = 100, .pwm_on = 50},
-                        {.blanking = blanking, .sample_every = 255, .samples = 1},
-                        [&](bool after, int, int since_edge) {
-                          return since_edge == blanking ? after : !after;
-                        });
-  EXPECT_EQ(seen.crossings, 1);
-  EXPECT_NEAR(seen.phase, 0x8000, 51 * 16 / 2 + 1);
+  for (const int blanking : {1, 2, 3, 4, 20}) {
+    BemfComparator dut;
+    const auto seen = run(dut, {.pwm_period = 100, .pwm_on = 50},
+                          {.blanking = blanking, .sample_every = 255, .samples = 1},
+                          [&](bool after, int, int since_edge) {
+                            return since_edge == blanking ? after : !after;
+                          });
+    EXPECT_EQ(seen.crossings, 1) << blanking;
+    EXPECT_NEAR(seen.phase, 0x8000, 51 * 16 / 2 + 1) << blanking;
+  }
+}
+
+TEST(BemfComparator, ASampleIsTakenEverySoManyClocks) {
+  // Nothing but every `every`-th clock, from the first after the blanking, shows the level.
+  for (const int every : {1, 2, 3, 4, 9}) {
+    BemfComparator dut;
+    const auto seen = run(dut, {}, {.blanking = 5, .sample_every = every, .samples = 4}, [&](bool after, int, int since_edge) {
+      return since_edge >= 5 && (since_edge - 5) % every == 0 ? after : !after;
+    });
+    EXPECT_EQ(seen.crossings, 1) << every;
+    EXPECT_NEAR(seen.phase, 0x8000, every * 16 / 2 + 1) << every;
+  }
 }
 
 TEST(BemfComparator, OnlyTheChosenStateOfTheGateIsSampled) {
@@ -223,8 +279,18 @@ TEST(BemfComparator, OnlyTheChosenStateOfTheGateIsSampled) {
 }
 
 TEST(BemfComparator, SamplesZeroCountsAsOne) {
-  EXPECT_EQ(run({}, {.samples = 0}).phase, run({}, {.samples = 1}).phase);
   EXPECT_EQ(run({}, {.sample_every = 0}).phase, run({}, {.sample_every = 1}).phase);
+  BemfComparator of_none, of_one;
+  std::mt19937 random(1);
+  for (int clock = 0; clock < 20000; ++clock) {
+    BemfComparator::In in{.u = random() % 2 == 0, .step = 5, .commutate = clock % 64 == 0, .chop = true, .phase = clock % 64 * 1024};
+    in.words.samples = 0;
+    const auto none = of_none.tick(in);
+    in.words.samples = 1;
+    const auto one = of_one.tick(in);
+    ASSERT_TRUE(none.crossing == one.crossing && none.crossing_phase == one.crossing_phase && none.before_seen == one.before_seen &&
+                none.freewheel == one.freewheel) << clock;
+  }
 }
 
 // Wherever the crossing lies behind the freewheeling, it is found where it is.

@@ -59,6 +59,19 @@ class Recorder {
 
 Period settled(const In& in) { return Recorder(in).with(in); }
 
+TEST(PwmGenerator, TheFirstPeriodAfterTheResetIsAWholeOne) {
+  for (const int period : {1, 2, 3, 4, 5, 100, 101}) {
+    PwmGenerator dut;
+    std::vector<int> starts;
+    for (int clock = 0; clock < 3 * period + 10; ++clock) {
+      if (dut.tick({.on_clocks = 1, .period = period}).start) starts.push_back(clock);
+    }
+    ASSERT_GE(starts.size(), 3u) << period;
+    EXPECT_EQ(starts[1] - starts[0], period);
+    EXPECT_EQ(starts[2] - starts[1], period);
+  }
+}
+
 // The contract in one line each, against the counters of the block.
 int expected_on(const In& in) {
   const int on = int(in.on_clocks.raw());

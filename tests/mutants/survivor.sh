@@ -3,7 +3,7 @@
 # that test does not compile, that it fails without a mutant.
 set -euo pipefail
 root=$1 build=$2 tree=$2/mutants_of_no_test
-rm -rf "$tree"
+"$(dirname "$0")/../empty_folder" "$tree"
 mkdir -p "$tree/tests/hls" "$tree/tools" "$tree/tests/mutants"
 cp -r "$root/hls" "$tree/"
 cp "$root/tools/mutants" "$tree/tools/"

@@ -3,8 +3,7 @@
 set -euo pipefail
 cmake=$1 build=$2 drive=$3 out=$4
 here=$(cd "$(dirname "$0")" && pwd)
-rm -rf "$out"
-mkdir -p "$out"
+"$(dirname "$0")/../empty_folder" "$out"
 quietly() { "$@" >"$out/log" 2>&1 || { tail -n 20 "$out/log"; echo "consume: failed: $*"; exit 1; }; }
 quietly "$cmake" --install "$build" --component model --prefix "$out/installed"
 cp -r "$here/consumer" "$out/consumer"  # nothing of this tree may be found by a relative path

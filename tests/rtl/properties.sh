@@ -13,8 +13,7 @@ if [ "$1" = --sinusoidal ]; then
 fi
 mode=$1 work=$2
 cd "$(dirname "$0")/../.."
-rm -rf "$work"
-mkdir -p "$work"
+tests/empty_folder "$work"
 # shellcheck source=tests/rtl/flawed.sh
 . tests/rtl/flawed.sh
 clocks=200000 file='' said=''

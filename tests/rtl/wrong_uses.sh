@@ -6,8 +6,7 @@
 set -euo pipefail
 mode=$1 work=$2 page=docs/wrong_uses.md
 cd "$(dirname "$0")/../.."
-rm -rf "$work"
-mkdir -p "$work"
+tests/empty_folder "$work"
 bench=(rtl/bench/axi_host.sv rtl/bench/host_tasks.svh rtl/bench/hosted_drive.sv rtl/bench/judge.sv rtl/bench/drive_properties.sv rtl/bench/motor.sv rtl/bench/wrong_uses.sv)
 words=rtl/words/maxon_ec45_flat.mem
 # Without comments: of what the rows follow from.

@@ -92,6 +92,25 @@ TEST(Advice, ALoadThatNoCurrentOfThisBusCanMoveIsToldHowMuchCanBe) {
   EXPECT_THAT(failed.advice[0], HasSubstr("and this bus is good for"));
 }
 
+// Two rotors, the second nine times as heavy: what they may have differs by as much.
+TEST(Advice, AStartWhoseBackEmfTheHysteresisHidesIsToldHowMuchItMayBe) {
+  for (const double heavier : {1.0, 9.0}) {
+    design::Settings s = required();
+    s.motor.coulomb_nm = 3e-3;
+    s.load.inertia_kgm2 = (heavier - 1) * s.motor.inertia_kgm2;
+    s.scenario.duration_s = 0.8 * heavier;
+    s.control.chopping = design::Chopping::kComplementary;
+    EXPECT_TRUE(run_of(s).failures().empty());
+    s.sensors.comparator_hysteresis_v = 8;
+    const Summary failed = run_of(s);
+    ASSERT_EQ(failed.advice.size(), 1u) << to_text(failed);
+    s.sensors.comparator_hysteresis_v = value_behind(failed.advice[0], "lower sensors.comparator_hysteresis_v to ");
+    EXPECT_LT(s.sensors.comparator_hysteresis_v, 4);
+    const Summary followed = run_of(s);
+    EXPECT_TRUE(followed.failures().empty()) << heavier << ": " << why(followed);
+  }
+}
+
 TEST(Advice, ASpeedThatTheBusDoesNotGiveIsToldWhichItDoes) {
   design::Settings s = required();
   s.control.chopping = design::Chopping::kComplementary;

@@ -4,7 +4,7 @@
 set -euo pipefail
 steplock=$1 root=$2 work=$3
 page=$root/docs/disturbances.json
-rm -rf "$work"
+"$(dirname "$0")/../empty_folder" "$work"
 "$steplock" sweep "$root"/drives/*.toml --matrix disturb --runs "$(jq .prefix.runs "$page")" --seed "$(jq .seed "$page")" \
   --jobs 1 --out "$work" --page "$work/docs/disturbances.md"
 jq -e '.passed and .silent_step_outs == 0 and .rtl_differing == 0' "$work/sweep.json"

@@ -7,7 +7,7 @@
 set -euo pipefail
 steplock=$1 root=$2 work=$3 runs=$4 most=$5
 shift 5
-rm -rf "$work"
+"$(dirname "$0")/../empty_folder" "$work"
 digest=$(STEPLOCK_BUILD=$(dirname "$(dirname "$steplock")") "$root/tools/starts" --digest)
 "$steplock" sweep "$@" --jobs 1 --runs "$runs" --seed-from "$digest" --rtl 0.03 --out "$work"
 jq -e --argjson most "$most" '.runs == .started and .inside.started_after_retries <= $most and .rtl_differing == 0' "$work/sweep.json"

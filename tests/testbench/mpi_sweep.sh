@@ -3,8 +3,7 @@
 # A sweep with failed runs exits with 1, which is not the matter here.
 set -euo pipefail
 export STEPLOCK=$1 DRIVE=$2 WORK=$3
-rm -rf "$WORK"
-mkdir -p "$WORK"
+"$(dirname "$0")/../empty_folder" "$WORK"
 
 # The four runs of this seed start: a lost one is simulated for half a minute, and says no more of shards.
 sweep() { "$STEPLOCK" sweep "$DRIVE" --runs 4 --seed 3 --rtl 0 "$@" >/dev/null || [ $? -eq 1 ]; }

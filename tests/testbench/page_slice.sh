@@ -5,7 +5,7 @@ set -euo pipefail
 steplock=$1 root=$2 work=$3 name=$4
 shift 4
 page=$root/docs/$name.json
-rm -rf "$work"
+"$(dirname "$0")/../empty_folder" "$work"
 files=("$root"/drives/*.toml)
 if [ "$name" = motor_starts ]; then
   "$steplock" motors --count 300 --seed "$(jq .seed "$page")" --out "$work/motors" >/dev/null

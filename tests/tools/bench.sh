@@ -31,7 +31,7 @@ case $mode in
     [[ $said == *SIMULATOR*BENCH* ]] || { echo "no usage: $said"; exit 1; }
     echo 'each is refused' ;;
   commands)
-    rm -rf "$work"
+    tests/empty_folder "$work"
     mkdir -p "$work/bin"
     cp rtl/bench/motor.sv "$work/motor.sv"
     for program in xvlog xelab xsim vlib vlog vsim; do
@@ -60,8 +60,7 @@ case $mode in
     done
     echo 'each names what is there' ;;
   elsewhere)
-    rm -rf "$work"
-    mkdir -p "$work"
+    tests/empty_folder "$work"
     cp rtl/words/amano2003.mem "$work/mine.mem"
     sed 's/PASSED/PASSED with my own/' rtl/bench/first_start.sv >"$work/first_start.sv"
     cmp -s rtl/bench/first_start.sv "$work/first_start.sv" && exit 1

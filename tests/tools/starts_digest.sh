@@ -4,7 +4,7 @@
 set -euo pipefail
 steplock=$1 work=$2
 cd "$(dirname "$0")/../.."
-rm -rf "$work"
+tests/empty_folder "$work"
 mkdir -p "$work/tree" "$work/bin"
 cp -r --parents tools/starts rtl model/design testbench/sweep testbench/drive_file drives "$work/tree"
 cd "$work/tree"
@@ -50,6 +50,10 @@ rm "$work/spoils"
 # A name that is another one everywhere.
 sed -i 's/\bfollower_drives_i\b/the_follower_drives_i/g' rtl/*.sv
 [ "$(digest)" = "$was" ] || { echo "a port's name, changed everywhere: the digest changes"; failed=1; }
+# Wires that had names of their own, and wires of two modules that get one name.
+sed -i 's/\bto_high\b/is_high/g' rtl/start_sequence.sv
+sed -i 's/\bheavy\b/is_high/g' rtl/protection.sv
+[ "$(digest)" = "$was" ] || { echo "wires of two modules with one name: the digest changes"; failed=1; }
 # Two ports that are wired the other way round.
 sed -i 's/\.comparator_u_i(/.swap_i(/; s/\.comparator_v_i(/.comparator_u_i(/; s/\.swap_i(/.comparator_v_i(/' rtl/six_step_top.sv
 [ "$(digest)" != "$was" ] || { echo "two ports wired the other way round: the digest stays"; failed=1; }
