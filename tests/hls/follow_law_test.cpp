@@ -18,6 +18,18 @@ TEST(FollowLaw, StepAndSectorHaveOneNumberForwardAndTheStepIsOneLessBackwards) {
   }
 }
 
+// Looks without news are counted on through the first edge of a rotor, which anything may have feigned.
+TEST(FollowLaw, TheFirstEdgeForwardIsNoNewsAndEachFurtherOneIs) {
+  for (const bool back : {false, true}) {
+    for (int edges = 0; edges < 4; ++edges) {
+      const FollowLaw::Belief was{.looked = true, .real = true, .back = back, .edges = edges, .idle = 7};
+      const auto news = FollowLaw::judge(was, {.legal = true, .on = true}, kCodes[1]);
+      EXPECT_EQ(news.belief.idle, edges == 0 && !back ? 8 : 0) << edges << back;
+      EXPECT_TRUE(news.goes);
+    }
+  }
+}
+
 // Of every code, step, direction and belief: what see() tells from bits is the difference of steps, modulo six.
 TEST(FollowLaw, TheBitsThatDifferTellTheTurns) {
   for (int k = 0; k < 1 << 10; ++k) {

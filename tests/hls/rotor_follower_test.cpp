@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "tests/hls/follow_law_look.hpp"
@@ -110,6 +111,43 @@ TEST(RotorFollower, TwelveOfFifteenSamplesAreAClearCode) {
   }
 }
 
+// One pin of three that says now this, now that is enough.
+TEST(RotorFollower, ACodeIsAsClearAsItsWorstPin) {
+  for (const int pin : {0, 1, 2}) {
+    for (const int high : {0, 7, 15}) {
+      Bench b;
+      bool loaded = false;
+      for (int i = 0; i < 200 && !b.out.drive; ++i) {
+        const int sample = i / 4 - 7;
+        const bool says = sample >= 0 && sample < high;
+        b.code(0b100 ^ (0b100 >> pin));  // the two codes between which the pin's edge is
+        (pin == 0 ? b.in.u : pin == 1 ? b.in.v : b.in.w) = says;
+        if (pin == 0) b.in.w = true;
+        b.clock();
+        loaded = loaded || b.out.load;
+      }
+      EXPECT_EQ(loaded, high != 7) << pin << ' ' << high;
+    }
+  }
+}
+
+TEST(RotorFollower, ThreeStepsThatMoveNothingAreToldInOneClock) {
+  Bench b;
+  b.code(kCodes[2]);
+  int told = 0, clocks = 0, loads = 0;
+  bool was = false;
+  for (int i = 0; i < 4 * kStill * (64 + 40) * 4 && told < 2; ++i) {
+    b.clock();
+    if (b.out.load) b.in.step = b.out.step, ++loads;
+    clocks += b.out.blocked;
+    told += b.out.blocked && !was;
+    if (told == 1 && clocks == 1) EXPECT_GE(loads, 3);
+    was = b.out.blocked;
+  }
+  EXPECT_GE(told, 1);
+  EXPECT_EQ(clocks, told);
+}
+
 // Edge, and one that went by unseen: followed, but no interval was measured that could be over.
 TEST(RotorFollower, WithoutAnIntervalADriveOfARotorThatIsFollowedEndsAfterItsProbe) {
   Bench b;
@@ -166,6 +204,27 @@ TEST(RotorFollower, HandsOverOnlyWhatWasFastThroughoutTheLastInterval) {
     b.clock();
     b.in.crossing = false;
     EXPECT_EQ(b.clock().caught, fast_before);
+  }
+}
+
+TEST(RotorFollower, HandsOverWhatIsFastOrSteadyAndNotSlow) {
+  for (const auto& [fast, steady, slow] : {std::tuple{false, false, false}, {false, false, true}, {false, true, false}, {false, true, true},
+                                           {true, false, false}, {true, false, true}, {true, true, true}}) {
+    Bench b;
+    for (const int sector : {0, 1, 2, 3}) {
+      b.code(kCodes[sector]);
+      b.until(true);
+      if (sector < 3) b.until(false);
+    }
+    b.in.update = b.in.good = b.in.steady = true;
+    b.clock();
+    b.in.update = false;
+    b.in.fast = fast, b.in.steady = steady, b.in.slow = slow;
+    for (int i = 0; i < 100; ++i) b.clock();
+    b.in.crossing = true;
+    b.clock();
+    b.in.crossing = false;
+    EXPECT_EQ(b.clock().caught, fast || (steady && !slow)) << fast << steady << slow;
   }
 }
 
