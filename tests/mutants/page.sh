@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# page.sh ROOT BUILD: docs/mutants.md counts as many mutants of each block as there are now, and none that survives.
+# page.sh ROOT BUILD [EQUIVALENT]: docs/mutants.md counts as many mutants of each block as there are now, and none that survives;
+# and what tests/mutants/equivalent.tsv (or EQUIVALENT) excuses is a mutant of today.
 set -euo pipefail
 cd "$1"
 status=0
@@ -11,5 +12,13 @@ done < <(sed -n 's/^| \[\([a-z_]*\)\](.*) | \([0-9]*\) |.* | \([0-9]*\) |$/\1\t\
 for stem in $(sed -n 's/^all=(\(.*\))$/\1/p' tools/mutants); do
   grep -q "^| \[${stem##*/}\]" docs/mutants.md || { echo "docs/mutants.md has no ${stem##*/}; run tools/mutants"; status=1; }
 done
+# Number, file, line, column, from, to, as tools/mutants looks for them: with the code of the line, and what stands before.
+while IFS=$'\t' read -r file code before from to _; do
+  "$2/bin/draw_mutants" "$file" | while IFS=$'\t' read -r _ line column was becomes; do
+    [ "$was" = "$from" ] && [ "$becomes" = "$to" ] || continue
+    text=$(sed -n "${line}p" "$file")
+    [ "$(sed 's/^ *//; s/ *\/\/.*//' <<<"$text")" = "$code" ] && [ "$(sed 's/^ *//' <<<"${text:0:column-1}")" = "$before" ] && echo found
+  done | grep -q found || { echo "$(basename "${3-equivalent.tsv}"): no mutant of $file puts '$to' for '$from' in: $code"; status=1; }
+done <"${3-tests/mutants/equivalent.tsv}"
 grep -q '^| \[' docs/mutants.md || { echo "docs/mutants.md has no blocks"; status=1; }
 exit $status
