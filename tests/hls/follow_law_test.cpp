@@ -30,6 +30,17 @@ TEST(FollowLaw, TheFirstEdgeForwardIsNoNewsAndEachFurtherOneIs) {
   }
 }
 
+// A belief that lasted for four looks or more turns with a wait: what comes next is counted anew.
+TEST(FollowLaw, ABeliefThatLastedFourLooksTurnsOnceWithAWait) {
+  for (const int idle : {0, 3, 4, 5, 200}) {
+    const FollowLaw::Belief was{.looked = true, .real = true, .idle = idle};
+    const auto news = FollowLaw::judge(was, {.legal = true, .contrary = true}, kCodes[5]);
+    EXPECT_TRUE(news.belief.back) << idle;
+    EXPECT_EQ(news.belief.turned, idle >= 4) << idle;
+    EXPECT_EQ(news.belief.idle, idle >= 4 ? 0 : idle + 1) << idle;
+  }
+}
+
 // Of every code, step, direction and belief: what see() tells from bits is the difference of steps, modulo six.
 TEST(FollowLaw, TheBitsThatDifferTellTheTurns) {
   for (int k = 0; k < 1 << 10; ++k) {
