@@ -11,7 +11,7 @@ case $flaw in
   port_without_pin) sed -i '/^set_io gate_uh/d' "$pcf" ;;
   pin_of_two_ports) sed -i 's/^set_io gate_vh .*/set_io gate_vh 4/' "$pcf"; says="gives a pin to two ports: 4" ;;
   tie_of_another_width) sed -i "s/{button_fast, 1'b1}/button_fast/" "$top"; says="WIDTH" ;;
-  clock_too_fast)  # by a quarter, for what docs/timing.md shows on UP5K; this drive has words at any clock
+  clock_too_fast)  # by a quarter, for what docs/timing.md shows on UP5K; a drive whose gain its word holds at that clock, too
     drive=drives/m2310p_servo.toml
     hz=$(awk -F'|' '$2 == " six_step_fixed " { printf "%d", 1.25e6 * $4 }' docs/timing.md)
     sed -i "s/^# clock_hz: .*/# clock_hz: ${hz:?docs\/timing.md has no such row}/" "$pcf"; lint="" says="Max frequency" ;;

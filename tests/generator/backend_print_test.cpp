@@ -83,6 +83,19 @@ TEST(Print, ValueOfSeveralPurposesIsNamedAfterWhatItIsMadeOf) {
   }
 }
 
+// What the front end knows of a value that has no name serves where a wire needs one, and makes no wire.
+TEST(Print, AHintNamesAWireThatHasNoNameAndNoOther) {
+  for (const bool read_twice : {true, false}) {
+    Build b("hinted");
+    const NodeId x = b.input("x", 4), y = b.input("y", 4);
+    const NodeId hinted = b.op(Op::kXor, b.slice(x, 3, 1), b.slice(y, 2, 0));
+    b.m.nodes[hinted].hint = "not_goes";
+    b.output("a", b.op(Op::kAnd, hinted, b.slice(y, 3, 1)));
+    if (read_twice) b.output("b", b.op(Op::kOr, hinted, b.slice(x, 2, 0)));
+    EXPECT_EQ(printed(std::move(b)).find("wire [2:0] not_goes = ") != std::string::npos, read_twice);
+  }
+}
+
 TEST(Print, ChainOfEqualitiesIsACaseAndTwoOfThemAreOne) {
   Build b("chain");
   b.m.enumerations.push_back({"State", 2, {{"kIdle", 0}, {"kRun", 1}, {"kStop", 2}}});
