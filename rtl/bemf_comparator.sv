@@ -61,11 +61,11 @@ module bemf_comparator (
   logic [15:0] freewheel;  // u0.16, first sample that brought the filter to 0
 
   wire endless = commutate_i && !before_seen;
-  wire chop_xor_chop = chop_i ^ chop;  // line 58
+  wire chop_xor_chop = chop_i ^ chop;  // line 59
   wire edge_ = chop_xor_chop || commutate_i;
-  wire floating_w_next = step_i == 3'd0 || step_i == 3'd3;  // line 67
-  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 108
-  wire [16:0] before_plus_phase = {1'b0, before_} + {1'b0, phase_i};  // line 134
+  wire floating_w_next = step_i == 3'd0 || step_i == 3'd3;  // line 68
+  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 109
+  wire [16:0] before_plus_phase = {1'b0, before_} + {1'b0, phase_i};  // line 135
 
   always_ff @(posedge clk) begin
     if (edge_) begin
@@ -75,10 +75,10 @@ module bemf_comparator (
     end else begin
       due <= left == 10'd2;
     end
-    floating_u <= !(floating_w_next || step_i == 3'd1 || step_i == 3'd4);  // line 67
-    floating_v <= step_i == 3'd1 || step_i == 3'd4;  // line 122
-    floating_w <= floating_w_next;  // line 67
-    floating_rises <= reverse_i ^ step_i[0];  // line 124
+    floating_u <= !(floating_w_next || step_i == 3'd1 || step_i == 3'd4);  // line 68
+    floating_v <= step_i == 3'd1 || step_i == 3'd4;  // line 123
+    floating_w <= floating_w_next;  // line 68
+    floating_rises <= reverse_i ^ step_i[0];  // line 125
     if (commutate_i) begin
       left <= words_blanking_i;
       count <= full;
@@ -132,7 +132,7 @@ module bemf_comparator (
           end else begin
             logic last_either;
             logic last;
-            last_either = count == full - 4'd1 || count == full;  // line 133
+            last_either = count == full - 4'd1 || count == full;  // line 134
             last = last_either || count == 4'd15;
             if (last) begin
               count <= full;
@@ -146,7 +146,7 @@ module bemf_comparator (
               end
               default: begin
                 logic before_seen_both;
-                before_seen_both = before_seen && last_either;  // line 136
+                before_seen_both = before_seen && last_either;  // line 137
                 case (count)
                   4'd0: begin
                     found <= before_seen_both;
@@ -170,7 +170,7 @@ module bemf_comparator (
         crossing <= 1'b0;
       end
     end
-    chop <= chop_i;  // line 60
+    chop <= chop_i;  // line 61
     if (rst) begin
       due <= 1'b1;
       floating_u <= 1'b0;

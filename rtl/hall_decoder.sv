@@ -52,7 +52,7 @@ module hall_decoder #(
   logic changed;  // one clock: either
 
   wire [2:0] other = code ^ last;
-  wire [2:0] other_minus_one = other - 3'd1;  // line 62
+  wire [2:0] other_minus_one = other - 3'd1;  // line 63
 
   always_ff @(posedge clk) begin
     if (DECODES) begin
@@ -96,7 +96,7 @@ module hall_decoder #(
                     (other == 3'd2) ? code[1] ^ code[2] :
                     code[0] == code[2];
                 turns = sure && (down ^ reverse);
-                turns_xor_back = turns ^ back;  // line 64
+                turns_xor_back = turns ^ back;  // line 65
                 moved <= !turns_xor_back;
                 if (!turns_xor_back) begin
                   reverse <= down;

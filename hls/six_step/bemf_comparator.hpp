@@ -45,6 +45,7 @@ class BemfComparator {
     Phase crossing_phase = 0;  // u0.16, where in the step it was
     bool before_seen = false;  // the level from before the crossing showed in this step
     Phase freewheel = 0;       // u0.16, where freewheeling last ended in its step; all ones: it did not
+    bool operator==(const Out&) const = default;
   };
 
   Out tick(const In& in) {

@@ -43,6 +43,7 @@ class HallDecoder {
     bool reverse = false;  // the last move went down
     bool jumped = false;   // one clock: the sector is new, and says nothing about speed
     bool changed = false;  // one clock: either
+    bool operator==(const Out&) const = default;
   };
 
   Out tick(const In& in) {

@@ -74,8 +74,39 @@ class SixStepTop {
   };
 
   Out tick(const In& in) {
+    Wires wires;
+    return tick_with(in, wires);
+  }
+
+  bool operator==(const SixStepTop&) const = default;
+
+ protected:  // testbench/engine/skipping_top.hpp counts with these, and in most clocks asks the quick blocks alone
+  // What the blocks say in a clock.
+  struct Wires {
+    bool configured = false;  // for what this core has
+    bool hall = false;        // Hall sensors tell the step
+    Synchroniser::Out pins;
+    HallDecoder::Out sectors;
+    RotorFollower::Out rotor;
+    StartSequence::Out start;
+    bool hold = false;        // the step waits for a sensor, or for the follower
+    bool new_sector = false;  // strobe: which says it now
+    Step hall_step = 0;       // with Hall sensors
+    Step step = 0;
+    DivideByN::Out divider;   // as it was
+    BemfComparator::Out bemf;
+    PhaseDetector::Out detector;
+    LoopFilter::Out filter;
+    Gates legs;               // of the next step
+    SpeedControl::Out speed;
+    PwmGenerator::Out pwm;
+    CurrentLimit::Out limit;
+    Gates gates;
+  };
+
+  Out tick_with(const In& in, Wires& w) {
     const Words& words = in.words;
-    const auto pins = synchroniser_.tick(in.pins);
+    sense(in, w);
     const bool hall = in.with.hall_decoder && words.source == Source::kHall;
     Command command = in.command;
     const bool has_method = words.start.method == Method::kFollow ? bool(in.with.follower) : bool(in.with.ramp);
@@ -84,223 +115,192 @@ class SixStepTop {
     StartWords start_words = words.start;
     if (!in.with.ramp) start_words.method = Method::kFollow;
     if (!in.with.follower) start_words.method = Method::kRamp;
-    const auto sectors = hall_.tick({.decodes = in.with.hall_decoder,
-                                     .u = hall ? pins.hall_u : pins.comparator_u,
-                                     .v = hall ? pins.hall_v : pins.comparator_v,
-                                     .w = hall ? pins.hall_w : pins.comparator_w,
-                                     .hold = words.bemf.blanking});
+    w.configured = command.configured;
 
-    const auto rotor = rotor_.tick({.follows = in.with.follower,
-                                    .on = follow_,
-                                    .u = pins.comparator_u,
-                                    .v = pins.comparator_v,
-                                    .w = pins.comparator_w,
-                                    .crossing = crossing_,
-                                    .elapsed = divided_.elapsed,
-                                    .quarter = divided_.phase.bit(15) || divided_.phase.bit(14),
-                                    .update = update_,
-                                    .good = good_,
-                                    .fast = fast_,
-                                    .slow = slow_,
-                                    .steady = steady_,
-                                    .step = divided_.step,
-                                    .reverse = reverse_,
-                                    .sample_every = words.bemf.sample_every,
-                                    .look = words.start.look,
-                                    .probe = words.start.probe,
-                                    .still = words.start.still});
-    const auto start = start_.tick({.observes = in.with.hall_decoder,
-                                    .tick = tick_,
-                                    .command = command,
-                                    .source = words.source,
-                                    .words = start_words,
-                                    .fast = fast_,
-                                    .slow = slow_,
-                                    .commutate = divided_.commutate,
-                                    .update = update_,
-                                    .good = good_,
-                                    .lags = lags_,
-                                    .turns_reverse = sectors.reverse,
-                                    .sector = sectors.sector,
+    w.rotor = rotor_.tick({.follows = in.with.follower, .on = follow_, .u = w.pins.comparator_u,
+                           .v = w.pins.comparator_v, .w = w.pins.comparator_w, .crossing = crossing_,
+                           .elapsed = divided_.elapsed, .quarter = divided_.phase.bit(15) || divided_.phase.bit(14),
+                           .update = update_, .good = good_, .fast = fast_, .slow = slow_, .steady = steady_,
+                           .step = divided_.step, .reverse = reverse_, .sample_every = words.bemf.sample_every,
+                           .look = words.start.look, .probe = words.start.probe, .still = words.start.still});
+    const auto start = start_.tick({.observes = in.with.hall_decoder, .tick = tick_, .command = command,
+                                    .source = words.source, .words = start_words, .fast = fast_, .slow = slow_,
+                                    .commutate = divided_.commutate, .update = update_, .good = good_, .lags = lags_,
+                                    .turns_reverse = w.sectors.reverse, .sector = w.sectors.sector,
                                     // A rotor that may turn the other way drives its own current where no shunt sees it.
-                                    .follower_drives = rotor.drive && (rotor.sure || chop_),
-                                    .caught = rotor.caught,
-                                    .sure = rotor.sure,
-                                    .moves = rotor.moves,
-                                    .blocked = rotor.blocked,
-                                    .still = still_,
-                                    .at = divided_.step,
-                                    .lost = lost_,
-                                    .fatal = fatal_,
-                                    .cause = cause_});
+                                    .follower_drives = w.rotor.drive && (w.rotor.sure || chop_), .caught = w.rotor.caught,
+                                    .sure = w.rotor.sure, .moves = w.rotor.moves, .blocked = w.rotor.blocked, .still = still_,
+                                    .at = divided_.step, .lost = lost_, .fatal = fatal_, .cause = cause_});
+    w.start = start;
 
-    // With Hall sensors the sector is the step, in reverse with the current turned round.
-    const bool hold = start.watch == Evidence::kSectors && (in.with.hall_decoder || in.with.follower);
-    const bool new_sector = hold && (rotor.load || (!follow_ && sectors.changed));
-    const Step hall_step = !start.reverse       ? sectors.sector
-                           : sectors.sector < 3 ? wrap<Step>(sectors.sector + 3)
-                                                : wrap<Step>(sectors.sector - 3);
-    const DivideByN::Out divider = divided_;
-    const Step step = hall ? hall_step : divider.step;
-
-    const auto bemf = bemf_.tick({.u = pins.comparator_u,
-                                  .v = pins.comparator_v,
-                                  .w = pins.comparator_w,
-                                  .step = step,
-                                  .reverse = start.reverse,
-                                  .commutate = divider.commutate || rotor.restart,
-                                  .chop = chop_,
-                                  .phase = divider.phase,
-                                  .words = words.bemf});
-    const auto detector = detector_.tick({.watch = start.watch,
-                                          .crossing = bemf.crossing,
-                                          .crossing_phase = bemf.crossing_phase,
-                                          .before_seen = bemf.before_seen,
-                                          .commutate = divider.commutate,
-                                          .step = step,
-                                          .reverse = start.reverse,
-                                          .changed = follow_ ? rotor.changed : sectors.moved,
-                                          .elapsed = divider.elapsed,
-                                          .phase = divider.phase,
-                                          .detector = words.loop.detector,
-                                          .expected = words.loop.expected,
-                                          .lead_error = words.loop.lead_error,
-                                          .window = words.start.window});
-    const auto filter = filter_.tick({.loop = start.loop,
-                                      .error = detector.error,
-                                      .update = detector.update,
-                                      .tick = tick_,
-                                      .ramp = words.start.ramp,
-                                      .gentle = start.gentle,
-                                      .bandwidth = words.loop.bandwidth,
-                                      .delay = words.loop.delay >> int(words.loop.divide.raw()),
-                                      .ki = words.loop.ki,
-                                      .kp = words.loop.kp,
-                                      .pole = words.loop.pole,
-                                      .scale = words.loop.scale,
-                                      .minimum = words.loop.minimum,
-                                      .maximum = words.loop.maximum,
-                                      .hand_over = words.start.hand_over,
-                                      .stall = words.protection.stall});
-    const bool load = start.load_step || new_sector;
-    const auto vco = vco_.tick({.enable = start.turn_vco,
-                                .load = load,
-                                .half = start.load_step && words.loop.divide == 0,
-                                .frequency = filter.frequency});
-    divided_ = divide_.tick({.pulse = vco.pulse,
-                             .phase = vco.phase,
-                             .divide = words.loop.divide,
-                             .reverse = start.reverse,
-                             .hold = hold,
-                             .load = load,
-                             .step = start.load_step ? start.step : follow_ ? rotor.step : hall_step,
-                             .half = start.load_step});
-
-    // A step that follows the sectors drives no gate: they wait for the next one.
-    const Gates legs = Commutation::legs(start.load_step ? start.step : divided_.turned);
+    listen(in, w);
+    w.detector = detector_.tick({.watch = start.watch, .crossing = w.bemf.crossing,
+                                 .crossing_phase = w.bemf.crossing_phase, .before_seen = w.bemf.before_seen,
+                                 .commutate = w.divider.commutate, .step = w.step, .reverse = start.reverse,
+                                 .changed = follow_ ? w.rotor.changed : w.sectors.moved, .elapsed = w.divider.elapsed,
+                                 .phase = w.divider.phase, .detector = words.loop.detector,
+                                 .expected = words.loop.expected, .lead_error = words.loop.lead_error,
+                                 .window = words.start.window});
+    w.filter = filter_.tick({.loop = start.loop, .error = w.detector.error, .update = w.detector.update,
+                             .tick = tick_, .ramp = words.start.ramp, .gentle = start.gentle,
+                             .bandwidth = words.loop.bandwidth,
+                             .delay = words.loop.delay >> int(words.loop.divide.raw()), .ki = words.loop.ki,
+                             .kp = words.loop.kp, .pole = words.loop.pole, .scale = words.loop.scale,
+                             .minimum = words.loop.minimum, .maximum = words.loop.maximum,
+                             .hand_over = words.start.hand_over, .stall = words.protection.stall});
+    turn(in, w);
 
     // While pulling in, a step without a good crossing says nothing of the speed: the duty rises on none.
     const bool unknown = update_ && !good_ && start.mode == SpeedMode::kControl && !start.running;
-    const auto speed = speed_.tick({.tick = tick_,
-                                    .mode = start.mode,
-                                    .fixed_duty = start.duty,
-                                    .frequency = filter.frequency,
-                                    .target = start.stop ? Frequency(0) : words.speed.target,
-                                    .limited = limited_ || unknown,
-                                    .hurries = hurries_,
-                                    .freewheels = freewheels_,
-                                    .period = words.pwm.period,
-                                    .slip = words.protection.slip,
-                                    .words = words.speed});
-    const auto pwm = pwm_.tick({.on_clocks = speed.on_clocks,
-                                .period = words.pwm.period,
-                                .minimum = words.pwm.minimum,
-                                .centred = words.pwm.centred,
-                                .tick_periods = words.pwm.tick_periods});
-    const auto limit = limit_.tick({.on = pwm.on,
-                                    .comparator = pins.limit,
-                                    .fast = start.running || (follow_ && !rotor.sure),
-                                    .words = words.limit});
-    // A cut of a rotor that runs turns all gates off.  With a low side on, the back-EMF would drive the current on, where no
-    // shunt sees it, and nothing but that side's diode would take the outgoing winding's current down.
-    const auto request = commutation_.tick({.pattern = start.pattern.when(!(limit.cut && start.running)),
-                                            .legs = hall ? Commutation::legs(hall_step) : legs_,
-                                            .chop = limit.on,
-                                            .complementary = words.pwm.complementary});
-    const auto gates = guard_.tick({.request = request,
-                                    .enable = start.enable && command.configured,
-                                    .fault = pins.fault,
-                                    .dead_time = words.pwm.dead_time,
-                                    .minimum = saturate<UInt<8>>(words.pwm.minimum)});
+    w.speed = speed_.tick({.tick = tick_, .mode = start.mode, .fixed_duty = start.duty,
+                           .frequency = w.filter.frequency,
+                           .target = start.stop ? Frequency(0) : words.speed.target, .limited = limited_ || unknown,
+                           .hurries = hurries_, .freewheels = freewheels_, .period = words.pwm.period,
+                           .slip = words.protection.slip, .words = words.speed});
+    drive(in, w);
 
-    const auto protection = protection_.tick({.running = start.running,
-                                              .tick = tick_,
-                                              .commutate = divider.commutate || divider.elapsed,
-                                              .update = detector.update,
-                                              .good = detector.good,
-                                              .missed = detector.missed,
-                                              .lags = detector.error.negative(),
-                                              .slow = filter.slow,
-                                              .slips = speed.slips,
-                                              .freewheel = hall ? Phase(0) : bemf.freewheel,
-                                              .stuck = limit.stuck,
-                                              .fault_pin = pins.fault,
-                                              .hall = hall,
-                                              .hall_illegal = !sectors.legal,
-                                              .words = words.protection});
-    const auto counts = telemetry_.tick({.counts = in.with.telemetry,
-                                         .clear = start.began,
-                                         .crossing = bemf.crossing,
-                                         .missed = detector.missed,
-                                         .freewheel_long = protection.freewheel_long,
-                                         .limit_hit = limit.hit,
+    const auto protection = protection_.tick({.running = start.running, .tick = tick_,
+                                              .commutate = w.divider.commutate || w.divider.elapsed,
+                                              .update = w.detector.update, .good = w.detector.good,
+                                              .missed = w.detector.missed, .lags = w.detector.error.negative(),
+                                              .slow = w.filter.slow, .slips = w.speed.slips,
+                                              .freewheel = hall ? Phase(0) : w.bemf.freewheel,
+                                              .stuck = w.limit.stuck, .fault_pin = w.pins.fault, .hall = hall,
+                                              .hall_illegal = !w.sectors.legal, .words = words.protection});
+    const auto counts = telemetry_.tick({.counts = in.with.telemetry, .clear = start.began,
+                                         .crossing = w.bemf.crossing, .missed = w.detector.missed,
+                                         .freewheel_long = protection.freewheel_long, .limit_hit = w.limit.hit,
                                          .retry = start.failed});
 
     still_ = words.speed.target == 0;
-    legs_ = legs;
-    tick_ = pwm.tick;
-    chop_ = limit.on;
-    limited_ = limit.hit;
-    fast_ = filter.fast;
-    update_ = detector.update;
-    good_ = detector.good;
-    lags_ = detector.error.negative();
-    slow_ = filter.slow;
+    keep(w);
+    fast_ = w.filter.fast;
+    update_ = w.detector.update;
+    good_ = w.detector.good;
+    lags_ = w.detector.error.negative();
+    slow_ = w.filter.slow;
     follow_ = start.follow;
     steady_ = start.steady;
     reverse_ = start.reverse;
-    crossing_ = bemf.crossing;
-    hurries_ = detector.hurries;
+    crossing_ = w.bemf.crossing;
+    hurries_ = w.detector.hurries;
     // 15/32 of a step: more current would hide the crossing, or did.  Not while pulling in, which has its own way out.
-    freewheels_ = !hall && start.running && bemf.freewheel.slice<15, 11>() >= 15;
+    freewheels_ = !hall && start.running && w.bemf.freewheel.slice<15, 11>() >= 15;
     lost_ = protection.lost;
     fatal_ = protection.fatal;
     cause_ = protection.reason;
 
-    return {.gates = gates,
+    return {.gates = w.gates,
             .state = start.state,
             .reason = start.reason,
             .locked = start.running,
             .reverse = start.reverse,
-            .step = step,
-            .chop = limit.on,
-            .commutate = divider.commutate,
-            .turn = DivideByN::turn(divider.step),
-            .frequency = filter.frequency,
-            .step_phase = divider.phase,
-            .phase_error = detector.error,
-            .update = detector.update,
-            .crossing = bemf.crossing,
-            .missed = detector.missed,
-            .crossing_phase = bemf.crossing_phase,
-            .freewheel = bemf.freewheel,
-            .duty = speed.duty,
+            .step = w.step,
+            .chop = w.limit.on,
+            .commutate = w.divider.commutate,
+            .turn = DivideByN::turn(w.divider.step),
+            .frequency = w.filter.frequency,
+            .step_phase = w.divider.phase,
+            .phase_error = w.detector.error,
+            .update = w.detector.update,
+            .crossing = w.bemf.crossing,
+            .missed = w.detector.missed,
+            .crossing_phase = w.bemf.crossing_phase,
+            .freewheel = w.bemf.freewheel,
+            .duty = w.speed.duty,
             .counts = counts};
   }
 
-  bool operator==(const SixStepTop&) const = default;
+  // What the pins say.
+  void sense(const In& in, Wires& w) {
+    const auto pins = synchroniser_.tick(in.pins);
+    const bool hall = in.with.hall_decoder && in.words.source == Source::kHall;
+    w.pins = pins;
+    w.hall = hall;
+    w.sectors = hall_.tick({.decodes = in.with.hall_decoder,
+                            .u = hall ? pins.hall_u : pins.comparator_u,
+                            .v = hall ? pins.hall_v : pins.comparator_v,
+                            .w = hall ? pins.hall_w : pins.comparator_w,
+                            .hold = in.words.bemf.blanking});
+  }
 
- protected:  // testbench/engine/skipping_top.hpp counts with these
+  // The step that is driven, and what its floating terminal says.
+  void listen(const In& in, Wires& w) {
+    // With Hall sensors the sector is the step, in reverse with the current turned round.
+    const bool hold = w.start.watch == Evidence::kSectors && (in.with.hall_decoder || in.with.follower);
+    const bool new_sector = hold && (w.rotor.load || (!follow_ && w.sectors.changed));
+    const Step hall_step = !w.start.reverse       ? w.sectors.sector
+                           : w.sectors.sector < 3 ? wrap<Step>(w.sectors.sector + 3)
+                                                  : wrap<Step>(w.sectors.sector - 3);
+    const Step step = w.hall ? hall_step : divided_.step;
+    w.hold = hold;
+    w.new_sector = new_sector;
+    w.hall_step = hall_step;
+    w.divider = divided_;
+    w.step = step;
+    w.bemf = bemf_.tick({.u = w.pins.comparator_u,
+                         .v = w.pins.comparator_v,
+                         .w = w.pins.comparator_w,
+                         .step = step,
+                         .reverse = w.start.reverse,
+                         .commutate = w.divider.commutate || w.rotor.restart,
+                         .chop = chop_,
+                         .phase = w.divider.phase,
+                         .words = in.words.bemf});
+  }
+
+  // The next step, by the VCO or by what a sensor or a start says.
+  void turn(const In& in, Wires& w) {
+    const bool load = w.start.load_step || w.new_sector;
+    const auto vco = vco_.tick({.enable = w.start.turn_vco,
+                                .load = load,
+                                .half = w.start.load_step && in.words.loop.divide == 0,
+                                .frequency = w.filter.frequency});
+    divided_ = divide_.tick({.pulse = vco.pulse,
+                             .phase = vco.phase,
+                             .divide = in.words.loop.divide,
+                             .reverse = w.start.reverse,
+                             .hold = w.hold,
+                             .load = load,
+                             .step = w.start.load_step ? w.start.step : follow_ ? w.rotor.step : w.hall_step,
+                             .half = w.start.load_step});
+
+    // A step that follows the sectors drives no gate: they wait for the next one.
+    const Gates legs = Commutation::legs(w.start.load_step ? w.start.step : divided_.turned);
+    w.legs = legs;
+  }
+
+  // From a duty to six gates.
+  void drive(const In& in, Wires& w) {
+    const Words& words = in.words;
+    w.pwm = pwm_.tick({.on_clocks = w.speed.on_clocks,
+                       .period = words.pwm.period,
+                       .minimum = words.pwm.minimum,
+                       .centred = words.pwm.centred,
+                       .tick_periods = words.pwm.tick_periods});
+    w.limit = limit_.tick({.on = w.pwm.on,
+                           .comparator = w.pins.limit,
+                           .fast = w.start.running || (follow_ && !w.rotor.sure),
+                           .words = words.limit});
+    // A cut of a rotor that runs turns all gates off.  With a low side on, the back-EMF would drive the current on, where no
+    // shunt sees it, and nothing but that side's diode would take the outgoing winding's current down.
+    const auto request = commutation_.tick({.pattern = w.start.pattern.when(!(w.limit.cut && w.start.running)),
+                                            .legs = w.hall ? Commutation::legs(w.hall_step) : legs_,
+                                            .chop = w.limit.on,
+                                            .complementary = words.pwm.complementary});
+    w.gates = guard_.tick({.request = request,
+                           .enable = w.start.enable && w.configured,
+                           .fault = w.pins.fault,
+                           .dead_time = words.pwm.dead_time,
+                           .minimum = saturate<UInt<8>>(words.pwm.minimum)});
+  }
+
+  void keep(const Wires& w) {
+    legs_ = w.legs;
+    tick_ = w.pwm.tick;
+    chop_ = w.limit.on;
+    limited_ = w.limit.hit;
+  }
 
   Synchroniser synchroniser_;
   HallDecoder hall_;

@@ -68,7 +68,6 @@ class FixedEngine {
 
   void set_pins(const plant::Pins& pins) {
     put_pins(in_.pins, pins);
-    ticked_ = false;
   }
   void set_command(const HostCommand& c) {
     in_.command = command_of(c);
@@ -131,7 +130,7 @@ class FixedEngine {
   SixStepTop::In in_;
   SixStepTop::Out out_;
   double clock_hz_;
-  bool ticked_ = false;  // with the present inputs
+  bool ticked_ = false;  // with the present command
 };
 
 }  // namespace steplock

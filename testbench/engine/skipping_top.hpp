@@ -1,8 +1,15 @@
-// The whole drive, for simulation: the clocks in which it does nothing but count, many at once.
+// The whole drive, for simulation: the clocks in which it does nothing but count, many at once; and those in which the slow blocks
+// do no more than that, without asking them.
 //
-//     docs/theory.md, "Quiet clocks", says why this is exact.  Each counting block knows for how many
-//     clocks its counter reaches no event (quiet) and can take that many (skip); here they are put
-//     together.  Outputs and state are those of SixStepTop::tick() so many times.
+//     slow     follower, start, detector, filter, speed control, protection, telemetry: busy for a few hundred clocks after a
+//              crossing, a step or a tick
+//     quick    pins, Hall decoder, comparator, VCO, divider, PWM, limit, commutation, gate guard: busy at each edge of a pin or gate
+//
+//     A tick of all in which the slow ones do nothing but count is the first of `calm_` such clocks, until their next event
+//     or until the quick ones have news for them.  In those the quick ones alone are ticked, or skipped where they, too, count.
+//
+// docs/theory.md, "Quiet clocks", says why this is exact.  Each counting block knows for how many clocks its counter reaches no
+// event (quiet) and can take that many (skip).
 //
 // Doc: docs/theory.md   Test: tests/testbench/skipping_top_test.cpp
 #pragma once
@@ -16,30 +23,33 @@ namespace steplock {
 
 class SkippingTop : public SixStepTop {
  public:
+  // With any inputs.  What is below takes another command or other words only after such a tick; pins may change at any time.
+  Out tick(const In& in) {
+    settle();
+    return tick_with(in, wires_);
+  }
   // How many ticks, with the inputs of the last one, whose outputs were `last`, would do nothing but count.
   std::uint64_t quiet(const In& in, const Out& last) const {
-    const std::uint64_t clocks = to_event(in, last);
-    if (clocks < kWorthwhile) return 0;
     SkippingTop ticked = *this;
-    Out out = last;
-    return ticked.counts(in, out) ? clocks : 0;
+    ticked.settle();
+    const std::uint64_t clocks = std::min(ticked.to_slow_event(in, last), ticked.to_quick_event(in, last));
+    if (clocks < kWorthwhile) return 0;
+    SkippingTop counted = ticked;
+    counted.skip(in, last, 1);
+    Out out = ticked.tick(in);
+    out.step_phase = last.step_phase;
+    return out == last && ticked == counted ? clocks : 0;
   }
   // That many at once; step_phase as the last of them shows it.
   Phase skip(const In& in, const Out& last, std::uint64_t clocks) {
     const Phase shown = shows(in, last, clocks);
-    if (const auto sampled = bemf_.skip(sensed(in, last), clocks); sampled != 0) {
-      bemf_.remember(shows(in, last, sampled));
+    skip_quick(in, last, clocks);
+    if (clocks < calm_) {
+      pass(clocks);
+    } else {
+      settle();
+      skip_slow(in.words.bemf.sample_every, last.frequency, clocks);
     }
-    divided_.phase = shows(in, last, clocks + 1);
-    const auto vco = turning(last);
-    vco_.skip(vco, clocks);
-    hall_.skip(clocks);
-    rotor_.skip(follows(in), clocks);
-    filter_.skip(clocks);
-    speed_.skip(last.frequency, clocks);
-    pwm_.skip(clocks);
-    limit_.skip(chop_, clocks);
-    guard_.skip(clocks);
     return shown;
   }
   // What step_phase shows in the n-th of them, from 1: alone of all outputs it counts as well.
@@ -49,9 +59,33 @@ class SkippingTop : public SixStepTop {
   }
   // A tick; `out`, which was that of the last one, becomes its.  How many more, at most `most`, are quiet.
   std::uint64_t tick_and_foresee(const In& in, Out& out, std::uint64_t most) {
-    const std::uint64_t clocks = std::min(to_event(in, out), most + 1);
-    if (clocks >= kWorthwhile) return counts(in, out) ? clocks - 1 : 0;
-    ticks(in, out);
+    if (calm_ > 0) {
+      const std::uint64_t clocks = std::min({to_quick_event(in, out), calm_, most + 1});
+      const Quick before = quick();
+      if (clocks < kWorthwhile) {
+        if (tick_quick(in, out, before)) return 0;
+      } else {
+        const Out last = out;
+        skip_quick(in, last, 1);
+        const Quick counted = quick();
+        set(before);
+        if (tick_quick(in, out, before)) return same(last, out) && quick() == counted ? std::min(clocks - 1, calm_) : 0;
+      }
+    }
+    settle();
+    const std::uint64_t clocks = to_slow_event(in, out);
+    if (clocks < kWorthwhile) {
+      tick_all(in, out);
+      return 0;
+    }
+    Slow counted = slow();
+    counted.skip(follows(in.words.bemf.sample_every), out.frequency, 1);
+    const bool chop = chop_;
+    tick_all(in, out);
+    if (slow() == counted && !tells(chop)) {
+      calm_ = clocks - 1;
+      sample_every_ = in.words.bemf.sample_every;
+    }
     return 0;
   }
   // From 1 to `most` ticks, as many as are quiet: the same as tick() so often.
@@ -66,45 +100,159 @@ class SkippingTop : public SixStepTop {
   bool without_crossing() const { return update_ && !good_; }
   bool hurries() const { return hurries_; }
   bool freewheels() const { return freewheels_; }
-  bool operator==(const SkippingTop&) const = default;
+  bool operator==(const SkippingTop& other) const {
+    SkippingTop one = *this, two = other;
+    one.settle();
+    two.settle();
+    return static_cast<const SixStepTop&>(one) == static_cast<const SixStepTop&>(two);
+  }
 
  private:
-  // One copy of the whole drive: with one at each of three places the instruction cache holds none.
-  [[gnu::noinline, gnu::flatten]] void ticks(const In& in, Out& out) { out = tick(in); }
   static constexpr std::uint64_t kWorthwhile = 4;  // clocks; below, looking costs more than ticking
+
+  struct Quick {
+    Synchroniser synchroniser;
+    HallDecoder hall;
+    DivideByN divide;
+    BemfComparator bemf;
+    VcoCounter vco;
+    PwmGenerator pwm;
+    CurrentLimit limit;
+    GateGuard<> guard;
+    DivideByN::Out divided;
+    Gates legs;
+    bool tick, chop, limited;
+    bool operator==(const Quick&) const = default;
+  };
+  Quick quick() const {
+    return {synchroniser_, hall_, divide_, bemf_, vco_, pwm_, limit_, guard_, divided_, legs_, tick_, chop_, limited_};
+  }
+  void set(const Quick& q) {
+    synchroniser_ = q.synchroniser;
+    hall_ = q.hall;
+    divide_ = q.divide;
+    bemf_ = q.bemf;
+    vco_ = q.vco;
+    pwm_ = q.pwm;
+    limit_ = q.limit;
+    guard_ = q.guard;
+    divided_ = q.divided;
+    legs_ = q.legs;
+    tick_ = q.tick;
+    chop_ = q.chop;
+    limited_ = q.limited;
+  }
+  struct Slow {
+    RotorFollower rotor;
+    StartSequence start;
+    PhaseDetector detector;
+    LoopFilter filter;
+    SpeedControl speed;
+    Protection protection;
+    Telemetry telemetry;
+    bool still, fast, update, good, lags, slow, follow, steady, reverse, crossing, hurries, freewheels, lost, fatal;
+    Reason cause;
+    void skip(const RotorFollower::In& follows, Frequency frequency, std::uint64_t clocks) {
+      rotor.skip(follows, clocks);
+      filter.skip(clocks);
+      speed.skip(frequency, clocks);
+    }
+    bool operator==(const Slow&) const = default;
+  };
+  Slow slow() const {
+    return {rotor_, start_,  detector_, filter_,  speed_,    protection_, telemetry_,  still_, fast_,  update_, good_,
+            lags_,  slow_,   follow_,   steady_,  reverse_,  crossing_,   hurries_,    freewheels_, lost_, fatal_, cause_};
+  }
+  void skip_slow(UInt<8> sample_every, Frequency frequency, std::uint64_t clocks) {
+    rotor_.skip(follows(sample_every), clocks);
+    filter_.skip(clocks);
+    speed_.skip(frequency, clocks);
+  }
+  // The slow blocks have counted that far, and are told so by settle().
+  void pass(std::uint64_t clocks) {
+    owed_ += clocks;
+    calm_ -= clocks;
+  }
+  void settle() {
+    if (owed_ > 0) skip_slow(sample_every_, wires_.filter.frequency, owed_);
+    owed_ = calm_ = 0;
+  }
+
+  // One copy of the whole drive: with one at each of three places the instruction cache holds none.
+  [[gnu::noinline, gnu::flatten]] void tick_all(const In& in, Out& out) { out = tick_with(in, wires_); }
+  // A tick of the quick blocks, which were `before`, with what the slow ones say in every calm clock.  False, and nothing done, where
+  // they have news for those in this very clock.
+  [[gnu::noinline, gnu::flatten]] bool tick_quick(const In& in, Out& out, const Quick& before) {
+    const auto sectors = wires_.sectors;
+    const auto bemf = wires_.bemf;
+    const bool fault = wires_.pins.fault;
+    const auto stuck = wires_.limit.stuck;
+    sense(in, wires_);
+    bool news = wires_.sectors != sectors || wires_.pins.fault != fault;
+    if (!news) {
+      listen(in, wires_);
+      news = wires_.bemf != bemf;
+    }
+    if (!news) {
+      turn(in, wires_);
+      drive(in, wires_);
+      news = wires_.limit.hit || wires_.limit.stuck != stuck;
+    }
+    if (news) {
+      set(before);
+      return false;
+    }
+    const bool chop = chop_;
+    keep(wires_);
+    out.gates = wires_.gates;
+    out.step = wires_.step;
+    out.chop = wires_.limit.on;
+    out.turn = DivideByN::turn(wires_.divider.step);
+    out.step_phase = wires_.divider.phase;
+    pass(1);
+    if (tells(chop)) settle();
+    return true;
+  }
+  // News of the quick blocks for the slow ones, in the next clock; `chop` was theirs in the last one.
+  bool tells() const { return tick_ || limited_ || divided_.commutate || divided_.elapsed; }
+  bool tells(bool chop) const { return tells() || (follow_ && !wires_.rotor.sure && chop != chop_); }
+  static bool same(const Out& last, Out out) {
+    out.step_phase = last.step_phase;
+    return out == last;
+  }
+
   // Clocks until the first counter reaches its event; 0 where more than counters is at work.
-  std::uint64_t to_event(const In& in, const Out& last) const {
-    if (tick_ || limited_ || divided_.commutate || divided_.elapsed || update_) return 0;
-    if (!synchroniser_.settled(in.pins)) return 0;
+  std::uint64_t to_slow_event(const In& in, const Out& last) const {
+    if (tells() || update_ || crossing_) return 0;
     std::uint64_t clocks = std::min(filter_.quiet(), speed_.quiet());
-    if (clocks == 0) return 0;
-    clocks = std::min(clocks, vco_.quiet(turning(last)));
+    clocks = std::min(clocks, rotor_.quiet(follows(in.words.bemf.sample_every)));
+    return follow_ ? std::min(clocks, to_quarter(last)) : clocks;
+  }
+  std::uint64_t to_quick_event(const In& in, const Out& last) const {
+    if (tells() || !synchroniser_.settled(in.pins)) return 0;
+    std::uint64_t clocks = vco_.quiet(turning(last));
     clocks = std::min(clocks, hall_.quiet(code(in)));
-    clocks = std::min(clocks, rotor_.quiet(follows(in)));
-    if (crossing_) return 0;
-    if (follow_) clocks = std::min(clocks, to_quarter(last));
     clocks = std::min(clocks, bemf_.quiet(sensed(in, last)));
     clocks = std::min(clocks, pwm_.quiet());
     clocks = std::min(clocks, limit_.quiet(chop_));
     return std::min(clocks, guard_.quiet());
   }
-  // A tick.  If it changes counters alone, as skip() says, so does each one up to the next event.
-  bool counts(const In& in, Out& out) {
-    SkippingTop counted = *this;
-    counted.skip(in, out, 1);
-    const Out last = out;
-    ticks(in, out);
-    const Phase shown = out.step_phase;
-    out.step_phase = last.step_phase;
-    const bool same = out == last && *this == counted;
-    out.step_phase = shown;
-    return same;
+  void skip_quick(const In& in, const Out& last, std::uint64_t clocks) {
+    if (const auto sampled = bemf_.skip(sensed(in, last), clocks); sampled != 0) {
+      bemf_.remember(shows(in, last, sampled));
+    }
+    divided_.phase = shows(in, last, clocks + 1);
+    vco_.skip(turning(last), clocks);
+    hall_.skip(clocks);
+    pwm_.skip(clocks);
+    limit_.skip(chop_, clocks);
+    guard_.skip(clocks);
   }
 
-  RotorFollower::In follows(const In& in) const {
+  RotorFollower::In follows(UInt<8> sample_every) const {
     RotorFollower::In now;
     now.on = follow_;
-    now.sample_every = in.words.bemf.sample_every;
+    now.sample_every = sample_every;
     return now;
   }
   // A rotor that is overdue is looked for once a quarter of the next step is over.
@@ -136,6 +284,11 @@ class SkippingTop : public SixStepTop {
             .phase = last.step_phase,
             .words = in.words.bemf};
   }
+
+  Wires wires_;              // of the last clock
+  std::uint64_t calm_ = 0;   // clocks to come in which the slow blocks do nothing but count
+  std::uint64_t owed_ = 0;   // clocks of that kind that have passed
+  UInt<8> sample_every_ = 1; // the follower's, in them
 };
 
 }  // namespace steplock

@@ -55,5 +55,56 @@ TEST(SkippingTop, SkippingQuietClocksEqualsTickingThem) {
   EXPECT_LT(calls, 3 * clocks / 4);
 }
 
+// Pins change between its calls, as those of the plant do; it is told of another command or word by a tick.  Terminals that
+// flicker, and some that hardly move, at which a follower's drives are long beside the PWM's period: pulses begin and end in them.
+TEST(SkippingTop, AdvancesTheSameWithPinsThatChangeAtAnyTime) {
+  struct Case {
+    unsigned period, probe, still_for;
+  };
+  for (const Case& c : {Case{4000, 20, 30}, {400, 2000, 3000}}) {
+    Chaos chaos;
+    chaos.in.words.pwm.period = UInt<14>::of(c.period);
+    chaos.in.words.start.probe = UInt<16>::of(c.probe);
+    chaos.in.words.start.hand_over = 1 << 19;
+    chaos.in.words.start.pull_in = 100;
+    chaos.in.words.start.method = Method::kFollow;
+    chaos.in.words.protection.over_current = 3;
+    chaos.in.command.run = true;
+    SkippingTop advancing;
+    SixStepTop ticking;
+    SixStepTop::Out advanced, ticked;
+    std::uint64_t calls = 0, clocks = 0, drives = 0, faults = 0;
+    for (int i = 0; i < 20000; ++i) {
+      if (i % 100 == 0) {  // a fault latches, and its cause may
+        advancing = {};
+        ticking = {};
+        chaos.in.command.run = true;
+      }
+      chaos.flip(chaos.in.command.run, 1000);
+      chaos.flip(chaos.in.command.clear_fault, 20);
+      chaos.in.words.pwm.complementary = chaos.once_in(2);
+      ticked = ticking.tick(chaos.in);
+      advanced = advancing.tick(chaos.in);
+      for (std::uint64_t left = chaos.random() % 1000; left > 0; ++calls) {
+        for (bool* pin : {&chaos.in.pins.comparator_u, &chaos.in.pins.comparator_v, &chaos.in.pins.comparator_w}) {
+          chaos.flip(*pin, c.still_for);
+        }
+        chaos.flip(chaos.in.pins.limit, 2 * c.still_for);
+        chaos.in.pins.fault = chaos.once_in(50 * c.still_for);
+        const std::uint64_t now = advancing.advance(chaos.in, advanced, 1 + chaos.random() % left);
+        for (std::uint64_t k = 0; k < now; ++k) ticked = ticking.tick(chaos.in);
+        left -= now;
+        clocks += now;
+        drives += ticked.state == State::kAccelerate && ticked.chop;
+        faults += ticked.state == State::kFault;
+        ASSERT_EQ(advanced, ticked) << "after " << clocks << " clocks, drives of " << c.probe;
+      }
+    }
+    EXPECT_LT(calls, 3 * clocks / 4);
+    EXPECT_GT(drives, 1000U);
+    EXPECT_GT(faults, 1000U);
+  }
+}
+
 }  // namespace
 }  // namespace steplock
