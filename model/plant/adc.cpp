@@ -8,6 +8,7 @@
 namespace steplock::plant {
 namespace {
 
+constexpr int kPhases = 3;
 constexpr std::uint64_t kStream = 0xADC0;  // apart from the comparators' noise of the same seed
 
 int code(double value, double lsb, double low, double high) {
@@ -25,7 +26,7 @@ AdcCodes Adc::sample(const State& s, std::int64_t number) const {
   };
   const double half = std::ldexp(1.0, p_.bits - 1);
   AdcCodes codes;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k != kPhases; ++k) {
     codes.current[k] = code(s.current[k] + p_.current_offset[k] + noise(k, p_.current_noise),
                             current_lsb(), -half, half - 1);
   }

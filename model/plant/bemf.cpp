@@ -12,8 +12,9 @@ namespace {
 std::vector<double> periodic_curvature(const std::vector<double>& y) {
   const std::size_t n = y.size();
   std::vector<double> m(n, 0.0);
-  for (int sweep = 0; sweep < 60; ++sweep) {
-    for (std::size_t i = 0; i < n; ++i) {
+  constexpr int kSweeps = 60;
+  for (int sweep = 0; sweep != kSweeps; ++sweep) {
+    for (std::size_t i = 0; i != n; ++i) {
       const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
       m[i] = (6 * (y[before] - 2 * y[i] + y[after]) - m[before] - m[after]) / 4;
     }

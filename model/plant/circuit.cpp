@@ -1,5 +1,7 @@
 #include "model/plant/circuit.hpp"
 
+#include <span>
+
 #include "model/plant/salient.hpp"
 
 namespace steplock::plant {
@@ -34,24 +36,19 @@ Circuit Circuit::resolve(const Bridge& bridge, const Gates& gates, const Phases&
   circuit.count();
   if (circuit.consistent(undecided, current, emf_in(circuit), bus_voltage)) return circuit;
 
-  // A linear complementarity problem of three unknowns with one solution: try all, those with the
-  // fewest diodes first.
+  // A linear complementarity problem of three unknowns with one solution: try all.
+  const auto choices = [&](int leg) { return std::span(kChoice).first(undecided[leg] ? 3 : 1); };
   Circuit trial = circuit;
-  for (int diodes = 1; diodes <= 3; ++diodes) {
-    for (int code = 1; code < 27; ++code) {
-      const int digit[3] = {code % 3, code / 3 % 3, code / 9};
-      int used = 0;
-      bool possible = true;
-      for (int k = 0; k < 3; ++k) {
-        used += digit[k] != 0;
-        possible = possible && (undecided[k] || digit[k] == 0);
+  for (const LegMode w : choices(2)) {
+    for (const LegMode v : choices(1)) {
+      for (const LegMode u : choices(0)) {
+        const LegMode choice[3] = {u, v, w};
+        for (int k = 0; k < 3; ++k) {
+          if (undecided[k]) trial.set(k, choice[k], bridge);
+        }
+        trial.count();
+        if (trial.consistent(undecided, current, emf_in(trial), bus_voltage)) return trial;
       }
-      if (!possible || used != diodes) continue;
-      for (int k = 0; k < 3; ++k) {
-        if (undecided[k]) trial.set(k, kChoice[digit[k]], bridge);
-      }
-      trial.count();
-      if (trial.consistent(undecided, current, emf_in(trial), bus_voltage)) return trial;
     }
   }
   return circuit;  // a tie within rounding: float, and let the guards see the next instant

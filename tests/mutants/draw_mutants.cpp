@@ -21,17 +21,26 @@ struct Rule {
   const char* by;
 };
 
+using Tokens = std::vector<std::pair<const char*, const char*>>;
+
+std::vector<Rule> rules_of(const Tokens& tokens) {
+  std::vector<Rule> some;
+  for (const auto& [token, by] : tokens) some.push_back({std::regex(token), by});
+  return some;
+}
+
 const std::vector<Rule>& rules() {
-  static const std::vector<Rule> all = [] {
-    std::vector<Rule> some;
-    for (const auto& [token, by] : std::vector<std::pair<const char*, const char*>>{
-             {" (&&) ", "||"}, {" (\\|\\|) ", "&&"}, {" (==) ", "!="}, {" (!=) ", "=="}, {" (<) ", "<="}, {" (<=) ", "<"}, {" (>) ", ">="},
-             {" (>=) ", ">"}, {" (\\+) ", "-"}, {" (-) ", "+"}, {" (\\^) ", "|"}, {"[(&|= ](!)[A-Za-z(]", ""}, {"\\b(true)\\b", "false"},
-             {"\\b(false)\\b", "true"}, {"(?:==|!=|<|>|>=|<=|>>|<<|\\+|-) (\\d+)\\b", "+1"}}) {
-      some.push_back({std::regex(token), by});
-    }
-    return some;
-  }();
+  static const std::vector<Rule> all = rules_of({
+      {" (&&) ", "||"}, {" (\\|\\|) ", "&&"}, {" (==) ", "!="}, {" (!=) ", "=="}, {" (<) ", "<="}, {" (<=) ", "<"}, {" (>) ", ">="},
+      {" (>=) ", ">"}, {" (\\+) ", "-"}, {" (-) ", "+"}, {" (\\^) ", "|"}, {"[(&|= ](!)[A-Za-z(]", ""}, {"\\b(true)\\b", "false"},
+      {"\\b(false)\\b", "true"}, {"(?:==|!=|<|>|>=|<=|>>|<<|\\+|-) (\\d+)\\b", "+1"}});
+  return all;
+}
+
+// The model's arithmetic: signs, products and quotients.
+const std::vector<Rule>& rules_of_models() {
+  static const std::vector<Rule> all = rules_of({
+      {" (\\*) ", "/"}, {" (/) ", "*"}, {"(?:= |return |[(,:?] ?)(-)[a-z(]", ""}, {" (\\+=) ", "-="}, {" (-=) ", "+="}});
   return all;
 }
 
@@ -53,7 +62,11 @@ void draw(const std::string& file) {
     fmt::print(stderr, "draw_mutants: {} cannot be read; name a header of hls/ or of model/plant\n", file);
     std::exit(2);
   }
-  static const std::regex assigns(R"(^\s*((?:if \(.*\) )?\w+_(?:\.\w+)? = .*;)\s*$)");
+  static const std::regex register_takes(R"(^\s*((?:if \(.*\) )?\w+_(?:\.\w+)? = .*;)\s*$)");
+  static const std::regex variable_takes(R"(^\s*((?:if \(.*\) )?[\w.\[\]]+ [-+*/]?= [^;]*;)\s*$)");
+  const bool model = file.starts_with("model/");
+  std::vector<Rule> here = rules();
+  if (model) here.insert(here.end(), rules_of_models().begin(), rules_of_models().end());
   bool quiet = false;
   std::string text;
   for (std::size_t line = 1; std::getline(in, text); ++line) {
@@ -61,7 +74,7 @@ void draw(const std::string& file) {
     if (text.find("operator==") != std::string::npos) quiet = false;
     const std::string code = text.substr(0, text.find("//"));
     if (quiet || code.empty() || code.find("operator") != std::string::npos || is_declaration(code)) continue;
-    for (const Rule& rule : rules()) {
+    for (const Rule& rule : here) {
       for (auto it = std::sregex_iterator(code.begin(), code.end(), rule.token); it != std::sregex_iterator(); ++it) {
         const std::string from = (*it)[1];
         const bool number = std::string(rule.by) == "+1";
@@ -69,7 +82,7 @@ void draw(const std::string& file) {
       }
     }
     std::smatch statement;
-    if (std::regex_match(code, statement, assigns)) {
+    if (std::regex_match(code, statement, model ? variable_takes : register_takes)) {
       print(file, line, static_cast<std::size_t>(statement.position(1)) + 1, statement[1], ";");
     }
   }

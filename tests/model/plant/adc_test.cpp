@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+
+#include "model/plant/sensors.hpp"
 
 namespace steplock::plant {
 namespace {
@@ -56,6 +59,21 @@ TEST(Adc, NoiseHasItsDeviationAndIsAFunctionOfSeedAndNumber) {
   // Four standard errors of mean and deviation.
   EXPECT_NEAR(sum / kSamples, 0, 4 * 0.05 / std::sqrt(kSamples));
   EXPECT_NEAR(std::sqrt(squares / kSamples), 0.05, 4 * 0.05 / std::sqrt(2.0 * kSamples));
+}
+
+// Neither a deviation of one ampere nor a seed of all ones is special; the comparators' noise of a seed is another.
+TEST(Adc, NoiseIsNotThatOfTheComparators) {
+  const AdcParameters p{.bits = 16, .current_range = 10, .current_noise = 1, .seed = ~std::uint64_t{0}};
+  const Adc adc(p);
+  int noisy = 0, alike = 0;
+  constexpr int kSamples = 100;
+  for (int n = 0; n < kSamples; ++n) {
+    const double noise = adc.sample(at(0, 30), n).current[0] * adc.current_lsb();
+    noisy += noise != 0;
+    alike += std::abs(noise - Sensors::gaussian(p.seed, 0, n)) < adc.current_lsb();
+  }
+  EXPECT_GT(noisy, kSamples / 2);
+  EXPECT_LT(alike, kSamples / 2);
 }
 
 }  // namespace

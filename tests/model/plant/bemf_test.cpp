@@ -94,5 +94,13 @@ TEST(BackEmf, SplineFollowsASineToFourthOrder) {
   EXPECT_NEAR(ratio, 16, 1.5);
 }
 
+// Within the bound of a cubic spline, 5/384 h^4 of a fourth derivative of 1.
+TEST(BackEmf, TheLastIntervalOfATableEndsAtItsFirstValue) {
+  BackEmfShape cosine = {.kind = Kind::kTable};
+  for (int n = 0; n < 24; ++n) cosine.table.push_back(std::cos(kTurn * n / 24));
+  const double angle = kTurn * 23.5 / 24, step = kTurn / 24;
+  EXPECT_NEAR(BackEmf(cosine).at(angle), std::cos(angle), 5.0 / 384 * std::pow(step, 4));
+}
+
 }  // namespace
 }  // namespace steplock::plant

@@ -21,6 +21,15 @@ TEST(Circuit, ASwitchDropsItsResistanceInEitherDirection) {
   EXPECT_DOUBLE_EQ(t.voltage[2], -0.01);
 }
 
+TEST(Circuit, BothSwitchesOfALegHoldItAtHalfTheBusThroughHalfTheirResistance) {
+  const Gates gates = {.uh = true, .ul = true, .vl = true};
+  const auto circuit = resolve(gates, {2, -2, 0}, {});
+  EXPECT_EQ(circuit.mode[0], LegMode::kBoth);
+  const auto t = circuit.terminals({2, -2, 0}, {}, kBus);
+  EXPECT_DOUBLE_EQ(t.voltage[0], kBus / 2 - 0.01);
+  EXPECT_DOUBLE_EQ(t.voltage[1], 0.02);
+}
+
 TEST(Circuit, CurrentWithoutASwitchTakesTheDiodeOfItsDirection) {
   const auto circuit = resolve({.vl = true}, {2, -1, -1}, {});
   EXPECT_EQ(circuit.mode[0], LegMode::kLowDiode);
