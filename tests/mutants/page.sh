@@ -17,7 +17,7 @@ while IFS=$'\t' read -r file code before from to _; do
   "$2/bin/draw_mutants" "$file" | while IFS=$'\t' read -r _ line column was becomes; do
     [ "$was" = "$from" ] && [ "$becomes" = "$to" ] || continue
     text=$(sed -n "${line}p" "$file")
-    [ "$(sed 's/^ *//; s/ *\/\/.*//' <<<"$text")" = "$code" ] && [ "$(sed 's/^ *//' <<<"${text:0:column-1}")" = "$before" ] && echo found
+    if [ "$(sed 's/^ *//; s/ *\/\/.*//' <<<"$text")" = "$code" ] && [ "$(sed 's/^ *//' <<<"${text:0:column-1}")" = "$before" ]; then echo found; fi
   done | grep -q found || { echo "$(basename "${3-equivalent.tsv}"): no mutant of $file puts '$to' for '$from' in: $code"; status=1; }
 done <"${3-tests/mutants/equivalent.tsv}"
 grep -q '^| \[' docs/mutants.md || { echo "docs/mutants.md has no blocks"; status=1; }
