@@ -262,7 +262,7 @@ module six_step_top #(
       .blocked_o(rotor_blocked)
   );
 
-  wire [2:0] hall_step_choice = (hall_sector < 3'd3) ? 3'd3 : 3'd5;  // line 136
+  wire [2:0] hall_step_choice = (hall_sector < 3'd3) ? 3'd3 : 3'd5;  // line 135
 
   wire [3:0] start_state;
   wire [3:0] start_reason;
@@ -659,7 +659,7 @@ module six_step_top #(
   wire [2:0] step_minus_one = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 175
+    still <= words_speed_target_i == 26'd0;  // line 174
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;
@@ -676,14 +676,14 @@ module six_step_top #(
     fast <= filter_fast;
     update <= detector_update;
     good <= detector_good;
-    lags <= detector_error[15];  // line 165
+    lags <= detector_error[15];  // line 164
     slow <= filter_slow;
     follow <= start_follow;
     steady <= start_steady;
-    reverse <= start_reverse;  // line 136
+    reverse <= start_reverse;  // line 135
     crossing <= bemf_crossing;
     hurries <= detector_hurries;
-    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 188
+    freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 187
     lost <= protection_lost;
     fatal <= protection_fatal;
     cause <= protection_reason;

@@ -84,7 +84,6 @@ class SixStepTop {
   // What the blocks say in a clock.
   struct Wires {
     bool configured = false;  // for what this core has
-    bool hall = false;        // Hall sensors tell the step
     Synchroniser::Out pins;
     HallDecoder::Out sectors;
     RotorFollower::Out rotor;
@@ -107,7 +106,7 @@ class SixStepTop {
   Out tick_with(const In& in, Wires& w) {
     const Words& words = in.words;
     sense(in, w);
-    const bool hall = in.with.hall_decoder && words.source == Source::kHall;
+    const bool hall = by_hall(in);
     Command command = in.command;
     const bool has_method = words.start.method == Method::kFollow ? bool(in.with.follower) : bool(in.with.ramp);
     command.configured = in.command.configured && (hall || (words.source != Source::kHall && has_method));
@@ -211,12 +210,14 @@ class SixStepTop {
             .counts = counts};
   }
 
+  // Hall sensors tell the step.
+  static bool by_hall(const In& in) { return in.with.hall_decoder && in.words.source == Source::kHall; }
+
   // What the pins say.
   void sense(const In& in, Wires& w) {
     const auto pins = synchroniser_.tick(in.pins);
-    const bool hall = in.with.hall_decoder && in.words.source == Source::kHall;
+    const bool hall = by_hall(in);
     w.pins = pins;
-    w.hall = hall;
     w.sectors = hall_.tick({.decodes = in.with.hall_decoder,
                             .u = hall ? pins.hall_u : pins.comparator_u,
                             .v = hall ? pins.hall_v : pins.comparator_v,
@@ -232,7 +233,7 @@ class SixStepTop {
     const Step hall_step = !w.start.reverse       ? w.sectors.sector
                            : w.sectors.sector < 3 ? wrap<Step>(w.sectors.sector + 3)
                                                   : wrap<Step>(w.sectors.sector - 3);
-    const Step step = w.hall ? hall_step : divided_.step;
+    const Step step = by_hall(in) ? hall_step : divided_.step;
     w.hold = hold;
     w.new_sector = new_sector;
     w.hall_step = hall_step;
@@ -285,7 +286,7 @@ class SixStepTop {
     // A cut of a rotor that runs turns all gates off.  With a low side on, the back-EMF would drive the current on, where no
     // shunt sees it, and nothing but that side's diode would take the outgoing winding's current down.
     const auto request = commutation_.tick({.pattern = w.start.pattern.when(!(w.limit.cut && w.start.running)),
-                                            .legs = w.hall ? Commutation::legs(w.hall_step) : legs_,
+                                            .legs = by_hall(in) ? Commutation::legs(w.hall_step) : legs_,
                                             .chop = w.limit.on,
                                             .complementary = words.pwm.complementary});
     w.gates = guard_.tick({.request = request,

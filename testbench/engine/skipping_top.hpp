@@ -16,12 +16,26 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 
 #include "hls/six_step/six_step_top.hpp"
 
 namespace steplock {
 
 class SkippingTop : public SixStepTop {
+  // Blocks and registers of each kind, to be copied, put back and compared as one.
+  auto quick() {
+    return std::tie(synchroniser_, hall_, divide_, bemf_, vco_, pwm_, limit_, guard_, divided_, legs_, tick_, chop_, limited_);
+  }
+  auto slow() {
+    return std::tie(rotor_, filter_, speed_, start_, detector_, protection_, telemetry_, still_, fast_, update_, good_,
+                    lags_, slow_, follow_, steady_, reverse_, crossing_, hurries_, freewheels_, lost_, fatal_, cause_);
+  }
+  template <class... Part>
+  static std::tuple<Part...> copy(const std::tuple<Part&...>& parts) {
+    return parts;
+  }
+
  public:
   // With any inputs.  What is below takes another command or other words only after such a tick; pins may change at any time.
   Out tick(const In& in) {
@@ -61,14 +75,14 @@ class SkippingTop : public SixStepTop {
   std::uint64_t tick_and_foresee(const In& in, Out& out, std::uint64_t most) {
     if (calm_ > 0) {
       const std::uint64_t clocks = std::min({to_quick_event(in, out), calm_, most + 1});
-      const Quick before = quick();
+      const auto before = copy(quick());
       if (clocks < kWorthwhile) {
         if (tick_quick(in, out, before)) return 0;
       } else {
         const Out last = out;
         skip_quick(in, last, 1);
-        const Quick counted = quick();
-        set(before);
+        const auto counted = copy(quick());
+        quick() = before;
         if (tick_quick(in, out, before)) return same(last, out) && quick() == counted ? std::min(clocks - 1, calm_) : 0;
       }
     }
@@ -78,8 +92,9 @@ class SkippingTop : public SixStepTop {
       tick_all(in, out);
       return 0;
     }
-    Slow counted = slow();
-    counted.skip(follows(in.words.bemf.sample_every), out.frequency, 1);
+    auto counted = copy(slow());
+    count(std::get<RotorFollower>(counted), std::get<LoopFilter>(counted), std::get<SpeedControl>(counted), in.words.bemf.sample_every,
+          out.frequency, 1);
     const bool chop = chop_;
     tick_all(in, out);
     if (slow() == counted && !tells(chop)) {
@@ -110,63 +125,14 @@ class SkippingTop : public SixStepTop {
  private:
   static constexpr std::uint64_t kWorthwhile = 4;  // clocks; below, looking costs more than ticking
 
-  struct Quick {
-    Synchroniser synchroniser;
-    HallDecoder hall;
-    DivideByN divide;
-    BemfComparator bemf;
-    VcoCounter vco;
-    PwmGenerator pwm;
-    CurrentLimit limit;
-    GateGuard<> guard;
-    DivideByN::Out divided;
-    Gates legs;
-    bool tick, chop, limited;
-    bool operator==(const Quick&) const = default;
-  };
-  Quick quick() const {
-    return {synchroniser_, hall_, divide_, bemf_, vco_, pwm_, limit_, guard_, divided_, legs_, tick_, chop_, limited_};
-  }
-  void set(const Quick& q) {
-    synchroniser_ = q.synchroniser;
-    hall_ = q.hall;
-    divide_ = q.divide;
-    bemf_ = q.bemf;
-    vco_ = q.vco;
-    pwm_ = q.pwm;
-    limit_ = q.limit;
-    guard_ = q.guard;
-    divided_ = q.divided;
-    legs_ = q.legs;
-    tick_ = q.tick;
-    chop_ = q.chop;
-    limited_ = q.limited;
-  }
-  struct Slow {
-    RotorFollower rotor;
-    StartSequence start;
-    PhaseDetector detector;
-    LoopFilter filter;
-    SpeedControl speed;
-    Protection protection;
-    Telemetry telemetry;
-    bool still, fast, update, good, lags, slow, follow, steady, reverse, crossing, hurries, freewheels, lost, fatal;
-    Reason cause;
-    void skip(const RotorFollower::In& follows, Frequency frequency, std::uint64_t clocks) {
-      rotor.skip(follows, clocks);
-      filter.skip(clocks);
-      speed.skip(frequency, clocks);
-    }
-    bool operator==(const Slow&) const = default;
-  };
-  Slow slow() const {
-    return {rotor_, start_,  detector_, filter_,  speed_,    protection_, telemetry_,  still_, fast_,  update_, good_,
-            lags_,  slow_,   follow_,   steady_,  reverse_,  crossing_,   hurries_,    freewheels_, lost_, fatal_, cause_};
+  void count(RotorFollower& rotor, LoopFilter& filter, SpeedControl& speed, UInt<8> sample_every, Frequency frequency,
+             std::uint64_t clocks) const {
+    rotor.skip(follows(sample_every), clocks);
+    filter.skip(clocks);
+    speed.skip(frequency, clocks);
   }
   void skip_slow(UInt<8> sample_every, Frequency frequency, std::uint64_t clocks) {
-    rotor_.skip(follows(sample_every), clocks);
-    filter_.skip(clocks);
-    speed_.skip(frequency, clocks);
+    count(rotor_, filter_, speed_, sample_every, frequency, clocks);
   }
   // The slow blocks have counted that far, and are told so by settle().
   void pass(std::uint64_t clocks) {
@@ -182,6 +148,7 @@ class SkippingTop : public SixStepTop {
   [[gnu::noinline, gnu::flatten]] void tick_all(const In& in, Out& out) { out = tick_with(in, wires_); }
   // A tick of the quick blocks, which were `before`, with what the slow ones say in every calm clock.  False, and nothing done, where
   // they have news for those in this very clock.
+  template <class Quick>
   [[gnu::noinline, gnu::flatten]] bool tick_quick(const In& in, Out& out, const Quick& before) {
     const auto sectors = wires_.sectors;
     const auto bemf = wires_.bemf;
@@ -199,7 +166,7 @@ class SkippingTop : public SixStepTop {
       news = wires_.limit.hit || wires_.limit.stuck != stuck;
     }
     if (news) {
-      set(before);
+      quick() = before;
       return false;
     }
     const bool chop = chop_;
@@ -264,7 +231,7 @@ class SkippingTop : public SixStepTop {
   // Of the pins that the Hall decoder looks at.
   static UInt<3> code(const In& in) {
     const auto& p = in.pins;
-    const bool hall = in.with.hall_decoder && in.words.source == Source::kHall;
+    const bool hall = by_hall(in);
     return UInt<3>(hall ? p.hall_u : p.comparator_u) << 2 | UInt<3>(hall ? p.hall_v : p.comparator_v) << 1 |
            UInt<3>(hall ? p.hall_w : p.comparator_w);
   }

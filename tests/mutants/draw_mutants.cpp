@@ -59,7 +59,7 @@ void print(const std::string& file, std::size_t line, std::size_t column, const 
 void draw(const std::string& file) {
   std::ifstream in(file);
   if (!in) {
-    fmt::print(stderr, "draw_mutants: {} cannot be read; name a header of hls/ or of model/plant\n", file);
+    fmt::print(stderr, "draw_mutants: {} cannot be read; name a header of hls/ or a source of model/plant\n", file);
     std::exit(2);
   }
   static const std::regex register_takes(R"(^\s*((?:if \(.*\) )?\w+_(?:\.\w+)? = .*;)\s*$)");
