@@ -4,19 +4,19 @@
 // Start counters: what the start sequence counts, and what follows from it.
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
-//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, at the
-//               first try four times that, as long as it has hope in the last quarter of each 4096: one of its eight
+//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4 * 4096 over
+//               all tries together, and ends after each 4096 in whose last quarter there was no hope: none of its eight
 //               parts in which the rotor moved from end to end.  One that is shaken in its place does so for moments
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
-//     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left, and had no hope in the last 1024: the next would be the same
+//     tried     `retries` tries failed: this one is the last; or it follows, and these ticks are over.  Both are forgotten in
+//               kIdle and after 1024 ticks of kRun
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
 //
 //     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
 //                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
-//     registers    42 bits     multipliers  none
+//     registers    56 bits     multipliers  none
 //
 // Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
 
@@ -73,6 +73,7 @@ module start_counters (
 
   logic [14:0] ticks;  // left in this state
   logic late;  // there was a tick in the state's first clock
+  logic [13:0] follows;  // ticks left to follow a rotor, in all tries
   logic last;  // no ticks are left, or none without a rotor that moves
   logic lasts;  // the rotor that is followed moved in this part of 128 ticks so far
   logic hopes;  // it did so throughout one of the last eight before a verdict
@@ -86,19 +87,12 @@ module start_counters (
   logic turns_reverse;  // direction at the last update
 
   wire out_over = tick_i && last && !entered_i;
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 144
-  wire verdict =
-      retries == 4'd0 &&
-      ticks[11:0] == 12'd4095 && words_method_i && state_bits_i[State_kAccelerate];
-  wire last_next_either = ticks == 15'd0 || (verdict && !hopes);  // line 62
-  wire hopes_next_either = hopes || (ticks[6:0] == 7'd0 && lasts);  // line 62
-  wire hopes_next_choice =  // line 62
-      (ticks[11:10] == 2'd0) ? hopes_next_either : ticks[11:10] != 2'd2 && hopes;
-  wire last_next_and_not_hopes_next =  // line 115
-      !entered_i && last_next_either &&
-      !(words_method_i && !(!state_bits_i[State_kAccelerate] || entered_i) && hopes_next_choice);
-  wire in_vain = words_method_i && state_bits_i[State_kAccelerate] && last_next_and_not_hopes_next;
-  wire [6:0] good_plus_one = {1'b0, good} + 7'd1;  // line 135
+  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 149
+  wire tick_or_late = tick_i || late;  // line 99
+  wire last_next_either = follows == 14'd0 || (follows[11:0] == 12'd4095 && !hopes);  // line 63
+  wire [1:0] quarter = follows[11:10];
+  wire words_retries_at_most_retries = words_retries_i <= retries;  // line 121
+  wire [6:0] good_plus_one = {1'b0, good} + 7'd1;  // line 140
 
   always_ff @(posedge clk) begin
     if (entered_i) begin
@@ -111,44 +105,42 @@ module start_counters (
       logic [14:0] ticks_next_either_2;
       logic [14:0] ticks_next_either_3;
       logic [14:0] ticks_next_either_4;
-      logic [1:0] times_choice;
-      logic [1:0] times;
       logic [12:0] once_3;
       logic [14:0] doubled_if_in_accelerate;
-      ticks_next_wide =  // line 84
+      ticks_next_wide =  // line 85
           {3'd0,
           (state_bits_i[State_kObserve] ? words_observe_i : 12'd0) |
           (state_bits_i[State_kBrake] ? words_brake_i : 12'd0)};
       once = {3'd0, words_settle_i} << gentle[0];
-      doubled_if_in_settle =  // line 83
+      doubled_if_in_settle =  // line 84
           state_bits_i[State_kSettle] ? (gentle[1] ? {once[12:0], 2'd0} : once) : 15'd0;
-      ticks_next_either = ticks_next_wide | doubled_if_in_settle;  // line 84
+      ticks_next_either = ticks_next_wide | doubled_if_in_settle;  // line 85
       once_2 = {3'd0, words_reset_i} << gentle[0];
-      doubled_if_in_reset =  // line 83
+      doubled_if_in_reset =  // line 84
           state_bits_i[State_kReset] ? (gentle[1] ? {once_2[12:0], 2'd0} : once_2) : 15'd0;
-      ticks_next_either_2 = ticks_next_either | doubled_if_in_reset;  // line 85
-      ticks_next_either_3 =  // line 87
+      ticks_next_either_2 = ticks_next_either | doubled_if_in_reset;  // line 86
+      ticks_next_either_3 =  // line 88
           ticks_next_either_2 | {3'd0, state_bits_i[State_kPullIn] ? words_pull_in_i : 12'd0} |
           {3'd0, state_bits_i[State_kSlowDown] ? words_slow_down_i : 12'd0};
-      ticks_next_either_4 =  // line 88
+      ticks_next_either_4 =  // line 89
           ticks_next_either_3 | {3'd0, state_bits_i[State_kRest] ? words_rest_i : 12'd0} |
           {4'd0, state_bits_i[State_kRun], 10'd0};
-      times_choice = (retries[3:2] == 2'd0 && retries[1:0] == 2'd0) ? 2'd2 : 2'd0;  // line 91
-      times = words_method_i ? times_choice : gentle;
-      once_3 = times[0] ? 13'd8190 : 13'd4095;
-      doubled_if_in_accelerate =  // line 83
-          state_bits_i[State_kAccelerate] ? (times[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
+      once_3 = gentle[0] ? 13'd8190 : 13'd4095;
+      doubled_if_in_accelerate =  // line 84
+          state_bits_i[State_kAccelerate] ? (gentle[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
       ticks <= ticks_next_either_4 | doubled_if_in_accelerate;
       last <= 1'b0;
-      hopes <= 1'b0;
       good <= 6'd0;
       enough <= 1'b0;
     end else begin
-      if ((tick_i || late) && ticks != 15'd0) begin
+      if (tick_or_late && ticks != 15'd0) begin
         ticks <= ticks - 15'd1;
       end
-      last <= last_next_either;
-      hopes <= words_method_i && state_bits_i[State_kAccelerate] && hopes_next_choice;
+      if (words_method_i && state_bits_i[State_kAccelerate]) begin
+        last <= last_next_either;
+      end else begin
+        last <= ticks == 15'd0;
+      end
       if (update_i) begin
         if (good_i) begin
           logic same;
@@ -168,15 +160,22 @@ module start_counters (
         enough <= 1'b0;
       end
     end
-    late <= tick_i && entered_i;  // line 99
-    lasts <= hopeful_i && (lasts || ticks[6:0] == 7'd127);  // line 62
+    late <= tick_i && entered_i;  // line 100
     if (state_bits_i[State_kIdle]) begin
+      follows <= 14'd16382;
       retries <= 4'd0;
       brakes <= 8'd0;
     end else if (out_over && state_bits_i[State_kRun]) begin
+      follows <= 14'd16382;
       retries <= 4'd0;
       brakes <= 8'd0;
     end else begin
+      logic ticks_2;
+      ticks_2 = tick_or_late && !entered_i;
+      if (!(!ticks_2 || !words_method_i) &&
+          state_bits_i[State_kAccelerate] && follows != 14'd0) begin
+        follows <= follows - 14'd1;
+      end
       if (failed_i) begin
         retries <= retries + 4'd1;
       end
@@ -186,12 +185,25 @@ module start_counters (
         brakes <= brakes + 8'd1;
       end
     end
-    tried <= words_retries_i <= retries || in_vain;  // line 116
-    braked <= brakes == 8'd255;  // line 122
-    nearly <= ({1'b0, words_good_crossings_i} <= good_plus_one);  // line 135
+    lasts <= hopeful_i && (lasts || follows[6:0] == 7'd127);  // line 63
+    case (quarter)
+      2'd0: hopes <= hopes || (follows[6:0] == 7'd0 && lasts);
+      2'd2: hopes <= 1'b0;
+      default: ;
+    endcase
+    if (words_retries_at_most_retries || !words_method_i) begin
+      tried <= words_retries_at_most_retries;
+    end else begin
+      logic state_bits_choice;
+      state_bits_choice = state_bits_i[State_kAccelerate] ? last_next_either : ticks == 15'd0;
+      tried <= state_bits_i[State_kAccelerate] && !entered_i && state_bits_choice;
+    end
+    braked <= brakes == 8'd255;  // line 127
+    nearly <= ({1'b0, words_good_crossings_i} <= good_plus_one);  // line 140
     if (rst) begin
       ticks <= 15'd0;
       late <= 1'b0;
+      follows <= 14'd16382;
       last <= 1'b0;
       lasts <= 1'b0;
       hopes <= 1'b0;

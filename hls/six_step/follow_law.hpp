@@ -35,9 +35,11 @@
 // followed.  From the second on `changed` tells that the time since the one before is an interval.
 //
 // Until then a new step the wanted way is not driven at once: kCoast looks follow each other first, and count for no `still`.
-// A light rotor, fast after its first sector already, tells its direction in that time and is not made faster; to a heavy
-// one it is a moment.  That one takes long to be turned round: where a belief turns that had lasted for kLasts looks, `still`
-// begins anew, once between two news, since codes that quiver turn it for ever.
+// A rotor that is fast after its first sector tells its direction in that time and is not made faster; to a slow one three looks
+// are a moment, and a sector more may carry even a light one past its set speed.  So one that passed its first edge after few
+// drives is `light`: RotorFollower gives it more time to show its second.  A heavy one takes long to be turned round: where a
+// belief turns that had lasted for kLasts looks, `still` begins anew, once between two news, since codes that quiver turn it for
+// ever.
 //
 //     latency      none     registers    those of Belief: 24 bits     multipliers  none
 //
@@ -67,6 +69,8 @@ struct FollowLaw {
     bool turned = false;  // since the last news a belief that had lasted turned
     UInt<2> coast = 0;    // looks to come before a drive, up to kCoast
     bool sure() const { return edges.bit(1); }
+    // It passed one edge the wanted way, after few drives.
+    bool light() const { return edges == 1 && idle < kLasts; }
     bool operator==(const Belief&) const = default;
   };
 

@@ -15,6 +15,7 @@
 // one before.
 //
 // Until then a drive follows three looks later where a new step was loaded: a rotor that is fast passes an edge meanwhile.
+// Behind the first edge of a light one (FollowLaw) gates stay off for `probe` before each of them, not for `look`.
 //
 //     times        in units of sample_every clocks: look + 1; 15 before a crossing counts; then probe + 1, or, once
 //                  an interval was measured, until the expected one is over by a quarter
@@ -181,8 +182,9 @@ class RotorFollower {
                        (over && at_.holds_one_of(Stage::kDecay, Stage::kHold));
     none_ = !loads && left_ == 0;
     if (loads) {
-      const bool look = at_.holds(Stage::kOff) || ends || coasts;
-      left_ = look ? in.look : at_.holds(Stage::kHold) ? in.probe : UInt<16>(kSamples - 1);
+      const bool waits = coasts && belief_.light();
+      const bool look = at_.holds(Stage::kOff) || ends || (coasts && !waits);
+      left_ = look ? in.look : waits || at_.holds(Stage::kHold) ? in.probe : UInt<16>(kSamples - 1);
     } else if (strobe_ && !none_) {
       left_ = wrap<UInt<16>>(left_ - 1);
     }

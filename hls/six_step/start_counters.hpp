@@ -1,19 +1,19 @@
 // Start counters: what the start sequence counts, and what follows from it.
 //
 //     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
-//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4095, at the
-//               first try four times that, as long as it has hope in the last quarter of each 4096: one of its eight
+//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4 * 4096 over
+//               all tries together, and ends after each 4096 in whose last quarter there was no hope: none of its eight
 //               parts in which the rotor moved from end to end.  One that is shaken in its place does so for moments
 //     enough    `good_crossings` in a row; while observing, codes that went on in one direction
-//     tried     `retries` tries failed: this one is the last.  Forgotten in kIdle and after 1024 ticks of kRun.
-//               So is one that follows, has no ticks left, and had no hope in the last 1024: the next would be the same
+//     tried     `retries` tries failed: this one is the last; or it follows, and these ticks are over.  Both are forgotten in
+//               kIdle and after 1024 ticks of kRun
 //     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
 //
 //     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
 //                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
-//     registers    42 bits     multipliers  none
+//     registers    56 bits     multipliers  none
 //
 // Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
 
@@ -59,8 +59,9 @@ class StartCounters {
                   .turns_reverse = turns_reverse_,
                   .gentle = gentle(),
                   .strong = retries_ > 1 && !follows(in)};
-    count_ticks(in);
-    count_tries(in, out.over);
+    const bool forgets = in.state.holds(State::kIdle) || (out.over && in.state.holds(State::kRun));
+    count_ticks(in, forgets);
+    count_tries(in, forgets);
     count_crossings(in);
     return out;
   }
@@ -88,33 +89,37 @@ class StartCounters {
            when(State::kRest, in.words.rest) |
            when(State::kRun, 1024) |  // after that long earlier failures are forgotten
            // A ramp of 0 must end, too.
-           when(State::kAccelerate, doubled(Ticks::max(), !follows(in) ? failed : failed == 0 ? UInt<2>(2) : UInt<2>(0)));
+           when(State::kAccelerate, doubled(Ticks::max(), failed));
   }
 
   static bool following(const In& in) { return follows(in) && in.state.holds(State::kAccelerate); }
 
-  void count_ticks(const In& in) {
+  void count_ticks(const In& in, bool forgets) {
     // A state's ticks are loaded in its first clock; a tick of that very clock counts in the next one.
     const bool ticks = (in.tick || late_) && !in.entered;
     late_ = in.tick && in.entered;
-    const bool verdict = retries_ == 0 && ticks_.slice<11, 0>() == 0xfff && following(in);
-    last_ = !in.entered && (ticks_ == 0 || (verdict && !hopes_));
+    const bool verdict = follows_.slice<11, 0>() == 0xfff;
+    last_ = !in.entered && (following(in) ? follows_ == 0 || (verdict && !hopes_) : ticks_ == 0);
     // One that turns round is not believed to move for a moment: any part of the 1024 ticks before each verdict counts.
-    const UInt<2> quarter = ticks_.slice<11, 10>();
-    const UInt<7> part = ticks_.slice<6, 0>();
-    hopes_ = following(in) && !in.entered && (quarter == 0 ? hopes_ || (part == 0 && lasts_) : quarter != 2 && hopes_);
+    const UInt<2> quarter = follows_.slice<11, 10>();
+    const UInt<7> part = follows_.slice<6, 0>();
+    hopes_ = quarter == 0 ? hopes_ || (part == 0 && lasts_) : quarter != 2 && hopes_;
     lasts_ = in.hopeful && (lasts_ || part == 0x7f);
     if (in.entered) {
       ticks_ = length(in, gentle());
     } else if (ticks && ticks_ != 0) {
       ticks_ = wrap<Length>(ticks_ - 1);
     }
+    if (forgets) {
+      follows_ = kFollows;
+    } else if (ticks && following(in) && follows_ != 0) {
+      follows_ = wrap<UInt<14>>(follows_ - 1);
+    }
   }
 
-  void count_tries(const In& in, bool over) {
-    const bool in_vain = following(in) && last_ && !hopes_;
-    tried_ = retries_ >= in.words.retries || in_vain;
-    if (in.state.holds(State::kIdle) || (over && in.state.holds(State::kRun))) {
+  void count_tries(const In& in, bool forgets) {
+    tried_ = retries_ >= in.words.retries || (following(in) && last_);
+    if (forgets) {
       retries_ = 0;
     } else if (in.failed) {
       retries_ = wrap<UInt<4>>(retries_ + 1);
@@ -144,9 +149,11 @@ class StartCounters {
   UInt<2> gentle() const { return retries_ > 3 ? UInt<2>(3) : wrap<UInt<2>>(retries_); }
 
   static constexpr int kMostBrakes = 255;
+  static constexpr int kFollows = 0x3ffe;  // verdicts at 0x2fff and each 4096 further
 
   Length ticks_ = 0;            // left in this state
   bool late_ = false;           // there was a tick in the state's first clock
+  UInt<14> follows_ = kFollows; // ticks left to follow a rotor, in all tries
   bool last_ = false;           // no ticks are left, or none without a rotor that moves
   bool lasts_ = false;          // the rotor that is followed moved in this part of 128 ticks so far
   bool hopes_ = false;          // it did so throughout one of the last eight before a verdict

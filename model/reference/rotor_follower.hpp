@@ -26,7 +26,7 @@ class RotorFollower {
 
   void begin(double t) {
     *this = RotorFollower(p_, every_);
-    look_from(t);
+    look_from(t, p_.look);
   }
   void end() { stage_ = Stage::kOff; }
 
@@ -47,14 +47,14 @@ class RotorFollower {
       const bool crossed = in.crossing && t >= believes_ && real_ && belief_ > 0;
       caught_ = crossed && sure() && in.ready;
       const bool over = !timed_ && t >= until_;
-      if (!caught_ && (crossed || over || (sure() && in.overdue))) look_from(t);
+      if (!caught_ && (crossed || over || (sure() && in.overdue))) look_from(t, p_.look);
     } else if (stage_ == Stage::kLook && t >= until_) {
       for (int k = 0; k < 3; ++k) high_[std::size_t(k)] += in.comparator[std::size_t(k)];
       until_ = t + every_;
       if (++samples_ == kSamples) {
         judge(in);
         if (coasts_ > 0) {
-          look_from(t);
+          look_from(t, light() ? p_.probe : p_.look);
         } else {
           stage_ = Stage::kDrive;
           believes_ = t + kSamples * every_;
@@ -82,9 +82,12 @@ class RotorFollower {
   static constexpr int kLasts = 4;   // looks that a belief has lasted
   enum class Stage { kOff, kLook, kDrive };
 
-  void look_from(double t) {
+  // Its first edge came after few drives: a sector more may carry it past its set speed.
+  bool light() const { return edges_ == 1 && idle_ < kLasts; }
+
+  void look_from(double t, double off) {
     stage_ = Stage::kLook;
-    until_ = t + p_.look;
+    until_ = t + off;
     samples_ = 0;
     high_ = {};
   }

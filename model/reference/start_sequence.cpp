@@ -5,19 +5,12 @@
 #include <cmath>
 
 namespace steplock::reference {
-namespace {
-
-constexpr long kMostTicks = 4095;  // to find a rotor, and as many to bring it to speed
-
-}  // namespace
-
 StartSequence::StartSequence(const design::StartParameters& p, design::Source source, double tick)
     : p_(p), source_(source), tick_(tick) {}
 
 void StartSequence::enter(State s) {
   state_ = s;
   ticks_ = 0;
-  hoped_ = -kHopes - 1;
   good_ = 0;
   entered_ = true;
 }
@@ -52,6 +45,13 @@ void StartSequence::fail(Reason why) {
   enter(State::kRest);
 }
 
+// What was tried before.
+void StartSequence::forget() {
+  retries_ = 0;
+  followed_ = 0;
+  hoped_ = -kHopes - 1;
+}
+
 void StartSequence::update(const In& in) {
   entered_ = false;
   const bool clear = in.command.clear_fault && !clear_was_;
@@ -65,7 +65,7 @@ void StartSequence::update(const In& in) {
     reason_ = in.fatal;
     return enter(State::kFault);
   }
-  if (!runs || !in.command.configured) retries_ = 0;
+  if (!runs || !in.command.configured) forget();
 
   switch (state_) {
     case State::kIdle:
@@ -113,13 +113,14 @@ void StartSequence::update(const In& in) {
       if (in.ramp_done) return enter(State::kPullIn);
       if (in.blocked) return fail(Reason::kBlocked);
       if (p_.method == design::Method::kFollow) {
-        const long left = (retries_ == 0 ? 4 : 1) * kMostTicks - ticks_;
+        if (in.tick) ++followed_;
+        const long left = kMostTicks - followed_;
         if (left % kLasts == kLasts - 1) lasts_ = true;
         lasts_ = lasts_ && in.hopeful;
-        if (left % kLasts == 0 && lasts_) hoped_ = ticks_;
-        const bool hopes = ticks_ - hoped_ < kHopes, verdict = retries_ == 0 && left % (kMostTicks + 1) == kMostTicks;
+        if (left % kLasts == 0 && lasts_) hoped_ = followed_;
+        const bool hopes = followed_ - hoped_ < kHopes, verdict = left % kVerdict == kVerdict - 1;
         if (left > 0 && (hopes || !verdict)) return;
-        if (!hopes) retries_ = p_.retries;  // the next one would be the same
+        retries_ = p_.retries;  // the next one would be the same
         fail(Reason::kNoLock);
       }
       return;
@@ -139,7 +140,7 @@ void StartSequence::update(const In& in) {
 
 void StartSequence::run(const In& in) {
   if (in.lost != Reason::kNone) return fail(in.lost);
-  if (ticks_ >= 1024 && state_ == State::kRun) retries_ = 0;
+  if (ticks_ >= 1024 && state_ == State::kRun) forget();
   if (!in.command.configured) return enter(State::kIdle);
   const bool runs = in.command.run && !in.still;
   if (!runs && !in.command.brake_to_stop && !in.still) return enter(State::kIdle);

@@ -50,11 +50,13 @@ class StartSequence {
   void begin_try();
   void stopped();
   void fail(Reason);
+  void forget();
   bool time_is_up(double seconds) const;
   void run(const In&);
 
   static constexpr long kHopes = 1024;  // ticks before a verdict, in
   static constexpr long kLasts = 128;   // ticks of which a rotor that moves from end to end counts
+  static constexpr long kVerdict = 4096, kMostTicks = 4 * kVerdict - 2;  // to follow a rotor, in all tries
 
   design::StartParameters p_;
   design::Source source_;
@@ -62,7 +64,8 @@ class StartSequence {
   State state_ = State::kIdle;
   Reason reason_ = Reason::kNone;
   long ticks_ = 0;  // since the state was entered
-  bool lasts_ = false;        // a rotor that is followed moved in this part of kLasts so far
+  long followed_ = 0;         // ticks for which a rotor was followed, in all tries
+  bool lasts_ = false;        // that rotor moved in this part of kLasts so far
   long hoped_ = -kHopes - 1;  // the end of the last one throughout which it did
   int good_ = 0, retries_ = 0, brakes_ = 0;
   bool reverse_ = false, stopping_ = false, entered_ = false, clear_was_ = false, refused_ = false;

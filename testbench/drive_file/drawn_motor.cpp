@@ -77,6 +77,7 @@ dead_time_s = 0.5e-6
 [sensors]
 comparator_offset_v = [{:.4g}, {:.4g}, {:.4g}]
 comparator_noise_v = {:.4g}
+comparator_hysteresis_v = {:.4g}
 limit_a = {:.4g}
 
 [control]
@@ -96,7 +97,7 @@ duration_s = 3
                      draw.uniform(kFriction, 0.01, 0.04) * torque, rated,
                      draw.uniform(kLoadInertia, 0, 4) * inertia,
                      draw.uniform(kFan, 0, 0.5) * torque / (speed * speed), bus, resistance / 5, resistance / 20,
-                     4e-4 * bus, -4e-4 * bus, 2e-4 * bus, 2e-4 * bus, limit, 60 * frequency / pairs);
+                     4e-4 * bus, -4e-4 * bus, 2e-4 * bus, 2e-4 * bus, 4e-4 * bus, limit, 60 * frequency / pairs);
 }
 
 }  // namespace steplock

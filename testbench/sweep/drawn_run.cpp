@@ -32,13 +32,12 @@ bool turns_by_itself(const DrawnRun& run) {
 // heavy rotor; then a bounded drive has decided itself.
 double longest(const design::Settings& s, const design::Parameters& p) {
   const auto& t = p.start;
-  double tries = 0;
+  double tries = t.method == design::Method::kFollow ? 4 * 4096 * p.pwm.tick() : 0;  // StartCounters
   for (int k = 0; k <= t.retries; ++k) {
     const int gentle = std::min(k, 3);  // as StartSequence makes them: reset twice as long, the ramp a quarter as steep
     tries += t.observe + t.pull_in + t.rest;
-    tries += t.method == design::Method::kFollow
-                 ? (k == 0 ? 4 : 1) * 4095 * p.pwm.tick()  // StartCounters
-                 : std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle);
+    if (t.method == design::Method::kFollow) continue;
+    tries += std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle);
   }
   const double brakes = t.slow_down + 20 * (t.brake + t.observe);
   return s.scenario.run_s + 2 * (tries + brakes + 10 * p.speed.target / p.speed.slew);

@@ -41,6 +41,16 @@ TEST(FollowLaw, ABeliefThatLastedFourLooksTurnsOnceWithAWait) {
   }
 }
 
+// One edge the wanted way, few drives after the rotor was seen to move: not before it, and not once it is followed.
+TEST(FollowLaw, ARotorIsLightThatPassedItsFirstEdgeWithinFourLooks) {
+  for (int edges = 0; edges < 4; ++edges) {
+    for (const int idle : {0, 1, 3, 4, 7, 8, 255}) {
+      const FollowLaw::Belief belief{.edges = edges, .idle = idle};
+      EXPECT_EQ(belief.light(), edges == 1 && idle < 4) << edges << " " << idle;
+    }
+  }
+}
+
 // Of every code, step, direction and belief: what see() tells from bits is the difference of steps, modulo six.
 TEST(FollowLaw, TheBitsThatDifferTellTheTurns) {
   for (int k = 0; k < 1 << 10; ++k) {

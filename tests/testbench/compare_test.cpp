@@ -16,13 +16,13 @@ design::Settings until_steady() {
   s.scenario.load_off_s.reset();
   s.scenario.reverse_s.reset();
   s.scenario.stop_s.reset();
-  s.scenario.duration_s = 0.45;
+  s.scenario.duration_s = 0.55;
   return s;
 }
 
 TEST(Compare, RtlEqualsFixedOnEveryClockAndFloatStaysWithinTheBudget) {
   const Comparison c = compare_engines(until_steady(), {});
-  EXPECT_EQ(c.lockstep.clocks, 5400000u);
+  EXPECT_EQ(c.lockstep.clocks, 6600000u);
   EXPECT_TRUE(c.lockstep.equal()) << c.lockstep.first_port << " at " << c.lockstep.first_clock;
   EXPECT_GT(c.shadow.count, 100u);
   EXPECT_EQ(c.shadow.signals.size(), 6u);

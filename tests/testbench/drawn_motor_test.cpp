@@ -52,5 +52,14 @@ TEST(DrawnMotor, TheBusIsEnoughForTheSetSpeed) {
   }
 }
 
+// Comparators see their terminals through dividers that are made for the bus, so their hysteresis grows with it as their offsets
+// and noise do.
+TEST(DrawnMotor, HysteresisFollowsTheBus) {
+  for (std::uint64_t k = 0; k < 100; ++k) {
+    const auto s = drawn(1, k);
+    EXPECT_NEAR(s.sensors.comparator_hysteresis_v, 4e-4 * s.inverter.bus_v, 1e-3 * 4e-4 * s.inverter.bus_v) << k;
+  }
+}
+
 }  // namespace
 }  // namespace steplock

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
 
+#include "testbench/drive_file/drive_file.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 #include "testbench/sweep_page/statistics.hpp"
 #include "testbench/sweep/sweep.hpp"
@@ -146,6 +148,30 @@ TEST(Hardship, OneThatTheLimitsCurrentCannotMasterEndsLatchedInTime) {
     EXPECT_LT(result.findings.end_s, 5) << name_of(kind);
   }
 }
+
+// Of every drive file, light rotors and heavy ones: all tries together follow for 4096 ticks, whatever noise makes the follower see.
+class Blocked : public testing::TestWithParam<const char*> {};
+
+TEST_P(Blocked, EndsAfterTheTicksOfOneTry) {
+  design::Settings s = load_drive_file(STEPLOCK_DRIVES "/" + std::string(GetParam()) + ".toml").settings;
+  s.hardship.breakaway = s.hardship.stiction = 20;
+  int runs = 0;
+  for (std::uint64_t k = 0; runs < 3; ++k) {
+    const Trial kind = draw_hardship(s, hard_seed(k)).kind;
+    if (kind != Trial::kBreakaway && kind != Trial::kStiction) continue;
+    ++runs;
+    const DrawnRun run = drawn_run(s, hard_seed(k));
+    const auto& start = run.parameters.start;
+    const double tick = run.parameters.pwm.tick(), between = start.observe + start.rest + 2 * tick;
+    const DrawnResult result = simulate(run);
+    EXPECT_EQ(result.findings.outcome, Outcome::kLatched) << k;
+    EXPECT_LT(result.findings.end_s, run.settings.scenario.run_s + 4097 * tick + (start.retries + 1) * between) << name_of(kind) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hardship, Blocked, testing::Values("amano2003", "bly172s", "br2804_drone", "ceiling_fan", "hoverboard_hub",
+                                                            "m2310p_servo", "maxon_ec45_flat", "tekin_spindle"),
+                         [](const auto& drive) { return std::string(drive.param); });
 
 TEST(Hardship, ALossIsCountedWithItsKind) {
   const design::Settings s = short_drive();

@@ -20,7 +20,7 @@ design::Settings with_profile(design::Settings s, double duration_s, std::vector
   n.load_s = {load_s}, n.load_nm = {load_nm};
   return s;
 }
-design::Settings six_step() { return with_profile(short_drive(), 1.2, {0.5, 0.85}, {2000, 2800}, 0.3); }
+design::Settings six_step() { return with_profile(short_drive(), 1.3, {0.6, 0.95}, {2000, 2800}, 0.4); }
 design::Settings sinusoidal_drive(const std::string& name) { return open_drive_file(STEPLOCK_DRIVES "/" + name + ".toml").settings; }
 
 // What the rotor does in the last half of each piece is what was asked for, and what is asked for is what the scenario says.
@@ -42,7 +42,7 @@ TEST(Profile, ASixStepDriveFollowsIt) {
   for (const EngineKind engine : {EngineKind::kRtl, EngineKind::kFixed, EngineKind::kFloat}) {
     const Summary sum = run_short(six_step(), engine);
     EXPECT_TRUE(sum.failures().empty()) << why(sum);
-    expect_followed(sum.profile, {{0.3, 3000, 0.02}, {0.5, 2000, 0.02}, {0.85, 2800, 0.02}});
+    expect_followed(sum.profile, {{0.4, 3000, 0.02}, {0.6, 2000, 0.02}, {0.95, 2800, 0.02}});
   }
 }
 
@@ -50,7 +50,7 @@ TEST(Profile, InReverseItsSpeedsAreNegative) {
   design::Settings s = six_step();
   s.scenario.reverse = true;
   const Summary sum = run_short(s, EngineKind::kFixed);
-  expect_followed(sum.profile, {{0.3, -3000, 0.02}, {0.5, -2000, 0.02}, {0.85, -2800, 0.02}});
+  expect_followed(sum.profile, {{0.4, -3000, 0.02}, {0.6, -2000, 0.02}, {0.95, -2800, 0.02}});
 }
 
 TEST(Profile, ASinusoidalDriveFollowsIt) {
@@ -78,31 +78,31 @@ TEST(Profile, SpeedsOfTableThreeRunFromAFile) {
 // A rotor that is held loses its lock; the run fails, and says where.
 TEST(Profile, ALockThatIsLostFails) {
   design::Settings s = six_step();
-  s.scenario.load_s = {0.9}, s.scenario.load_nm = {20};
+  s.scenario.load_s = {1}, s.scenario.load_nm = {20};
   const Summary sum = run_short(s, EngineKind::kFixed);
   ASSERT_EQ(sum.profile.size(), 3u);
   EXPECT_TRUE(sum.profile[0].locked);
   EXPECT_FALSE(sum.profile[2].locked);
-  EXPECT_NE(why(sum).find("not locked at 1.200 s, with 2800 rpm and 20 N m"), std::string::npos) << why(sum);
+  EXPECT_NE(why(sum).find("not locked at 1.300 s, with 2800 rpm and 20 N m"), std::string::npos) << why(sum);
 }
 
 TEST(Profile, WithoutOneThereAreNoPieces) {
   EXPECT_TRUE(pieces(short_drive(), 10).empty());
-  EXPECT_EQ(pieces(six_step(), 0.4).size(), 1u) << "nor those that the run did not come to";
+  EXPECT_EQ(pieces(six_step(), 0.5).size(), 1u) << "nor those that the run did not come to";
 }
 
 // The load is what the plant has; an event that comes after keeps both.
 TEST(Profile, ItsEventsHoldUntilTheNext) {
   design::Settings s = six_step();
   s.load.opposing_nm = 0.001;
-  s.scenario.reverse_s = 1;
+  s.scenario.reverse_s = 1.1;
   const Timeline t = timeline(s);
   ASSERT_EQ(t.events.size(), 6u);
   const Event& last = t.events.back();
   EXPECT_EQ(last.what, "reverse");
   EXPECT_DOUBLE_EQ(last.load_nm, 0.021);
   EXPECT_DOUBLE_EQ(last.command.set_speed, design::steps_per_second(s, 2800));
-  EXPECT_DOUBLE_EQ(t.steady_end_s, 0.3);
+  EXPECT_DOUBLE_EQ(t.steady_end_s, 0.4);
 }
 
 }  // namespace

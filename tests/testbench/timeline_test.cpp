@@ -15,9 +15,9 @@ TEST(Timeline, EventsStandAtTheirClocksInOrder) {
   const char* const names[] = {"gates off", "run", "load step", "load off", "reverse", "stop"};
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(t.events[i].what, names[i]);
   EXPECT_EQ(t.events[1].clock, 12000u);
-  EXPECT_EQ(t.events[2].clock, 3600000u);
-  EXPECT_EQ(t.clocks, 14400000u);  // 1.2 s of 12 MHz
-  EXPECT_DOUBLE_EQ(t.steady_end_s, 0.3);
+  EXPECT_EQ(t.events[2].clock, 4800000u);
+  EXPECT_EQ(t.clocks, 15600000u);  // 1.3 s of 12 MHz
+  EXPECT_DOUBLE_EQ(t.steady_end_s, 0.4);
 }
 
 TEST(Timeline, CommandsAndLoadHoldUntilTheyAreChanged) {

@@ -35,7 +35,8 @@ struct Bench {
     return loaded;
   }
   void step_once() {
-    t = std::min(follower.next(), t + 400e-6);  // one that is followed ends a drive by the caller's word alone
+    // One that is followed ends a drive by the caller's word alone.
+    t = follower.drives() ? std::min(follower.next(), t + 400e-6) : follower.next();
     in.overdue = follower.drives() && follower.sure();
     in.update = follower.changed();
     follower.update(t, in);
@@ -65,21 +66,24 @@ TEST(ReferenceRotorFollower, FollowsARotorEitherWay) {
   }
 }
 
+// Behind the first edge of a rotor that passed it within three drives, each of them a probe later, not a look.
 TEST(ReferenceRotorFollower, LooksThreeTimesMoreAfterANewStepTheWantedWay) {
-  Bench b;
-  const auto gates_off = [&](int sector) {
-    while (b.follower.drives()) b.step_once();
-    const double began = b.t;
-    b.look(sector);
-    return b.t - began;
-  };
-  const double look = 100e-6 + 14 * kEvery;
-  b.look(0);
-  EXPECT_NEAR(gates_off(0), look, 1e-9);
-  EXPECT_NEAR(gates_off(1), 4 * look, 1e-9) << "real";
-  EXPECT_NEAR(gates_off(1), look, 1e-9) << "no news";
-  EXPECT_NEAR(gates_off(2), 4 * look, 1e-9) << "an edge";
-  EXPECT_NEAR(gates_off(3), look, 1e-9) << "followed";
+  for (const int idle : {0, 2, 3}) {
+    Bench b;
+    const auto gates_off = [&](int sector) {
+      while (b.follower.drives()) b.step_once();
+      const double began = b.t;
+      b.look(sector);
+      return b.t - began;
+    };
+    const double look = 100e-6 + 14 * kEvery, long_look = 500e-6 + 14 * kEvery;
+    b.look(0);
+    EXPECT_NEAR(gates_off(0), look, 1e-9);
+    EXPECT_NEAR(gates_off(1), 4 * look, 1e-9) << "real";
+    for (int k = 0; k < idle; ++k) EXPECT_NEAR(gates_off(1), look, 1e-9) << "no news";
+    EXPECT_NEAR(gates_off(2), look + 3 * (idle < 3 ? long_look : look), 1e-9) << "an edge, after drives: " << idle;
+    EXPECT_NEAR(gates_off(3), look, 1e-9) << "followed";
+  }
 }
 
 TEST(ReferenceRotorFollower, BrakesARotorThatTurnsTheOtherWayAndTurnsWithIt) {
@@ -165,6 +169,7 @@ TEST(ReferenceRotorFollower, SaysAtEachLookWhatTheLawSays) {
       ASSERT_EQ(b.follower.sure(), belief.sure()) << rotor << " " << k;
       ASSERT_EQ(b.follower.moves(), belief.moved) << rotor << " " << k;
       ASSERT_EQ(b.follower.drives(), belief.coast == 0) << rotor << " " << k;
+      if (belief.coast != 0) ASSERT_NEAR(b.follower.next() - b.t, belief.light() ? b.p.probe : b.p.look, 1e-12) << rotor << " " << k;
       ++looks;
       if (news.blocked) break;  // the attempt is over
     }
