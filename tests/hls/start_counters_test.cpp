@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace steplock {
 namespace {
 
@@ -12,14 +14,7 @@ struct Bench {
   StartCounters::Out out;  // of the last clock
 
   Bench() {
-    in.words = {.settle = 3,
-                .reset = 5,
-                .good_crossings = 4,
-                .pull_in = 20,
-                .observe = 10,
-                .slow_down = 30,
-                .brake = 7,
-                .rest = 6,
+    in.words = {.settle = 3, .reset = 5, .good_crossings = 4, .pull_in = 20, .observe = 10, .slow_down = 30, .brake = 7, .rest = 6,
                 .retries = 2};
   }
 
@@ -77,15 +72,10 @@ struct Bench {
 
 TEST(StartCounters, AStateLastsItsTicksAndWhatIsLeftOfTheOneBefore) {
   Bench bench;
-  EXPECT_EQ(bench.ticks_of(State::kObserve), 10 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kBrake), 7 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kSettle), 3 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kReset), 5 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kAccelerate), 4095 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kPullIn), 20 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kSlowDown), 30 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kRest), 6 + 1);
-  EXPECT_EQ(bench.ticks_of(State::kRun), 1024 + 1);
+  const std::pair<State, int> lengths[] = {{State::kObserve, 10}, {State::kBrake, 7}, {State::kSettle, 3}, {State::kReset, 5},
+                                           {State::kAccelerate, 4095}, {State::kPullIn, 20}, {State::kSlowDown, 30}, {State::kRest, 6},
+                                           {State::kRun, 1024}};
+  for (const auto& [state, ticks] : lengths) EXPECT_EQ(bench.ticks_of(state), ticks + 1) << int(state);
 }
 
 TEST(StartCounters, IsOverWithATickOnly) {
@@ -256,8 +246,7 @@ TEST(StartCounters, ARotorThatIsShakenIsNot) {
       bench.in.hopeful = i % (moment + 1) != 0;
       ASSERT_FALSE(bench.tick()) << i;
     }
-    EXPECT_TRUE(bench.out.tried);
-    EXPECT_TRUE(bench.tick());
+    EXPECT_TRUE(bench.out.tried && bench.tick());
   }
 }
 
@@ -272,9 +261,7 @@ TEST(StartCounters, ATryThatFollowsUntilNoTicksAreLeftIsTheLast) {
       const int ticks = method != Method::kFollow ? 4095 : hopeful ? kMost : kVerdict;
       for (int i = 0; i < ticks; ++i) {
         ASSERT_FALSE(bench.tick());
-        if (i < ticks - 1) {
-          EXPECT_FALSE(bench.out.tried);
-        }
+        ASSERT_TRUE(i == ticks - 1 || !bench.out.tried) << i;
       }
       EXPECT_EQ(bench.out.tried, method == Method::kFollow);
       EXPECT_TRUE(bench.tick());

@@ -16,7 +16,7 @@ TEST(Timeline, EventsStandAtTheirClocksInOrder) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(t.events[i].what, names[i]);
   EXPECT_EQ(t.events[1].clock, 12000u);
   EXPECT_EQ(t.events[2].clock, 4800000u);
-  EXPECT_EQ(t.clocks, 15600000u);  // 1.3 s of 12 MHz
+  EXPECT_EQ(t.clocks, 16800000u);  // 1.4 s of 12 MHz
   EXPECT_DOUBLE_EQ(t.steady_end_s, 0.4);
 }
 
