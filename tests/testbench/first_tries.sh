@@ -9,7 +9,7 @@ steplock=$1 root=$2 work=$3 runs=$4 most=$5
 shift 5
 "$(dirname "$0")/../empty_folder" "$work"
 digest=$(STEPLOCK_BUILD=$(dirname "$(dirname "$steplock")") "$root/tools/starts" --digest)
-"$steplock" sweep "$@" --jobs 1 --runs "$runs" --seed-from "$digest" --rtl 0.03 --out "$work" || { echo false; exit 1; }  # a run that was lost
+"$steplock" sweep "$@" --jobs 1 --runs "$runs" --seed-from "$digest" --rtl 0.03 --out "$work" || [ $? = 1 ]  # 1: a run was lost, which the next line tells
 jq -e --argjson most "$most" '.runs == .started and .inside.started_after_retries <= $most and .rtl_differing == 0' "$work/sweep.json"
 "$steplock" sweep "$@" --jobs 1 --runs 2 --seed-from "$digest" --rtl 1 --out "$work/rtl"
 jq -e '.rtl_repeats == 2 and .rtl_differing == 0' "$work/rtl/sweep.json"
