@@ -3,7 +3,8 @@
 # that board.  Yosys proves by induction over two clocks that each flip-flop of both takes the same value, and each output
 # is the same, whatever the inputs are and the flip-flops held, if they held the same.  That they wake up the same is not
 # part of it: power_on_reset wakes up by its initial values and resets all others.
-#   netlist.sh --flaw BOARD OUT      the same of a netlist with one wrong bit in one look-up table
+#   netlist.sh --flaw BOARD OUT      the same of a netlist with one wrong bit in one look-up table, which is read where
+#                                    all inputs of the table are 0 but those that are 1 for good
 #   netlist.sh --undriven BOARD OUT  the same of a netlist in which nothing drives the gate of U's high side
 set -euo pipefail
 change=.
@@ -11,7 +12,9 @@ case $1 in
   --flaw) shift
     change='.modules[$top].cells |=
       (([to_entries[] | select(.value.type == "SB_LUT4" and (.key | test("guard")))] | last | .key) as $table |
-       .[$table].parameters.LUT_INIT |= (.[0:15] + (if .[15:16] == "1" then "0" else "1" end)))' ;;
+       (.[$table].connections | [.I0, .I1, .I2, .I3] | to_entries |
+         map(if .value == ["1"] then pow(2; .key) else 0 end) | 15 - add) as $bit |
+       .[$table].parameters.LUT_INIT |= (.[:$bit] + (if .[$bit:$bit + 1] == "1" then "0" else "1" end) + .[$bit + 1:]))' ;;
   --undriven) shift
     change='.modules[$top] |= (.ports.gate_uh.bits = ["x"] | .netnames.gate_uh.bits = ["x"])' ;;
 esac
