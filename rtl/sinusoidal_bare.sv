@@ -63,6 +63,7 @@ module sinusoidal_bare (
     input  logic [14:0] words_speed_k_p_i,  // u7.8
     input  logic [14:0] words_speed_k_i_i,  // u-2.17, per sample
     input  logic [14:0] words_speed_limit_i,  // u0.15, of the current
+    input  logic [14:0] words_speed_start_current_i,  // u0.15: where the integral begins
     input  logic [14:0] words_speed_lock_i,  // u0.15: above, the estimate may be trusted
     input  logic [14:0] words_speed_slow_i,  // u0.15: below, it may not
     input  logic [14:0] words_speed_stop_i,  // u0.15: below, the drive lets go
@@ -244,6 +245,7 @@ module sinusoidal_bare (
       .words_speed_k_p_i(words_speed_k_p_i),
       .words_speed_k_i_i(words_speed_k_i_i),
       .words_speed_limit_i(words_speed_limit_i),
+      .words_speed_start_current_i(words_speed_start_current_i),
       .words_speed_lock_i(words_speed_lock_i),
       .words_speed_slow_i(words_speed_slow_i),
       .words_speed_stop_i(words_speed_stop_i),

@@ -76,6 +76,7 @@ module sinusoidal_registered (
   wire [14:0] words_words_speed_k_p;
   wire [14:0] words_words_speed_k_i;
   wire [14:0] words_words_speed_limit;
+  wire [14:0] words_words_speed_start_current;
   wire [14:0] words_words_speed_lock;
   wire [14:0] words_words_speed_slow;
   wire [14:0] words_words_speed_stop;
@@ -144,6 +145,7 @@ module sinusoidal_registered (
       .words_speed_k_p_o(words_words_speed_k_p),
       .words_speed_k_i_o(words_words_speed_k_i),
       .words_speed_limit_o(words_words_speed_limit),
+      .words_speed_start_current_o(words_words_speed_start_current),
       .words_speed_lock_o(words_words_speed_lock),
       .words_speed_slow_o(words_words_speed_slow),
       .words_speed_stop_o(words_words_speed_stop),
@@ -243,6 +245,7 @@ module sinusoidal_registered (
       .words_speed_k_p_i(words_words_speed_k_p),
       .words_speed_k_i_i(words_words_speed_k_i),
       .words_speed_limit_i(words_words_speed_limit),
+      .words_speed_start_current_i(words_words_speed_start_current),
       .words_speed_lock_i(words_words_speed_lock),
       .words_speed_slow_i(words_words_speed_slow),
       .words_speed_stop_i(words_words_speed_stop),

@@ -58,6 +58,7 @@ module sinusoidal_top (
     input  logic [14:0] words_speed_k_p_i,  // u7.8
     input  logic [14:0] words_speed_k_i_i,  // u-2.17, per sample
     input  logic [14:0] words_speed_limit_i,  // u0.15, of the current
+    input  logic [14:0] words_speed_start_current_i,  // u0.15: where the integral begins
     input  logic [14:0] words_speed_lock_i,  // u0.15: above, the estimate may be trusted
     input  logic [14:0] words_speed_slow_i,  // u0.15: below, it may not
     input  logic [14:0] words_speed_stop_i,  // u0.15: below, the drive lets go
@@ -273,6 +274,7 @@ module sinusoidal_top (
       .speed_k_p_i(words_speed_k_p_i),
       .speed_k_i_i(words_speed_k_i_i),
       .speed_limit_i(words_speed_limit_i),
+      .speed_start_current_i(words_speed_start_current_i),
       .speed_lock_i(words_speed_lock_i),
       .speed_slow_i(words_speed_slow_i),
       .speed_stop_i(words_speed_stop_i),

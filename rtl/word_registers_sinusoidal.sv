@@ -56,6 +56,7 @@ module word_registers_sinusoidal (
     output logic [14:0] words_speed_k_p_o,  // u7.8
     output logic [14:0] words_speed_k_i_o,  // u-2.17, per sample
     output logic [14:0] words_speed_limit_o,  // u0.15, of the current
+    output logic [14:0] words_speed_start_current_o,  // u0.15: where the integral begins
     output logic [14:0] words_speed_lock_o,  // u0.15: above, the estimate may be trusted
     output logic [14:0] words_speed_slow_o,  // u0.15: below, it may not
     output logic [14:0] words_speed_stop_o,  // u0.15: below, the drive lets go
@@ -115,6 +116,7 @@ module word_registers_sinusoidal (
   logic [14:0] words_speed_k_p;  // u7.8
   logic [14:0] words_speed_k_i;  // u-2.17, per sample
   logic [14:0] words_speed_limit;  // u0.15, of the current
+  logic [14:0] words_speed_start_current;  // u0.15: where the integral begins
   logic [14:0] words_speed_lock;  // u0.15: above, the estimate may be trusted
   logic [14:0] words_speed_slow;  // u0.15: below, it may not
   logic [14:0] words_speed_stop;  // u0.15: below, the drive lets go
@@ -163,7 +165,8 @@ module word_registers_sinusoidal (
       6'd3, 6'd5, 6'd6, 6'd7, 6'd8, 6'd10, 6'd11, 6'd17, 6'd18, 6'd51: rule_at_entry = 3'd2;
       6'd9, 6'd33, 6'd58, 6'd59, 6'd60, 6'd61: rule_at_entry = 3'd4;
       6'd32, 6'd34, 6'd35, 6'd36, 6'd37, 6'd38, 6'd39, 6'd40, 6'd41, 6'd42, 6'd43, 6'd44,
-      6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56, 6'd57: rule_at_entry =
+      6'd45, 6'd46, 6'd47, 6'd48, 6'd49, 6'd50, 6'd52, 6'd53, 6'd54, 6'd55, 6'd56, 6'd57,
+      6'd62: rule_at_entry =
           3'd3;
       default: rule_at_entry = 3'd0;
     endcase
@@ -190,7 +193,7 @@ module word_registers_sinusoidal (
       5'd0: data_entry = 31'd50348031;
       5'd1: data_entry = 31'd16728063;
       5'd2: data_entry = 31'd4095;
-      5'd3, 5'd25: data_entry = 31'd32767;
+      5'd3, 5'd25, 5'd30: data_entry = 31'd32767;
       5'd4: data_entry = 31'd2147418115;
       5'd5, 5'd6, 5'd7, 5'd9, 5'd10, 5'd18, 5'd20, 5'd21, 5'd22, 5'd23, 5'd24: data_entry =
           31'd2147450879;
@@ -269,6 +272,9 @@ module word_registers_sinusoidal (
       if (request_index_i == 10'd54) begin
         words_speed_limit <= mirror_2[14:0] | (words_speed_limit & mirror_3[14:0]);
         words_speed_lock <= mirror_2[30:16] | (words_speed_lock & word_of_wide);
+      end
+      if (request_index_i == 10'd62) begin
+        words_speed_start_current <= mirror_2[14:0] | (words_speed_start_current & mirror_3[14:0]);
       end
       if (request_index_i == 10'd55) begin
         words_speed_slow <= mirror_2[14:0] | (words_speed_slow & mirror_3[14:0]);
@@ -374,6 +380,7 @@ module word_registers_sinusoidal (
       words_speed_k_p <= 15'd0;
       words_speed_k_i <= 15'd0;
       words_speed_limit <= 15'd0;
+      words_speed_start_current <= 15'd0;
       words_speed_lock <= 15'd0;
       words_speed_slow <= 15'd0;
       words_speed_stop <= 15'd0;
@@ -434,6 +441,7 @@ module word_registers_sinusoidal (
   assign words_speed_k_p_o = words_speed_k_p;
   assign words_speed_k_i_o = words_speed_k_i;
   assign words_speed_limit_o = words_speed_limit;
+  assign words_speed_start_current_o = words_speed_start_current;
   assign words_speed_lock_o = words_speed_lock;
   assign words_speed_slow_o = words_speed_slow;
   assign words_speed_stop_o = words_speed_stop;

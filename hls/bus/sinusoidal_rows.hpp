@@ -177,6 +177,9 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "Slow for more than this longer than not; 0: no test."),
     word<&SinusoidalWords::fault, &FaultWords::emf>(
         "PROTECTION_EMF", "emf", 0xf4, 0, Access::kKeyed, "periods",
-        "An EMF that does not belong to the speed for more; 0: no test."));
+        "An EMF that does not belong to the speed for more; 0: no test."),
+    word<&SinusoidalWords::speed, &RegulatorWords::start_current>(
+        "START_CURRENT", "start_current", 0xf8, 0, Access::kStopped, "u0.15",
+        "The wanted current at first, when the loop is closed."));
 
 }  // namespace steplock

@@ -116,6 +116,7 @@ class SinusoidalControl {
     const auto speed = regulator_.tick({.enable = in.regulate,
                                         .reverse = in.reverse,
                                         .slow_down = in.slow_down,
+                                        .locked = in.locked,
                                         .step = model.step,
                                         .emf_step = model.emf_step,
                                         .words = in.speed});

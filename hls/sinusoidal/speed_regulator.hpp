@@ -2,11 +2,16 @@
 //
 //     reference  moves towards the target by at most `slew`
 //     speed     += filter (step - speed)
-//     i_delta*   = PI(reference - speed), within +-limit; an integral stands where it would wind up
+//     i_delta*   = PI(reference - speed), within +-limit, from 0 to limit until the lock; an integral stands where it would
+//                  wind up, and begins at `start_current`
+//
+// The first current turns the rotor from the first sample on: offsets and dead times may move the estimate of a rotor at rest
+// along with the reference, and as long as they do the PI part asks for none.  A current that brakes because of an estimate that is
+// not yet to be believed turns the rotor backwards.
 //
 // All in the wanted direction: with `reverse` step, EMF and current change their signs on the way
 // in and out.  With `slow_down` the target is three quarters of the stop speed.  Without `enable`
-// all is 0. Beside it stand the comparisons that need this speed: fast enough to be trusted, slow,
+// all outputs are 0. Beside it stand the comparisons that need this speed: fast enough to be trusted, slow,
 // slower than the stop speed, and whether an EMF belongs to it (between emf_low and emf_high times
 // K_E speed).
 //
@@ -14,6 +19,7 @@
 //     speed, thresholds    s0.15, u0.15 of 1/16 turn per sample;  reference, target   s0.25, u0.25
 //     slew                 u0.25 per sample;  filter   u0.15
 //     k_p, k_i             u7.8, u-2.17 per sample: current per speed
+//     limit, start_current u0.15 of the current
 //     speed, integral      s0.27 inside; the error and its part of the integral are rounded, not
 //                          cut: half a place of the error is 0.06 % of 10 r/min in matsui1996
 //     multipliers          8 products of 16 x 16 bits
@@ -33,6 +39,7 @@ struct RegulatorWords {
   UInt<15> k_p = 0;       // u7.8
   UInt<15> k_i = 0;       // u-2.17, per sample
   UInt<15> limit = 0;     // u0.15, of the current
+  UInt<15> start_current = 0;  // u0.15: where the integral begins
   UInt<15> lock = 0;      // u0.15: above, the estimate may be trusted
   UInt<15> slow = 0;      // u0.15: below, it may not
   UInt<15> stop = 0;      // u0.15: below, the drive lets go
@@ -43,9 +50,10 @@ struct RegulatorWords {
 class SpeedRegulator {
  public:
   struct In {
-    bool enable = false;     // false: no current, the reference at 0
+    bool enable = false;     // false: no current, the reference at 0, the integral at the start's current
     bool reverse = false;    // the wanted direction
     bool slow_down = false;  // towards a stop
+    bool locked = false;     // the estimate is to be believed: the current may brake
     Int<20> step = 0;        // s0.19
     Int<20> emf_step = 0;    // s0.19, the EMF over K_E
     RegulatorWords words;
@@ -55,7 +63,7 @@ class SpeedRegulator {
     Int<16> current = 0;      // s0.15, i_delta*
     Int<16> speed = 0;        // s0.15, smoothed
     Int<16> reference = 0;    // s0.15, in the wanted direction
-    bool saturated = false;   // the current is limited
+    bool saturated = false;   // the current is at the limit
     bool fast = false;        // above `lock`
     bool slow = false;        // below `slow`
     bool stopping = false;    // below `stop`
@@ -67,8 +75,8 @@ class SpeedRegulator {
     const auto forward = [&](auto x) {
       return saturate<decltype(x)>(in.reverse ? -x : Bits<decltype(x)::width + 1, true>(x));
     };
-    const UInt<15> crawl = wrap<UInt<15>>(words.stop - (words.stop >> 2));
-    const UInt<25> target = in.slow_down ? UInt<25>(crawl) << 10 : words.target;
+    const auto crawl = wrap<UInt<25>>((UInt<25>(words.stop) << 10) - (UInt<25>(words.stop) << 8));
+    const UInt<25> target = in.slow_down ? crawl : words.target;
     const auto way = target - reference_;
     const bool far_up = way > words.slew, far_down = way < -words.slew;
     const auto reference = wrap<Int<26>>(far_up     ? reference_ + words.slew
@@ -79,23 +87,25 @@ class SpeedRegulator {
     const auto speed = saturate<Int<28>>(speed_ + ((behind * words.filter) >> 15));
     const auto error = saturate<Int<20>>(((Int<28>(reference) << 2) - speed + (1 << 7)) >> 8);
     const auto wanted = ((error * words.k_p) >> 12) + (integral_ >> 12);
-    const bool above = wanted > words.limit, below = wanted < -words.limit;
+    const Int<16> least = in.locked ? wrap<Int<16>>(-words.limit) : Int<16>(0);
+    const bool above = wanted > words.limit, below = wanted < least;
     const Int<28> most = Int<28>(words.limit) << 12;
     const auto moved = integral_ + ((error * words.k_i + (1 << 8)) >> 9);
-    const auto integral = moved > most    ? most
-                          : moved < -most ? wrap<Int<28>>(-most)
-                                          : wrap<Int<28>>(moved);
+    const Int<28> lowest = Int<28>(least) << 12;
+    const auto integral = moved > most     ? most
+                          : moved < lowest ? lowest
+                                           : wrap<Int<28>>(moved);
     const auto current = above   ? Int<16>(words.limit)
-                         : below ? wrap<Int<16>>(-words.limit)
+                         : below ? least
                                  : wrap<Int<16>>(wanted);
 
     const auto shown = wrap<Int<16>>(speed >> 12);
     const auto emf = wrap<Int<16>>(forward(in.emf_step) >> 4);
-    const auto least = (shown * words.emf_low) >> 13, greatest = (shown * words.emf_high) >> 13;
+    const auto emf_low = (shown * words.emf_low) >> 13, emf_high = (shown * words.emf_high) >> 13;
     if (!in.enable) {
       reference_ = 0;
       speed_ = 0;
-      integral_ = 0;
+      integral_ = Int<28>(words.start_current) << 12;
       return {};
     }
     reference_ = reference;
@@ -105,11 +115,11 @@ class SpeedRegulator {
     return {.current = forward(current),
             .speed = forward(shown),
             .reference = wrap<Int<16>>(reference >> 10),
-            .saturated = above || below,
+            .saturated = above || (below && in.locked),
             .fast = shown > words.lock,
             .slow = shown < words.slow,
             .stopping = shown < words.stop,
-            .plausible = shown > 0 && emf > least && emf < greatest};
+            .plausible = shown > 0 && emf > emf_low && emf < emf_high};
   }
 
  private:

@@ -166,7 +166,7 @@ struct SinusoidalSection {
 
 struct SinusoidalStartSection {
   StartBy by = StartBy::kPattern;
-  std::optional<double> pattern_s, pattern_current_a, lock_rpm, lock_s, stop_rpm;
+  std::optional<double> pattern_s, pattern_current_a, start_current_a, lock_rpm, lock_s, stop_rpm;
   double give_up_s = 2, brake_s = 0.2, rest_s = 0.3;
   int retries = 3;
   std::optional<double> pilot_short_s, pilot_long_s;

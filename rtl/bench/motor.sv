@@ -1,4 +1,4 @@
-// A star-connected motor with sinusoidal back-EMF, on an inverter with diodes, in real numbers; every kStep clocks one step of Euler.
+// A star-connected motor with sinusoidal back-EMF, on an inverter with diodes, in real numbers; every step_clocks one step of Euler.
 //
 //     e_k   = flux we sin(theta - 2 pi k / 3)              back-EMF, we in electrical rad/s
 //     L i'  = v - v_n - R i - e                            of a phase that conducts: a gate is on, or its diode carries i
@@ -14,6 +14,7 @@
 
 module motor #(
     parameter real clock_hz = 24.0e6,
+    parameter int step_clocks = 4,  // 1 where a voltage counts that lasts a clock, as of a slow rotor with sinusoidal currents
     parameter real resistance_ohm = 0.471,  // of a phase
     parameter real inductance_h = 0.1815e-3,  // of a phase, less what couples it with the others
     parameter real flux_vs = 2.72e-3,  // peak, per electrical rad/s
@@ -32,7 +33,6 @@ module motor #(
     output logic [2:0] comparator = 3'b000,
     output logic       limit = 1'b0
 );
-  localparam int kStep = 4;  // clocks
   localparam real kPi = 3.14159265358979;
 
   real load_nm = 0.0;  // what a bench sets while it runs
@@ -140,8 +140,8 @@ module motor #(
 
   always @(posedge clk) begin
     clocks <= clocks + 1;
-    if (clocks % kStep == 0) begin
-      dt = pace * kStep / clock_hz;
+    if (clocks % step_clocks == 0) begin
+      dt = pace * step_clocks / clock_hz;
       step;
     end
   end

@@ -35,7 +35,7 @@ module turning_sinusoidal #(
       .clk(clk), .rst(rst), .high(high), .low(low), .locked(locked), .latched(latched), .rpm(motor.rpm), .peak_a(motor.peak_a)
   );
   motor #(
-      .resistance_ohm(0.38), .inductance_h(0.2e-3), .flux_vs(6.37e-3), .pole_pairs(4), .inertia_kgm2(7.06e-6), .coulomb_nm(3e-3),
+      .step_clocks(1), .resistance_ohm(0.38), .inductance_h(0.2e-3), .flux_vs(6.37e-3), .pole_pairs(4), .inertia_kgm2(7.06e-6), .coulomb_nm(3e-3),
       .viscous_nms(5e-6), .bus_v(24.0), .diode_v(0.55), .limit_a(15.0)
   ) motor (.clk(clk), .high(high), .low(low), .comparator(comparator), .limit(limit));
 

@@ -41,6 +41,7 @@ void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {
   set_port(rtl.words_speed_k_p_i, word_of(in.words.speed.k_p, 15));
   set_port(rtl.words_speed_k_i_i, word_of(in.words.speed.k_i, 15));
   set_port(rtl.words_speed_limit_i, word_of(in.words.speed.limit, 15));
+  set_port(rtl.words_speed_start_current_i, word_of(in.words.speed.start_current, 15));
   set_port(rtl.words_speed_lock_i, word_of(in.words.speed.lock, 15));
   set_port(rtl.words_speed_slow_i, word_of(in.words.speed.slow, 15));
   set_port(rtl.words_speed_stop_i, word_of(in.words.speed.stop, 15));
@@ -141,6 +142,7 @@ void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {
   set_number(in.words.speed.k_p, stimulus.bits(15));
   set_number(in.words.speed.k_i, stimulus.bits(15));
   set_number(in.words.speed.limit, stimulus.bits(15));
+  set_number(in.words.speed.start_current, stimulus.bits(15));
   set_number(in.words.speed.lock, stimulus.bits(15));
   set_number(in.words.speed.slow, stimulus.bits(15));
   set_number(in.words.speed.stop, stimulus.bits(15));

@@ -38,6 +38,7 @@ std::vector<DesignRow> design_rows(const design::Settings& s) {
           {"speed ki", "A/rad", p.speed.ki},
           {"speed slew", "rpm/s", rpm(p.speed.slew)},
           {"pattern time", "s", p.start.pattern_s},
+          {"start current", "A", p.speed.start_current},
           {"trusted above", "rpm", rpm(p.start.lock_speed)},
           {"pilot pulse, short", "s", p.pilot.short_s},
           {"pilot pulse, long", "s", p.pilot.long_s},

@@ -33,6 +33,7 @@ SinusoidalWords hls_words(const design::sinusoidal::Words& d) {
                         .k_si = d.estimator.k_si},
           .speed = {.target = d.speed.target, .slew = d.speed.slew, .filter = d.speed.filter,
                     .k_p = d.speed.k_p, .k_i = d.speed.k_i, .limit = d.speed.limit,
+                    .start_current = d.speed.start_current,
                     .lock = d.speed.lock, .slow = d.speed.slow, .stop = d.speed.stop,
                     .emf_low = d.speed.emf_low, .emf_high = d.speed.emf_high},
           .control = {.set_gamma = d.control.set_gamma, .k_p = d.control.k_p,

@@ -60,7 +60,7 @@ TEST(SinusoidalControl, TheAngleIsOfThisSampleAndTheSpeedIsPassedOn) {
     const auto in = source.next();
     const auto out = control.tick(in);
     const auto model = estimator.tick(estimator_in(in));
-    const auto speed = regulator.tick({.enable = in.regulate, .reverse = in.reverse, .step = model.step,
+    const auto speed = regulator.tick({.enable = in.regulate, .reverse = in.reverse, .locked = in.locked, .step = model.step,
                                        .emf_step = model.emf_step, .words = in.speed});
     ASSERT_EQ(out.angle, model.angle) << sample;
     ASSERT_EQ(out.speed.speed, speed.speed) << sample;

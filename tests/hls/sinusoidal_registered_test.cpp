@@ -179,7 +179,7 @@ class Beside {
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288};
     w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
-    w.sequence = {.arbitrary = true, .lock = 400, .give_up = 100'000, .brake = 10, .rest = 10};
+    w.sequence = {.arbitrary = true, .lock = 0, .give_up = 100'000, .brake = 10, .rest = 10};
     w.fault = {.over_current = 30000};
     write(kLock, kLockKey);
     std::map<int, std::uint32_t> values;

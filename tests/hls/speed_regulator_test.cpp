@@ -19,7 +19,7 @@ Int<20> step(double x) { return static_cast<int>(std::lround(std::ldexp(x, 19)))
 
 RegulatorWords words() {
   return {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288,
-          .lock = 1000, .slow = 500, .stop = 1000, .emf_low = 3277, .emf_high = 20480};
+          .start_current = 1000, .lock = 1000, .slow = 500, .stop = 1000, .emf_low = 3277, .emf_high = 20480};
 }
 // What the words mean; the filter's gain over one sample is 1 - exp(-filter).
 design::sinusoidal::SpeedRegulator meant() {
@@ -27,7 +27,8 @@ design::sinusoidal::SpeedRegulator meant() {
           .filter = -std::log1p(-983 * kPlace),
           .kp = 700 / 256.0,
           .ki = 530 / 131072.0,
-          .limit = 12288 * kPlace};
+          .limit = 12288 * kPlace,
+          .start_current = 1000 * kPlace};
 }
 
 // The error's last place, 2^-19, times k_p is 0.2 places; cut thrice; the speed's state cuts 2^-27
@@ -39,6 +40,8 @@ TEST(SpeedRegulator, IsTheReferenceWithinItsRounding) {
     const double way = reverse ? -1 : 1;
     SpeedRegulator dut;
     reference::sinusoidal::SpeedRegulator exact(meant(), 1);
+    dut.tick({.words = words()});
+    exact.start(0);
     double speed = 0;
     std::mt19937 any(1);
     int saturated = 0;
@@ -47,8 +50,8 @@ TEST(SpeedRegulator, IsTheReferenceWithinItsRounding) {
       const double noise = std::uniform_real_distribution<>(-0.002, 0.002)(any);
       const auto seen = step(way * (speed + noise));
       const auto out =
-          dut.tick({.enable = true, .reverse = reverse, .step = seen, .words = words()});
-      const double wanted = exact.update(0.125, way * double(seen.raw()) / (1 << 19));
+          dut.tick({.enable = true, .reverse = reverse, .locked = n >= 400, .step = seen, .words = words()});
+      const double wanted = exact.update(0.125, way * double(seen.raw()) / (1 << 19), n >= 400);
       ASSERT_NEAR(way * value(out.current), wanted, 3 * kPlace) << n;
       ASSERT_NEAR(way * value(out.speed), exact.speed(), 2 * kPlace) << n;
       ASSERT_NEAR(value(out.reference), exact.reference(), 2 * kPlace) << n;
@@ -71,7 +74,7 @@ TEST(SpeedRegulator, AnErrorOfZeroInTheMeanMovesNothing) {
   const auto turn = [&](int samples, bool settled) {
     for (int n = 0; n < samples; ++n) {
       const Int<20> seen = (settled ? target : std::min(n * 63, target)) + (n % 41 - 20);
-      out = dut.tick({.enable = true, .step = seen, .words = words()});
+      out = dut.tick({.enable = true, .locked = true, .step = seen, .words = words()});
     }
     return value(out.current);
   };
@@ -80,9 +83,58 @@ TEST(SpeedRegulator, AnErrorOfZeroInTheMeanMovesNothing) {
   EXPECT_NEAR(turn(41 * 2000, true), before, 2.5 * kPlace);
 }
 
+// Nothing is behind, and the first current is the start's; in reverse the other way.  From there on it is an integral as any:
+// an error takes it away.
+TEST(SpeedRegulator, TheIntegralBeginsAtTheStartsCurrent) {
+  for (const bool reverse : {false, true}) {
+    const int way = reverse ? -1 : 1;
+    SpeedRegulator dut;
+    SpeedRegulator::In in{.reverse = reverse, .locked = true, .words = words()};
+    in.words.target = 0;
+    EXPECT_EQ(dut.tick(in).current, 0) << "not before the loop is closed";
+    in.enable = true;
+    for (int n = 0; n < 3; ++n) EXPECT_EQ(dut.tick(in).current, way * 1000);
+    in.step = step(way * 0.1);
+    int falls = 0;
+    while (dut.tick(in).current != way * -12288 && falls < 20'000) ++falls;
+    EXPECT_LT(falls, 20'000);
+    in.enable = false;
+    dut.tick(in);
+    in.enable = true, in.step = 0;
+    EXPECT_EQ(dut.tick(in).current, way * 1000) << "each start anew";
+  }
+}
+
+// An estimate that is ahead of the reference brakes only when it is to be believed; until then there is no current, the integral
+// is not below 0, and nothing counts as limited.
+TEST(SpeedRegulator, NothingBrakesBeforeTheLock) {
+  for (const bool reverse : {false, true}) {
+    const int way = reverse ? -1 : 1;
+    SpeedRegulator dut;
+    SpeedRegulator::In in{.reverse = reverse, .words = words()};
+    in.words.target = 1 << 21;  // 0.0625
+    dut.tick(in);
+    in.enable = true, in.step = step(way * 0.2);
+    SpeedRegulator::Out out;
+    for (int n = 0; n < 900; ++n) {
+      out = dut.tick(in);
+      ASSERT_GE(way * int(out.current.raw()), 0) << n;
+      ASSERT_FALSE(out.saturated) << n;
+    }
+    EXPECT_EQ(out.current, 0);
+    in.step = step(way * 0.0625);
+    for (int n = 0; n < 400; ++n) out = dut.tick(in);  // 0.97^400 of the error is left: nothing
+    EXPECT_GE(way * int(out.current.raw()), 0) << "the integral is not below 0";
+    EXPECT_LT(way * int(out.current.raw()), 1000) << "nor what it was at first";
+    in.step = step(way * 0.2), in.locked = true;
+    for (int n = 0; n < 400; ++n) out = dut.tick(in);
+    EXPECT_LT(way * value(out.current), -0.1);
+  }
+}
+
 TEST(SpeedRegulator, ALimitedIntegralComesBackAtOnce) {
   SpeedRegulator dut;
-  SpeedRegulator::In in{.enable = true, .words = words()};
+  SpeedRegulator::In in{.enable = true, .locked = true, .words = words()};
   SpeedRegulator::Out out;
   for (int n = 0; n < 20'000; ++n) out = dut.tick(in);
   EXPECT_EQ(out.current, 12288);
@@ -97,7 +149,7 @@ TEST(SpeedRegulator, ALimitedIntegralComesBackAtOnce) {
 // The proportional part alone reaches the limit: the integral stands, and with the error gone nothing is left of it.
 TEST(SpeedRegulator, WhatTheProportionalPartLimitsWindsNothingUp) {
   SpeedRegulator dut;
-  SpeedRegulator::In in{.enable = true, .words = words()};
+  SpeedRegulator::In in{.enable = true, .locked = true, .words = words()};
   in.words.slew = (1 << 19) - 1;
   in.words.k_p = 2800;
   in.words.filter = 0x7fff;

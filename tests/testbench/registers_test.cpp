@@ -105,8 +105,8 @@ TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
     ++read;
   };
   std::apply([&](const auto&... row) { (check(row), ...); }, kSinusoidalWordRows);
-  EXPECT_EQ(read, 53);
-  EXPECT_EQ(count(text, "    {STEPLOCK_"), 30);
+  EXPECT_EQ(read, 54);
+  EXPECT_EQ(count(text, "    {STEPLOCK_"), 31);
   EXPECT_NE(text.find("#include \"steplock_sinusoidal.h\""), text.npos);
   EXPECT_NE(text.find(std::to_string(int(words.bridge.period.raw()))), text.npos);
 }

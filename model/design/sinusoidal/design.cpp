@@ -131,6 +131,10 @@ void set_start(const Settings& s, Design& d) {
   const double soon = std::min(quarter, t.lock_speed / std::max(t.lock_s, 0.02));
   p.speed.slew = s.sinusoidal.slew_rpm_s ? speed_of(s, *s.sinusoidal.slew_rpm_s)
                                          : std::max(soon, settles(s, p.speed, per_ampere, quarter));
+  // What takes the file's inertia along the set speed under the greatest load of its envelope.
+  const double load = s.load.opposing_nm + *std::max_element(s.envelope.load.begin(), s.envelope.load.end()) * d.rated_torque;
+  const double follows = p.speed.slew / per_ampere + (s.motor.coulomb_nm + load) / (p.motor.pole_pairs * p.motor.k_e);
+  p.speed.start_current = z.start_current_a ? kRoot * *z.start_current_a : std::min(follows, p.speed.limit);
   t.give_up_s = z.give_up_s;
   t.brake_s = z.brake_s;
   t.rest_s = z.rest_s;
@@ -250,6 +254,10 @@ std::vector<std::string> problems(const Settings& s) {
   if (s.scenario.speed_rpm < 1.1 * lock) {
     add("scenario.speed_rpm is ", s.scenario.speed_rpm, " rpm; must be 10 % above ", lock,
         " rpm, where the estimate is first trusted");
+  }
+  if (s.sinusoidal_start.start_current_a.value_or(0) > current_limit(s)) {
+    add("sinusoidal_start.start_current_a is ", *s.sinusoidal_start.start_current_a, " A; must be at most ", current_limit(s),
+        " A, what the speed regulator may ask for (sinusoidal.current_limit_a)");
   }
   if (s.inverter.dead_time_s > 0.1 / s.control.pwm_hz) {
     add("inverter.dead_time_s is ", s.inverter.dead_time_s, " s; must be at most a tenth of the PWM period");

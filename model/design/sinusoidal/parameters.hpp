@@ -58,6 +58,7 @@ struct SpeedRegulator {
   double kp = 0;      // A/(rad/s)
   double ki = 0;      // A/rad
   double limit = 0;   // A
+  double start_current = 0;  // A, where the integral begins
 };
 
 struct Pilot {

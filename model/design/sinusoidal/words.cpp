@@ -88,6 +88,7 @@ RegulatorWords speed_words(ScaledQuantiser& word, const Parameters& p, const Sca
           .k_p = word("speed.k_p", "A/(rad/s)", p.speed.kp, current / f.speed, 8, 15),
           .k_i = word("speed.k_i", "A/rad", p.speed.ki, current / f.speed / period, 17, 15),
           .limit = word("speed.limit", "A", p.speed.limit, current, 15, 15),
+          .start_current = word("speed.start_current", "A", p.speed.start_current, current, 15, 15),
           .lock = speed("speed.lock", p.start.lock_speed),
           .slow = speed("speed.slow", p.protection.slow_speed),
           .stop = speed("speed.stop", p.start.stop_speed),

@@ -28,7 +28,7 @@ struct EstimatorWords {
   Word decay = 0, gain = 0, k_theta = 0, k_e = 0, k_speed = 0, k_emf = 0, k_si = 0;
 };
 struct RegulatorWords {
-  Word target = 0, slew = 0, filter = 0, k_p = 0, k_i = 0, limit = 0;
+  Word target = 0, slew = 0, filter = 0, k_p = 0, k_i = 0, limit = 0, start_current = 0;
   Word lock = 0, slow = 0, stop = 0, emf_low = 0, emf_high = 0;
 };
 struct ControlWords {

@@ -125,7 +125,7 @@ void Drive::control(const Phases& current, double v_dc) {
   }
   const Estimate& e = estimate();
   const double goal = state_ == State::kSlowDown ? 0.8 * p_.start.stop_speed : target_;
-  wanted_delta_ = speed_.update(way_ * goal, e.speed);
+  wanted_delta_ = speed_.update(way_ * goal, e.speed, state_ != State::kStarting);
   in_frame_ = seen_from(e.angle, i);
   const Vector wanted = {p_.current.i_gamma, wanted_delta_};
   const Vector v = current_regulator_.update(wanted, in_frame_, speed_.speed(),
@@ -167,7 +167,7 @@ void Drive::enter(double t, State state) {
       break;
     case State::kStarting:
       current_regulator_.reset();
-      speed_.start(0);
+      speed_.start(0, way_);
       voltage_model_.start(pilot_angle_, 0);
       current_model_.start(pilot_angle_, 0);
       regulated_ = false, modulated_ = 0;

@@ -2,7 +2,8 @@
 //
 //     v_gamma = PI(i_gamma* - i_gamma) - theta_c' L_q i_delta
 //     v_delta = PI(i_delta* - i_delta) + theta_c' (L_d i_gamma + K_E)
-//     i_delta* = PI(reference - speed), within +-limit; the reference moves by at most slew
+//     i_delta* = PI(reference - speed), within +-limit, from 0 to limit until the lock; the reference moves by at most slew, the
+//                integral begins at the start's current
 //
 // A voltage beyond the limit is shortened along its direction, and the integrals then take what was
 // left of it (back-calculation), so neither winds up.
@@ -61,18 +62,22 @@ class SpeedRegulator {
   SpeedRegulator(const design::sinusoidal::SpeedRegulator& p, double period)
       : p_(p), period_(period) {}
 
-  void start(double speed) { reference_ = speed_ = speed, integral_ = 0, saturated_ = false; }
+  // `way` is the wanted direction, 1 or -1.
+  void start(double speed, int way = 1) {
+    way_ = way, reference_ = speed_ = speed, integral_ = way * p_.start_current, saturated_ = false;
+  }
 
-  double update(double target, double speed) {
+  double update(double target, double speed, bool locked = true) {
     const double move = p_.slew * period_;
     reference_ += std::clamp(target - reference_, -move, move);
     speed_ += -std::expm1(-p_.filter * period_) * (speed - speed_);
     const double error = reference_ - speed_;
     const double wanted = p_.kp * error + integral_;
-    const double current = std::clamp(wanted, -p_.limit, p_.limit);
-    saturated_ = wanted != current;
-    const bool winds_up = saturated_ && (wanted > 0) == (error > 0);
-    if (!winds_up) integral_ = std::clamp(integral_ + p_.ki * period_ * error, -p_.limit, p_.limit);
+    const double least = locked || way_ < 0 ? -p_.limit : 0, most = locked || way_ > 0 ? p_.limit : 0;
+    const double current = std::clamp(wanted, least, most);
+    saturated_ = wanted != current && current != 0;
+    const bool winds_up = wanted != current && (wanted > 0) == (error > 0);
+    if (!winds_up) integral_ = std::clamp(integral_ + p_.ki * period_ * error, least, most);
     return current;
   }
   bool saturated() const { return saturated_; }
@@ -82,6 +87,7 @@ class SpeedRegulator {
  private:
   design::sinusoidal::SpeedRegulator p_;
   double period_, reference_ = 0, speed_ = 0, integral_ = 0;
+  int way_ = 1;
   bool saturated_ = false;
 };
 

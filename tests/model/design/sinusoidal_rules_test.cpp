@@ -143,6 +143,25 @@ TEST(SinusoidalRules, APatternLastsUntilTheHeaviestRotorsSwingHasFaded) {
   }
 }
 
+// pole_pairs K_E i is the torque of an inertia at the set speed's slew, of friction, and of the envelope's greatest load.
+TEST(SinusoidalRules, TheFirstCurrentTakesALoadedRotorAlongTheSetSpeed) {
+  for (const char* name : {"matsui1996", "ipm_2k2", "m2310p_sinusoidal", "br2804_sinusoidal"}) {
+    Settings s = load_drive_file(std::string(DRIVES) + "/" + name + ".toml").settings;
+    s.load.opposing_nm = 0.01 * s.motor.coulomb_nm;
+    const Design d = design_drive(s);
+    const auto& p = d.parameters;
+    const double inertia = s.motor.inertia_kgm2 + s.load.inertia_kgm2, load = s.envelope.load.back() * d.rated_torque;
+    const double torque = inertia * p.speed.slew / p.motor.pole_pairs + 1.01 * s.motor.coulomb_nm + load;
+    EXPECT_NEAR(p.motor.pole_pairs * p.motor.k_e * p.speed.start_current / torque, 1, 1e-9) << name;
+    EXPECT_LT(p.speed.start_current, p.speed.limit) << name;
+
+    s.sinusoidal.slew_rpm_s = 1e8;
+    EXPECT_EQ(design_drive(s).parameters.speed.start_current, p.speed.limit) << name << ": no more than the regulator may ask for";
+    s.sinusoidal_start.start_current_a = 0.25;
+    EXPECT_NEAR(design_drive(s).parameters.speed.start_current, std::sqrt(1.5) * 0.25, 1e-12) << name;
+  }
+}
+
 TEST(SinusoidalRules, ABelievedConstantMovesTheDriveAndNotTheMotor) {
   Settings s = matsui();
   s.sinusoidal.k_em = 1.25;
@@ -166,6 +185,9 @@ TEST(SinusoidalRules, WhatMakesNoSenseIsNamedByItsKey) {
   EXPECT_EQ(only([](Settings& s) { s.inverter.dead_time_s = 40e-6; }).find("inverter.dead_time_s"), 0u);
   EXPECT_EQ(only([](Settings& s) { s.sensors.limit_a = 8; }).find("sensors.limit_a"), 0u);
   EXPECT_EQ(only([](Settings& s) { s.adc.current_a = 12; }).find("adc.current_a"), 0u);
+  EXPECT_EQ(only([](Settings& s) { s.sinusoidal_start.start_current_a = 12; }),
+            "sinusoidal_start.start_current_a is 12 A; must be at most 11.82 A, what the speed regulator may ask for "
+            "(sinusoidal.current_limit_a)");
   Settings round = matsui();
   round.sinusoidal_start.by = StartBy::kPilot;
   EXPECT_EQ(problems(round).size(), 2u);  // no saliency, no saturation

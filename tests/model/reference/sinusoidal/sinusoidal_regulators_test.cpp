@@ -73,6 +73,18 @@ TEST(SinusoidalRegulators, SpeedIsHeldUnderLoadWithinTheLimitAndTheSlew) {
   EXPECT_NEAR(fastest, 1000 * kPeriod, 1e-9);
 }
 
+TEST(SinusoidalRegulators, TheFirstCurrentIsTheStartsAndNoneBrakesBeforeTheLock) {
+  for (const int way : {1, -1}) {
+    SpeedRegulator regulator({.slew = 1000, .filter = 600, .kp = 0.1, .ki = 3, .limit = 10, .start_current = 2}, kPeriod);
+    regulator.start(0, way);
+    EXPECT_NEAR(way * regulator.update(0, 0, false), 2, 1e-12);
+    for (int n = 0; n < 2000; ++n) ASSERT_GE(way * regulator.update(way * 300, way * 500, false), 0) << n;
+    EXPECT_EQ(regulator.update(way * 300, way * 500, false), 0);
+    EXPECT_FALSE(regulator.saturated());
+    EXPECT_LT(way * regulator.update(way * 300, way * 500, true), 0);
+  }
+}
+
 TEST(SinusoidalRegulators, ALimitThatHoldsIsReportedAndLeftWithoutDelay) {
   SpeedRegulator regulator({.slew = 1e9, .filter = 1e5, .kp = 0.1, .ki = 3, .limit = 10}, kPeriod);
   regulator.start(0);
