@@ -281,7 +281,7 @@ void for_each_key(S& s, Visitor&& visit) {
   k("by", z.by, "", "where the rotor stands: turned by a held pattern, not known, or found by pilot pulses");
   k("pattern_s", z.pattern_s, "s", "V+ U- W-, U+ V+ W-, U+ V- W-, a third of it each; default: from the inertia", 1e-3, 100);
   k("pattern_current_a", z.pattern_current_a, "A", "phase peak; default: rated", 1e-3, 1e4);
-  k("start_current_a", z.start_current_a, "A", "phase peak, when the loop is closed; default: what inertia, friction and the envelope's greatest load take along the set speed's slew", 0, 1e4);
+  k("start_current_a", z.start_current_a, "A", "phase peak, when the loop is closed; default: what inertia, friction and the envelope's greatest load take, as far as a tenth of the set speed allows", 0, 1e4);
   k("lock_rpm", z.lock_rpm, "rpm", "the estimate is trusted above; default: 2 % of no-load speed, or what a fifth of the resistance may look like", 0.1, 1e6);
   k("lock_s", z.lock_s, "s", "for so long; default: half an electrical turn from that speed on by a quarter of the rated torque, 0.02 at least", 0, 10);
   k("give_up_s", z.give_up_s, "s", "no lock in this time is a failed try", 1e-3, 100);

@@ -103,6 +103,6 @@ module sinusoidal_fixed (
       .words_fault_saturated_i(20'd6000),
       .words_fault_slow_i(20'd10000),
       .words_fault_emf_i(20'd2000),
-      .words_speed_start_current_i(15'd4608)
+      .words_speed_start_current_i(15'd1426)
   );
 endmodule

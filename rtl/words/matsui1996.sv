@@ -103,6 +103,6 @@ module sinusoidal_fixed (
       .words_fault_saturated_i(20'd1500),
       .words_fault_slow_i(20'd2500),
       .words_fault_emf_i(20'd500),
-      .words_speed_start_current_i(15'd3506)
+      .words_speed_start_current_i(15'd2171)
   );
 endmodule

@@ -12,6 +12,12 @@ using Parameters = design::sinusoidal::Parameters;
 
 // With both ends of a load step.
 design::Settings loaded() { return load_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings; }
+// Of the rated torque: the speed dips lower, so the budget of the angle is wider, and the transients are greater.
+design::Settings loaded_by_the_rated_torque() {
+  design::Settings s = loaded();
+  s.scenario.load_step_nm = design::sinusoidal::design_drive(s).rated_torque;
+  return s;
+}
 
 // Lockstep takes every clock of both forms: of the start alone.
 design::Settings start() {
@@ -45,11 +51,12 @@ TEST(SinusoidalCompare, OneWrongBitInOneClockIsFound) {
 class EitherEstimator : public testing::TestWithParam<design::Estimator> {};
 
 TEST_P(EitherEstimator, IsWithinTheBudgetOfItsReferenceFromTheSetSpeedToTheEndOfTheLoad) {
-  design::Settings s = loaded();
-  s.sinusoidal.estimator = GetParam();
-  const Comparison c = compare_engines(s, {.lockstep = false});
-  EXPECT_GT(c.shadow.count, 5000u);
-  EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
+  for (design::Settings s : {loaded(), loaded_by_the_rated_torque()}) {
+    s.sinusoidal.estimator = GetParam();
+    const Comparison c = compare_engines(s, {.lockstep = false});
+    EXPECT_GT(c.shadow.count, 5000u);
+    EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
+  }
 }
 
 // The budget of the angle is that of the slowest speed: a profile down to a slow one must not open it.
@@ -79,15 +86,21 @@ constexpr auto kCurrent = design::Estimator::kCurrent, kVoltage = design::Estima
 
 class ASinusoidalReference : public testing::TestWithParam<Spoilt> {};
 
-// What a wrong word would do is beyond the budget, in one signal at least.  docs/report.md names the percentages.
+// What a wrong word would do is beyond the budget, in one signal at least, under one of the loads.  docs/report.md names the
+// percentages.
 TEST_P(ASinusoidalReference, ThatDiffersFromTheDesignIsFound) {
-  design::Settings s = loaded();
-  s.sinusoidal.estimator = GetParam().estimator;
-  Parameters p = design::sinusoidal::design_drive(s).parameters;
-  GetParam().spoil(p);
-  const Comparison c = compare_engines(s, {.lockstep = false, .sinusoidal_reference = p});
-  EXPECT_FALSE(c.shadow.within()) << to_text(c.shadow);
-  EXPECT_FALSE(c.passed());
+  std::string text;
+  int found = 0;
+  for (design::Settings s : {loaded(), loaded_by_the_rated_torque()}) {
+    s.sinusoidal.estimator = GetParam().estimator;
+    Parameters p = design::sinusoidal::design_drive(s).parameters;
+    GetParam().spoil(p);
+    const Comparison c = compare_engines(s, {.lockstep = false, .sinusoidal_reference = p});
+    EXPECT_EQ(c.passed(), c.shadow.within());
+    found += !c.passed();
+    text += to_text(c.shadow);
+  }
+  EXPECT_GT(found, 0) << text;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -106,9 +119,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 // What docs/report.md says is not noticed: 2 % of what the dead time costs.
 TEST(SinusoidalCompare, HalfMoreOfTheDiodesDropIsNotNoticed) {
-  Parameters p = design::sinusoidal::design_drive(loaded()).parameters;
-  p.applied.diode_drop *= 1.5;
-  EXPECT_TRUE(compare_engines(loaded(), {.lockstep = false, .sinusoidal_reference = p}).shadow.within());
+  for (const design::Settings& s : {loaded(), loaded_by_the_rated_torque()}) {
+    Parameters p = design::sinusoidal::design_drive(s).parameters;
+    p.applied.diode_drop *= 1.5;
+    EXPECT_TRUE(compare_engines(s, {.lockstep = false, .sinusoidal_reference = p}).shadow.within());
+  }
 }
 
 TEST(SinusoidalCompare, ADriveThatNeverReachesItsSetSpeedIsNotComparedAndFails) {

@@ -134,7 +134,9 @@ void set_start(const Settings& s, Design& d) {
   // What takes the file's inertia along the set speed under the greatest load of its envelope.
   const double load = s.load.opposing_nm + *std::max_element(s.envelope.load.begin(), s.envelope.load.end()) * d.rated_torque;
   const double follows = p.speed.slew / per_ampere + (s.motor.coulomb_nm + load) / (p.motor.pole_pairs * p.motor.k_e);
-  p.speed.start_current = z.start_current_a ? kRoot * *z.start_current_a : std::min(follows, p.speed.limit);
+  // A rotor without that load is ahead of the reference by i / kp before the regulator has taken the current away.
+  const double ahead = 0.1 * p.speed.target * p.speed.kp;
+  p.speed.start_current = z.start_current_a ? kRoot * *z.start_current_a : std::min({follows, ahead, p.speed.limit});
   t.give_up_s = z.give_up_s;
   t.brake_s = z.brake_s;
   t.rest_s = z.rest_s;
