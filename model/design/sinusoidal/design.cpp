@@ -132,8 +132,10 @@ void set_start(const Settings& s, Design& d) {
   p.speed.slew = s.sinusoidal.slew_rpm_s ? speed_of(s, *s.sinusoidal.slew_rpm_s)
                                          : std::max(soon, settles(s, p.speed, per_ampere, quarter));
   // What takes the file's inertia along the set speed under the greatest load of its envelope.
-  const double load = s.load.opposing_nm + *std::max_element(s.envelope.load.begin(), s.envelope.load.end()) * d.rated_torque;
-  const double follows = p.speed.slew / per_ampere + (s.motor.coulomb_nm + load) / (p.motor.pole_pairs * p.motor.k_e);
+  double load = 0;  // an envelope with a fan may name none
+  for (const double l : s.envelope.load) load = std::max(load, l);
+  const double holds = s.motor.coulomb_nm + s.load.opposing_nm + load * d.rated_torque;
+  const double follows = p.speed.slew / per_ampere + holds / (p.motor.pole_pairs * p.motor.k_e);
   // A rotor without that load is ahead of the reference by i / kp before the regulator has taken the current away.
   const double ahead = 0.1 * p.speed.target * p.speed.kp;
   p.speed.start_current = z.start_current_a ? kRoot * *z.start_current_a : std::min({follows, ahead, p.speed.limit});

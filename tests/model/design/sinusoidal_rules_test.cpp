@@ -158,6 +158,11 @@ TEST(SinusoidalRules, TheFirstCurrentTakesALoadedRotorAlongTheSetSpeedAndNoOther
     EXPECT_NEAR(p.speed.start_current, std::min(follows, ahead), 1e-9) << name;
     EXPECT_LT(p.speed.start_current, p.speed.limit) << name;
 
+    Settings fan = s;
+    fan.envelope.load.clear();
+    const double unloaded = follows - load / (p.motor.pole_pairs * p.motor.k_e);
+    EXPECT_NEAR(of(fan).speed.start_current, std::min(unloaded, ahead), 1e-9) << name << ": a fan's envelope names no load";
+
     s.sinusoidal.slew_rpm_s = 1e8;
     EXPECT_NEAR(of(s).speed.start_current, std::min(p.speed.limit, ahead), 1e-9) << name << ": no more than the regulator may ask for";
     s.sinusoidal_start.start_current_a = 0.25;
