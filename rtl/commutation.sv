@@ -8,7 +8,7 @@
 //     on        V-    W-    W-    U-    U-    V-      low side on throughout
 //     off       W     V     U     W     V     U       floats: its back-EMF is watched
 //
-// Reverse rotation needs no other table: the steps count down.  The reset pattern has U and V high
+// Reverse rotation needs no other table: the steps count down.  The alignment pattern has U and V high
 // and W low; complementary PWM closes the low side of a chopped leg in the off-time.
 //
 //     latency      none: gates and gates only     registers  none     multipliers  none
@@ -33,16 +33,16 @@ module commutation (
     output logic       wl_o  // phase W, low side
 );
   localparam logic [2:0] Pattern_kDrive = 3'd1;
-  localparam logic [2:0] Pattern_kSettle = 3'd2;
-  localparam logic [2:0] Pattern_kReset = 3'd3;
+  localparam logic [2:0] Pattern_kPreAlign = 3'd2;
+  localparam logic [2:0] Pattern_kAlign = 3'd3;
   localparam logic [2:0] Pattern_kBrake = 3'd4;
 
   wire u_high =
-      pattern_bits_i[Pattern_kReset] ||
-      pattern_bits_i[Pattern_kSettle] || (pattern_bits_i[Pattern_kDrive] && legs_uh_i);
+      pattern_bits_i[Pattern_kAlign] ||
+      pattern_bits_i[Pattern_kPreAlign] || (pattern_bits_i[Pattern_kDrive] && legs_uh_i);
   wire brake = pattern_bits_i[Pattern_kBrake] && chop_i;
   wire freewheel = complementary_i && !chop_i;
-  wire v_high = pattern_bits_i[Pattern_kReset] || (pattern_bits_i[Pattern_kDrive] && legs_vh_i);
+  wire v_high = pattern_bits_i[Pattern_kAlign] || (pattern_bits_i[Pattern_kDrive] && legs_vh_i);
   wire w_high = pattern_bits_i[Pattern_kDrive] && legs_wh_i;
 
   assign uh_o = u_high && chop_i;
@@ -51,7 +51,7 @@ module commutation (
   assign vl_o = (pattern_bits_i[Pattern_kDrive] && legs_vl_i) || brake || (v_high && freewheel);
   assign wh_o = w_high && chop_i;
   assign wl_o =
-      pattern_bits_i[Pattern_kReset] || pattern_bits_i[Pattern_kSettle] ||
+      pattern_bits_i[Pattern_kAlign] || pattern_bits_i[Pattern_kPreAlign] ||
       (pattern_bits_i[Pattern_kDrive] && legs_wl_i) || brake || (w_high && freewheel);
 
   // What nothing reads, for the linters.

@@ -158,7 +158,7 @@ module drive_registers (
   wire [9:0] request_index_minus_nine = request_index_i - 10'd9;  // line 87
   wire beats = writes && request_index_minus_nine[9:1] == 9'd0;
   wire watch_either = period == 12'd0 || !configured || watchdog_fault;  // line 88
-  wire bites = !(watch_either || !tick_i) && left == 12'd0 && !beats;
+  wire expires = !(watch_either || !tick_i) && left == 12'd0 && !beats;
   wire run_next_both =  // line 106
       (run || (request_data_i[1] && request_index_i == 10'd17)) &&
       (!request_data_i[1] || request_index_i != 10'd18);
@@ -180,7 +180,7 @@ module drive_registers (
       (drive_state_plus_seven[3:1] == 3'd0) ? 4'd8 :
       4'd0;
   wire [3:0] events_wide =  // line 167
-      {1'b0, {1'b0, (bites ? 2'd2 : 2'd0) | {1'b0, on}} | (locks ? 3'd4 : 3'd0)};
+      {1'b0, {1'b0, (expires ? 2'd2 : 2'd0) | {1'b0, on}} | (locks ? 3'd4 : 3'd0)};
   wire on_2 = locks && starting;
   wire [4:0] events = {1'b0, events_wide | events_choice} | (on_2 ? 5'd16 : 5'd0);
   wire [8:0] not_byte_mask = ~byte_mask;  // line 112
@@ -219,7 +219,7 @@ module drive_registers (
         write_error <= refused_i;
       end
     end
-    run <= !bites && run_next_choice;  // line 115
+    run <= !expires && run_next_choice;  // line 115
     if (drive_state_i != State_kFault || was_faulted) begin
       cleared <= cleared || (clears && ones[0]);
     end else begin
@@ -227,7 +227,7 @@ module drive_registers (
       fault_reason <= drive_reason_i;
     end
     drive_fault <= drive_fault_next;
-    watchdog_fault <= bites || watchdog_fault_next_choice;  // line 115
+    watchdog_fault <= expires || watchdog_fault_next_choice;  // line 115
     interrupts <= (interrupts & kept) | events;  // line 102
     if (writes && request_index_i == 10'd9) begin
       left <= ones_either;

@@ -15,7 +15,7 @@
 //
 // Following sectors (a rotor to be caught, or Hall sensors) x takes e * frequency whole or a
 // quarter of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 /
-// interval.  A ramp is the same with a constant error, quartered `gentle` times, and `ramp` for s.
+// interval.  A ramp is the same with a constant error, quartered `backoff` times, and `ramp` for s.
 //
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
@@ -33,7 +33,7 @@ module loop_filter (
     input  logic        update_i,  // strobe: the error is new
     input  logic        tick_i,  // strobe: time base of ramp and per-second form
     input  logic [19:0] ramp_i,  // u0.32, VCO turns per clock, per tick
-    input  logic [1:0]  gentle_i,  // the ramp is quartered so often
+    input  logic [1:0]  backoff_i,  // the ramp is quartered so often
     input  logic        bandwidth_i,
     input  logic [9:0]  delay_i,  // clocks / 2^divide
     input  logic [15:0] ki_i,  // u2.14
@@ -184,10 +184,10 @@ module loop_filter (
       logic [12:0] base_next_choice_wide;
       logic [12:0] base_next_choice_3;
       logic [15:0] base_next_choice_4;
-      base_next_choice = (gentle_i == 2'd2) ? 9'd256 : 9'd64;  // line 150
-      base_next_choice_2 = (gentle_i == 2'd1) ? 11'd1024 : {2'd0, base_next_choice};  // line 150
+      base_next_choice = (backoff_i == 2'd2) ? 9'd256 : 9'd64;  // line 150
+      base_next_choice_2 = (backoff_i == 2'd1) ? 11'd1024 : {2'd0, base_next_choice};  // line 150
       base_next_choice_wide = {2'd0, base_next_choice_2};  // line 150
-      base_next_choice_3 = (gentle_i == 2'd0) ? 13'd4096 : base_next_choice_wide;  // line 150
+      base_next_choice_3 = (backoff_i == 2'd0) ? 13'd4096 : base_next_choice_wide;  // line 150
       base_next_choice_4 = (loop == Loop_kRamp) ? {3'd0, base_next_choice_3} : error_i;  // line 150
       base <= {{12{base_next_choice_4[15]}}, base_next_choice_4, 6'd0};
     end else if (!at_bits[Stage_kDelay]) begin

@@ -3,9 +3,9 @@
 //
 // Open-loop duty: the torque of a start, before speed control has a say.
 //
-//     kSettle, kReset    reset_duty        twice that with `strong`, up to 100 %
+//     kPreAlign, kAlign  align_duty        twice that with `strong`, up to 100 %
 //     kAccelerate        start_duty        likewise
-//       following        reset_duty until the rotor is followed, then start_duty, then a part: see below
+//       following        align_duty until the rotor is followed, then start_duty, then a part: see below
 //     kPullIn            start_duty, which fades by 1/32 per step
 //       following        the same part of start_duty, until speed control takes over
 //     kBrake             brake_duty, from which speed control takes the back-EMF's
@@ -33,20 +33,20 @@ module open_loop_duty (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
     input  logic [10:0] state_bits_i,
-    input  logic        strong_i,  // two tries failed
+    input  logic        strong_i,  // two attempts failed
     input  logic        follows_i,  // the start follows the rotor
     input  logic        sure_i,  // and has it
     input  logic        fast_i,  // and has the frequency of hand-over
     input  logic        commutate_i,  // strobe: a new step began
     input  logic        lags_i,  // the last error was negative: the rotor lags the VCO
-    input  logic [15:0] reset_duty_i,  // u1.15
+    input  logic [15:0] align_duty_i,  // u1.15
     input  logic [15:0] start_duty_i,  // u1.15
     input  logic [15:0] brake_duty_i,  // u1.15
     output logic [15:0] duty_o  // u1.15, of the state a clock ago
 );
   localparam logic [3:0] State_kBrake = 4'd2;
-  localparam logic [3:0] State_kSettle = 4'd3;
-  localparam logic [3:0] State_kReset = 4'd4;
+  localparam logic [3:0] State_kPreAlign = 4'd3;
+  localparam logic [3:0] State_kAlign = 4'd4;
   localparam logic [3:0] State_kAccelerate = 4'd5;
   localparam logic [3:0] State_kPullIn = 4'd6;
 
@@ -91,23 +91,23 @@ module open_loop_duty (
           falls_choice =
               (falls || !eases) ? falls : state_bits_i[State_kAccelerate] && !commutate_i;
           duty <= start >> falls_choice;
-        end else if (!(state_bits_i[State_kReset] || state_bits_i[State_kSettle])) begin
+        end else if (!(state_bits_i[State_kAlign] || state_bits_i[State_kPreAlign])) begin
           if (state_bits_i[State_kBrake]) begin
             duty <= brake_duty_i;
           end else begin
             duty <= 16'd0;
           end
         end else if (strong_i) begin
-          if (reset_duty_i[15:14] == 2'd0) begin
-            duty <= {reset_duty_i[14:0], 1'b0};
+          if (align_duty_i[15:14] == 2'd0) begin
+            duty <= {align_duty_i[14:0], 1'b0};
           end else begin
             duty <= 16'd32768;
           end
         end else begin
-          duty <= reset_duty_i;
+          duty <= align_duty_i;
         end
       end else begin
-        duty <= reset_duty_i;
+        duty <= align_duty_i;
       end
       was_fast <= fast;
       if (state_bits_i[State_kAccelerate]) begin

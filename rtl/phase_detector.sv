@@ -10,7 +10,7 @@
 //                                                         was hidden, too, or led by 1/8
 //     following       error = 1 - turns since the last change of sector, within +-1/2
 //
-// `hurries` marks a hidden crossing after one that was hidden or led by 1/16: current that grows the
+// `masked_lead` marks a hidden crossing after one that was hidden or led by 1/16: current that grows the
 // freewheeling makes the rotor faster than the loop can follow.  Hidden ones of a steady rotor do not.
 //
 // Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per
@@ -27,7 +27,7 @@
 module phase_detector (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
-    input  logic [1:0]  watch_i,  // what the error is made of
+    input  logic [1:0]  detector_source_i,  // what the error is made of
     input  logic        crossing_i,  // strobe: the back-EMF crossed zero
     input  logic [15:0] crossing_phase_i,  // u0.16, where in the step
     input  logic        before_seen_i,  // the level before the crossing showed in this step
@@ -45,10 +45,10 @@ module phase_detector (
     output logic        update_o,  // strobe: the error is new
     output logic        good_o,  // strobe: it is within the window (following: within 1/8)
     output logic        missed_o,  // strobe: it stands for a crossing that was not found
-    output logic        hurries_o  // until the next one: freewheeling hid it, and the rotor led before
+    output logic        masked_lead_o  // until the next one: freewheeling hid it, and the rotor led before
 );
-  localparam logic [1:0] Evidence_kCrossings = 2'd1;
-  localparam logic [1:0] Evidence_kSectors = 2'd2;
+  localparam logic [1:0] DetectorSource_kCrossings = 2'd1;
+  localparam logic [1:0] DetectorSource_kSectors = 2'd2;
 
   logic signed [17:0] error;  // s2.16: what is shown stops at its limits
   logic update;
@@ -56,7 +56,7 @@ module phase_detector (
   logic answered;  // this step has had its crossing, or needs none
   logic before_;  // before_seen, from the step that a commutation ends
   logic hid;  // the last update was of a step on the level after
-  logic hurries;  // and the rotor led before it; until the next update
+  logic masked_lead;  // and the rotor led before it; until the next update
   logic follows;  // the error is that of a sector
   logic turned;  // following: a whole turn since the last change or miss
 
@@ -64,8 +64,8 @@ module phase_detector (
   wire out_good_choice = follows ? magnitude[16:13] == 4'd0 : magnitude < {1'b0, window_i};
 
   always_ff @(posedge clk) begin
-    case (watch_i)
-      Evidence_kCrossings, Evidence_kSectors: begin
+    case (detector_source_i)
+      DetectorSource_kCrossings, DetectorSource_kSectors: begin
         logic turned_2;
         logic not_commutate_or_before;
         logic [15:0] place_choice;
@@ -80,15 +80,17 @@ module phase_detector (
             (hid || (!error[17] && error[16:13] != 4'd0)) ? lead_error_i :
             16'd0;
         place =  // line 76
-            (watch_i == Evidence_kSectors) ? (turned_2 ? 17'd0 : 17'd65536) : {1'b0, place_choice};
+            (detector_source_i == DetectorSource_kSectors) ? (turned_2 ? 17'd0 : 17'd65536) :
+            {1'b0, place_choice};
         elapsed_and_turned = elapsed_i && turned;  // line 110
         found =  // line 110
-            (watch_i == Evidence_kSectors) ? (elapsed_and_turned ? 16'd32768 : phase_i) :
+            (detector_source_i == DetectorSource_kSectors) ?
+            (elapsed_and_turned ? 16'd32768 : phase_i) :
             commutate_i ? {16{before_}} :
             crossing_phase_i;
         place_minus_found = {1'b0, place} - {2'd0, found};  // line 76
-        case (watch_i)
-          Evidence_kCrossings: begin
+        case (detector_source_i)
+          DetectorSource_kCrossings: begin
             if (answered) begin
               update <= 1'b0;
               missed <= 1'b0;
@@ -98,7 +100,7 @@ module phase_detector (
               if (commutate_or_crossing) begin
                 error <= place_minus_found;
                 hid <= !not_commutate_or_before;
-                hurries <=
+                masked_lead <=
                     !not_commutate_or_before && (hid || (!error[17] && error[16:12] != 5'd0));
               end
               update <= commutate_or_crossing;
@@ -111,7 +113,7 @@ module phase_detector (
             end
             turned <= 1'b0;
           end
-          default: begin  // Evidence_kSectors
+          default: begin  // DetectorSource_kSectors
             logic elapsed_either;
             elapsed_either = elapsed_and_turned || changed_i;
             if (elapsed_either) begin
@@ -121,12 +123,12 @@ module phase_detector (
             missed <= elapsed_and_turned;
             answered <= 1'b1;
             hid <= !elapsed_either && hid;
-            hurries <= !elapsed_either && hurries;
+            masked_lead <= !elapsed_either && masked_lead;
             turned <= !commutate_i && (turned ^ elapsed_i);
           end
         endcase
       end
-      default: begin  // Evidence_kNothing, 2'd3
+      default: begin  // DetectorSource_kNone, 2'd3
         update <= 1'b0;
         missed <= 1'b0;
         answered <= 1'b1;
@@ -134,7 +136,7 @@ module phase_detector (
       end
     endcase
     before_ <= before_seen_i;
-    follows <= watch_i == Evidence_kSectors;  // line 69
+    follows <= detector_source_i == DetectorSource_kSectors;  // line 69
     if (rst) begin
       error <= 18'sd0;
       update <= 1'b0;
@@ -142,7 +144,7 @@ module phase_detector (
       answered <= 1'b1;
       before_ <= 1'b0;
       hid <= 1'b0;
-      hurries <= 1'b0;
+      masked_lead <= 1'b0;
       follows <= 1'b0;
       turned <= 1'b0;
     end
@@ -155,5 +157,5 @@ module phase_detector (
   assign update_o = update;
   assign good_o = !(!update || missed) && out_good_choice;
   assign missed_o = missed;
-  assign hurries_o = hurries;
+  assign masked_lead_o = masked_lead;
 endmodule

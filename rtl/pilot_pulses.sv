@@ -17,7 +17,7 @@
 // Everything is turned and measured by CurrentControl, whose Park stands still then: in `angle`,
 // `a`, `b`, out `i_gamma`, `i_delta`.  A sum is kept as its parts along windings u (`a`, in even
 // rounds) and v (`b`, in odd ones), which is what Clarke takes.  Pulses are whole PWM periods,
-// chopped; the current is what the converters hold at the first strobe after them.  The next pulse,
+// chopped; the current is what the ADCs hold at the first strobe after them.  The next pulse,
 // and `found`, wait until two samples in a row were below `decayed`.  A reverse follows each pulse
 // and takes back what it turned; model/design bounds what is left.
 //

@@ -22,7 +22,7 @@
 //     over-current the limit's comparator was never released in `over_current` hits in a row
 //     fault pin    as it comes
 //
-// The first four end a try (`lost`), the last two end the drive (`fatal`), whatever it is doing.
+// The first four end an attempt (`lost`), the last two end the drive (`fatal`), whatever it is doing.
 //
 //     latency      none: the verdict stands in the clock of its cause; on strobes in clocks in a row up to two later
 //     registers    35 bits     multipliers  none
@@ -52,7 +52,7 @@ module protection (
     input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
     input  logic [11:0] words_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
     input  logic [3:0]  words_over_current_i,  // limit hits with the comparator never released; 0 disables
-    output logic        lost_o,  // give up this try
+    output logic        lost_o,  // give up this attempt
     output logic        fatal_o,  // latch a fault, in any state
     output logic [3:0]  reason_o,
     output logic        freewheel_long_o  // strobe: the step that ended freewheeled for too long

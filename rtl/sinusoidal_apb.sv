@@ -3,7 +3,7 @@
 //
 // The sinusoidal drive behind an APB4 slave: wires between the blocks, and nothing else.
 //
-//     APB -> Apb -> SinusoidalRegistered -> gates
+//     APB -> Apb -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md.  A hole and a refused write end with pslverr.
 //
@@ -76,7 +76,7 @@ module sinusoidal_apb (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  sinusoidal_registered drive (
+  sinusoidal_csr drive (
       .clk(clk),
       .rst(rst),
       .fault_i(fault_i),

@@ -3,7 +3,7 @@
 //
 // The sinusoidal drive behind an AXI4-Lite slave: wires between the blocks, and nothing else.
 //
-//     AXI4-Lite -> AxiLite -> SinusoidalRegistered -> gates
+//     AXI4-Lite -> AxiLite -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md.
 //
@@ -95,7 +95,7 @@ module sinusoidal_axi (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  sinusoidal_registered drive (
+  sinusoidal_csr drive (
       .clk(clk),
       .rst(rst),
       .fault_i(fault_i),

@@ -49,10 +49,10 @@ module sinusoidal_control (
     input  logic [13:0] bridge_period_i,  // clocks; 480 at least, a sample's
     input  logic [13:0] bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  bridge_dead_time_i,  // clocks; the guard's floor wins
-    input  logic [11:0] bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
+    input  logic [11:0] bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
     input  logic        bridge_compensate_i,  // the on-times make up for it
-    input  logic        bridge_sine_i,  // no zero component
-    input  logic [14:0] bridge_inverse_i,  // u0.25: 1 / (3 period)
+    input  logic        bridge_sine_pwm_i,  // no zero component
+    input  logic [14:0] bridge_reciprocal_i,  // u0.25: 1 / (3 period)
     input  logic        estimator_voltage_i,  // the voltage model's estimate, else the current model's
     input  logic        estimator_average_i,  // voltage model: the mean of 8 samples
     input  logic [14:0] estimator_decay_i,  // u0.15, per sample
@@ -378,7 +378,7 @@ module sinusoidal_control (
       port_next_16_to_23 =
           program__data[34] ?
           (program__data[33] ?
-          {2'd0, program__data[32] ? {11'd0, bridge_compensate_i} : bridge_lost_i} :
+          {2'd0, program__data[32] ? {11'd0, bridge_compensate_i} : bridge_dead_time_loss_i} :
           program__data[32] ? bridge_minimum_i :
           bridge_period_i) :
           program__data[33] ? (program__data[32] ? ended_on_w_i : ended_on_v_i) :
@@ -391,8 +391,8 @@ module sinusoidal_control (
           estimator_decay_i) :
           program__data[33] ?
           {14'd0, program__data[32] ? estimator_average_i : estimator_voltage_i} :
-          program__data[32] ? bridge_inverse_i :
-          {14'd0, bridge_sine_i};
+          program__data[32] ? bridge_reciprocal_i :
+          {14'd0, bridge_sine_pwm_i};
       port_next_0_to_31 =
           program__data[36] ?
           {10'd0, program__data[35] ? port_next_24_to_31 : {1'b0, port_next_16_to_23}} :

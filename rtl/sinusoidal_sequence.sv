@@ -5,12 +5,12 @@
 //
 //     idle -> calibrate -> pattern -> starting -> run -> slow down -> brake -> idle
 //                                        |         |
-//                    pilot ----------^   (failed: rest -> calibrate, so many times, then fault)
+//                    pilot ----------^   (failed: retry delay -> calibrate, so many times, then fault)
 //
 // Pattern: three places, the last of which is winding u, angle 0; forwards 240, 300 and 0 degrees (legs w, w and u, u), in
 // reverse 120, 60 and 0 (v, v and u, u), so that the rotor turns the wanted way from place to place.  A load holds a rotor
 // near each of them, and near its opposite; from what it leaves of one, the next is near enough to be reached.
-// Pilot: PilotPulses looks for the angle; not found in `pattern` periods is a try that failed for want of decay.
+// Pilot: PilotPulses looks for the angle; not found in `pattern` periods is an attempt that failed for want of decay.
 // Starting: the loop is closed; the gates follow from the first period on that has on-times of the regulators, and the
 // estimator from the period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
 // without a gap.
@@ -31,7 +31,7 @@ module sinusoidal_sequence (
     input  logic        fault_pin_i,
     input  logic        period_i,  // a PWM period begins
     input  logic        sampled_i,  // a sample has been worked through
-    input  logic        measured_i,  // the converters' offsets stand
+    input  logic        measured_i,  // the ADCs' offsets stand
     input  logic        fast_i,  // the speed may be trusted
     input  logic        plausible_i,  // the EMF belongs to it
     input  logic        stopping_i,  // slower than the stop speed
@@ -44,9 +44,9 @@ module sinusoidal_sequence (
     input  logic [14:0] words_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
     input  logic [19:0] words_pattern_i,  // each third of it; all pilot pulses at most
     input  logic [19:0] words_lock_i,  // the estimate has to be trusted for so long
-    input  logic [19:0] words_give_up_i,  // no lock in this time is a failed try
+    input  logic [19:0] words_give_up_i,  // no lock in this time is a failed attempt
     input  logic [19:0] words_brake_i,
-    input  logic [19:0] words_rest_i,
+    input  logic [19:0] words_retry_delay_i,
     input  logic [3:0]  words_retries_i,
     output logic [3:0]  state_o,
     output logic [3:0]  reason_o,
@@ -64,7 +64,7 @@ module sinusoidal_sequence (
     output logic        brake_o,  // all low sides on
     output logic        slow_down_o,
     output logic        locked_o,
-    output logic [3:0]  tries_o  // that failed and were followed by another one, since `run` was obeyed
+    output logic [3:0]  retries_o  // attempts that failed and were followed by another one, since `run` was obeyed
 );
   localparam logic [3:0] SinusoidalReason_kNone = 4'd0;
   localparam logic [3:0] SinusoidalReason_kFaultPin = 4'd1;
@@ -78,14 +78,14 @@ module sinusoidal_sequence (
   localparam logic [3:0] SinusoidalState_kRun = 4'd5;
   localparam logic [3:0] SinusoidalState_kSlowDown = 4'd6;
   localparam logic [3:0] SinusoidalState_kBrake = 4'd7;
-  localparam logic [3:0] SinusoidalState_kRest = 4'd8;
+  localparam logic [3:0] SinusoidalState_kRetryDelay = 4'd8;
   localparam logic [3:0] SinusoidalState_kFault = 4'd9;
 
   logic [3:0] state;
   logic [3:0] reason;
   logic [19:0] timer;  // periods left of the state
   logic [19:0] trust;  // periods in which the estimate has still to be trusted
-  logic [3:0] tries;  // that failed
+  logic [3:0] retries;  // that failed
   logic [1:0] modulated;  // periods begun under the regulators
   logic regulated;  // their first on-times stand
   logic [1:0] third;  // of the pattern
@@ -130,7 +130,7 @@ module sinusoidal_sequence (
       logic last;
       logic over_and_third_is_two;
       logic failed_and_found;
-      last = tries < words_retries_i;
+      last = retries < words_retries_i;
       over_and_third_is_two = timer == 20'd0 && third == 2'd2;
       failed_and_found = failed_i == SinusoidalReason_kNone && found_i;
       if (state == SinusoidalState_kIdle) begin
@@ -152,7 +152,7 @@ module sinusoidal_sequence (
         end else begin
           logic [3:0] state_next_choice;
           logic [3:0] state_next_choice_2;
-          state_next_choice = last ? SinusoidalState_kRest : SinusoidalState_kFault;  // line 171
+          state_next_choice = last ? SinusoidalState_kRetryDelay : SinusoidalState_kFault;
           state_next_choice_2 = (timer == 20'd0) ? state_next_choice : state;
           if (state == SinusoidalState_kPilot) begin
             if (run) begin
@@ -185,7 +185,7 @@ module sinusoidal_sequence (
                   leave ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
               SinusoidalState_kBrake: state_next_choice_4 =
                   (timer == 20'd0) ? SinusoidalState_kIdle : state;
-              SinusoidalState_kRest: state_next_choice_4 =
+              SinusoidalState_kRetryDelay: state_next_choice_4 =
                   run ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
                   SinusoidalState_kIdle;
               default: state_next_choice_4 =
@@ -217,7 +217,7 @@ module sinusoidal_sequence (
         end
       end else begin
         logic [19:0] timer_next_choice_2;
-        timer_next_choice_2 = (timer == 20'd0) ? words_rest_i : timer_next_choice;
+        timer_next_choice_2 = (timer == 20'd0) ? words_retry_delay_i : timer_next_choice;
         if (state == SinusoidalState_kPilot) begin
           if (run && failed_and_found) begin
             timer <= words_give_up_i;
@@ -227,7 +227,7 @@ module sinusoidal_sequence (
               if (failed_i == SinusoidalReason_kNone) begin
                 timer <= found_i ? words_give_up_i : timer_next_choice_2;
               end else begin
-                timer <= words_rest_i;
+                timer <= words_retry_delay_i;
               end
             end else begin
               timer <= timer_next_choice;
@@ -252,11 +252,11 @@ module sinusoidal_sequence (
                   leave ? words_brake_i :
                   (failed_i == SinusoidalReason_kNone) ?
                   ((trust == 20'd0) ? timer_next_choice : timer_next_choice_2) :
-                  words_rest_i;
+                  words_retry_delay_i;
             end else begin
               timer <=
                   (state == SinusoidalState_kRun) ?
-                  ((failed_i == SinusoidalReason_kNone) ? timer_next_choice : words_rest_i) :
+                  ((failed_i == SinusoidalReason_kNone) ? timer_next_choice : words_retry_delay_i) :
                   (state == SinusoidalState_kSlowDown && leave && stopping_i) ? words_brake_i :
                   timer_next_choice;
             end
@@ -268,18 +268,18 @@ module sinusoidal_sequence (
         SinusoidalState_kIdle, SinusoidalState_kCalibrate, SinusoidalState_kPilot,
         SinusoidalState_kPattern, SinusoidalState_kStarting, SinusoidalState_kRun,
         SinusoidalState_kSlowDown: begin
-          logic [3:0] tries_plus_last;
-          logic [3:0] tries_next_choice;
+          logic [3:0] retries_plus_last;
+          logic [3:0] retries_next_choice;
           logic sampled_or_regulated;
           logic refused_or_still;
-          tries_plus_last = tries + {3'd0, last};  // line 126
-          tries_next_choice = (timer == 20'd0) ? tries_plus_last : tries;
+          retries_plus_last = retries + {3'd0, last};  // line 126
+          retries_next_choice = (timer == 20'd0) ? retries_plus_last : retries;
           sampled_or_regulated = sampled_i || regulated;  // line 90
           refused_or_still = refused || still_i;  // line 139
           case (state)
             SinusoidalState_kIdle: begin
               if (command_run_and_command_configured && !refused_or_still) begin
-                tries <= 4'd0;
+                retries <= 4'd0;
                 reverse <= command_reverse_i;
               end
               modulated <= modulated_next_sum;
@@ -312,10 +312,10 @@ module sinusoidal_sequence (
                 end else begin
                   if (!refused_or_still) begin
                     if (failed_i == SinusoidalReason_kNone) begin
-                      tries <= found_i ? tries : tries_next_choice;
+                      retries <= found_i ? retries : retries_next_choice;
                       regulated <= !found_i && regulated;
                     end else begin
-                      tries <= tries_plus_last;
+                      retries <= retries_plus_last;
                     end
                   end
                   modulated <= modulated_next_sum;
@@ -349,10 +349,10 @@ module sinusoidal_sequence (
               if (command_configured_i && !command_run_either) begin
                 if (failed_i == SinusoidalReason_kNone) begin
                   if (trust != 20'd0) begin
-                    tries <= tries_next_choice;
+                    retries <= retries_next_choice;
                   end
                 end else begin
-                  tries <= tries_plus_last;
+                  retries <= retries_plus_last;
                 end
               end
               modulated <= modulated_next_sum;
@@ -360,7 +360,7 @@ module sinusoidal_sequence (
             end
             SinusoidalState_kRun: begin
               if (command_configured_both) begin
-                tries <= tries_plus_last;
+                retries <= retries_plus_last;
               end
               modulated <= modulated_next_sum;
               regulated <= sampled_or_regulated;
@@ -400,7 +400,7 @@ module sinusoidal_sequence (
         SinusoidalState_kRun: entered_next_choice = failed_i != SinusoidalReason_kNone || leave;
         SinusoidalState_kSlowDown: entered_next_choice = !leave || stopping_i;
         SinusoidalState_kBrake: entered_next_choice = timer == 20'd0;
-        SinusoidalState_kRest: entered_next_choice = !run || timer == 20'd0;
+        SinusoidalState_kRetryDelay: entered_next_choice = !run || timer == 20'd0;
         default: entered_next_choice =
             state == SinusoidalState_kFault &&
             command_clear_fault_i && !command_run_i && !fault_pin_i;
@@ -450,7 +450,7 @@ module sinusoidal_sequence (
       reason <= SinusoidalReason_kNone;
       timer <= 20'd0;
       trust <= 20'd0;
-      tries <= 4'd0;
+      retries <= 4'd0;
       modulated <= 2'd0;
       regulated <= 1'b0;
       third <= 2'd0;
@@ -477,7 +477,7 @@ module sinusoidal_sequence (
   assign brake_o = state == SinusoidalState_kBrake;
   assign slow_down_o = state == SinusoidalState_kSlowDown;
   assign locked_o = regulating && state != SinusoidalState_kStarting;
-  assign tries_o = tries;
+  assign retries_o = retries;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, words_hold_voltage_i};

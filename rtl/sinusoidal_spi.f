@@ -16,5 +16,5 @@ rtl/gate_guard.sv
 rtl/sinusoidal_top.sv
 rtl/telemetry_copy.sv
 rtl/drive_registers_sinusoidal.sv
-rtl/sinusoidal_registered.sv
+rtl/sinusoidal_csr.sv
 rtl/sinusoidal_spi.sv

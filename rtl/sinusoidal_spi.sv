@@ -3,7 +3,7 @@
 //
 // The sinusoidal drive behind an SPI slave, for a companion MCU: wires between the blocks, and nothing else.
 //
-//     SPI -> Spi -> SinusoidalRegistered -> gates
+//     SPI -> Spi -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and
 // its heartbeat watchdog do not pass the bus.
@@ -81,7 +81,7 @@ module sinusoidal_spi (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  sinusoidal_registered drive (
+  sinusoidal_csr drive (
       .clk(clk),
       .rst(rst),
       .fault_i(fault_i),

@@ -13,7 +13,7 @@
 // is closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
 // taken, so that all of it works under the same orders.
 //
-// `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
+// `sample` is a strobe at the start of a PWM period: the ADCs are to hold what stands then,
 // and give their codes with `valid` so early that the sample is done before the next period.  Codes
 // that come while one is under way are not taken, and DriveProtection counts the lost sample.
 //
@@ -39,10 +39,10 @@ module sinusoidal_top (
     input  logic [13:0] words_bridge_period_i,  // clocks; 480 at least, a sample's
     input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
-    input  logic [11:0] words_bridge_lost_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
+    input  logic [11:0] words_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
     input  logic        words_bridge_compensate_i,  // the on-times make up for it
-    input  logic        words_bridge_sine_i,  // no zero component
-    input  logic [14:0] words_bridge_inverse_i,  // u0.25: 1 / (3 period)
+    input  logic        words_bridge_sine_pwm_i,  // no zero component
+    input  logic [14:0] words_bridge_reciprocal_i,  // u0.25: 1 / (3 period)
     input  logic        words_estimator_voltage_i,  // the voltage model's estimate, else the current model's
     input  logic        words_estimator_average_i,  // voltage model: the mean of 8 samples
     input  logic [14:0] words_estimator_decay_i,  // u0.15, per sample
@@ -75,9 +75,9 @@ module sinusoidal_top (
     input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
     input  logic [19:0] words_sequence_pattern_i,  // each third of it; all pilot pulses at most
     input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
-    input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed try
+    input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed attempt
     input  logic [19:0] words_sequence_brake_i,
-    input  logic [19:0] words_sequence_rest_i,
+    input  logic [19:0] words_sequence_retry_delay_i,
     input  logic [3:0]  words_sequence_retries_i,
     input  logic [5:0]  words_pilot_short_periods_i,  // 0 counts as 1
     input  logic [5:0]  words_pilot_long_periods_i,  // 0 counts as 1
@@ -104,7 +104,7 @@ module sinusoidal_top (
     output logic        done_o,  // strobe: a sample is worked through
     output logic        busy_o,  // one is under way: codes of the next clock are not taken
     output logic        reverse_o,  // the wanted direction
-    output logic [3:0]  tries_o,  // that failed and were followed by another one, since `run` was obeyed
+    output logic [3:0]  retries_o,  // attempts that failed and were followed by another one, since `run` was obeyed
     output logic [23:0] angle_o,  // u0.24, electrical turns, at the last sample
     output logic [23:0] initial_o,  // u0.24, where the estimate begins: once found, by pilot pulses
     output logic [15:0] speed_o,  // s0.15 of 1/16 turn per sample, smoothed
@@ -255,10 +255,10 @@ module sinusoidal_top (
       .bridge_period_i(words_bridge_period_i),
       .bridge_minimum_i(words_bridge_minimum_i),
       .bridge_dead_time_i(words_bridge_dead_time_i),
-      .bridge_lost_i(words_bridge_lost_i),
+      .bridge_dead_time_loss_i(words_bridge_dead_time_loss_i),
       .bridge_compensate_i(words_bridge_compensate_i),
-      .bridge_sine_i(words_bridge_sine_i),
-      .bridge_inverse_i(words_bridge_inverse_i),
+      .bridge_sine_pwm_i(words_bridge_sine_pwm_i),
+      .bridge_reciprocal_i(words_bridge_reciprocal_i),
       .estimator_voltage_i(words_estimator_voltage_i),
       .estimator_average_i(words_estimator_average_i),
       .estimator_decay_i(words_estimator_decay_i),
@@ -393,7 +393,7 @@ module sinusoidal_top (
   wire sequence__brake;
   wire sequence__slow_down;
   wire sequence__locked;
-  wire [3:0] sequence__tries;
+  wire [3:0] sequence__retries;
   sinusoidal_sequence sequence_ (
       .clk(clk),
       .rst(rst),
@@ -420,7 +420,7 @@ module sinusoidal_top (
       .words_lock_i(words_sequence_lock_i),
       .words_give_up_i(words_sequence_give_up_i),
       .words_brake_i(words_sequence_brake_i),
-      .words_rest_i(words_sequence_rest_i),
+      .words_retry_delay_i(words_sequence_retry_delay_i),
       .words_retries_i(words_sequence_retries_i),
       .state_o(sequence__state),
       .reason_o(sequence__reason),
@@ -438,7 +438,7 @@ module sinusoidal_top (
       .brake_o(sequence__brake),
       .slow_down_o(sequence__slow_down),
       .locked_o(sequence__locked),
-      .tries_o(sequence__tries)
+      .retries_o(sequence__retries)
   );
 
   wire not_off = sequence__modulate || (sequence__pilot && pilot_pulse);  // line 147
@@ -586,7 +586,7 @@ module sinusoidal_top (
   assign done_o = control_done;
   assign busy_o = busy_next;
   assign reverse_o = sequence__reverse;
-  assign tries_o = sequence__tries;
+  assign retries_o = sequence__retries;
   assign angle_o = control_angle;
   assign initial_o = pilot_angle;
   assign speed_o = control_speed_speed;

@@ -3,7 +3,7 @@
 //
 // The sinusoidal drive behind a Wishbone B4 slave: wires between the blocks, and nothing else.
 //
-//     Wishbone -> Wishbone -> SinusoidalRegistered -> gates
+//     Wishbone -> Wishbone -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md.  A hole and a refused write end in err instead of ack.
 //
@@ -79,7 +79,7 @@ module sinusoidal_wb (
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  sinusoidal_registered drive (
+  sinusoidal_csr drive (
       .clk(clk),
       .rst(rst),
       .fault_i(fault_i),

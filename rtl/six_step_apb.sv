@@ -3,9 +3,9 @@
 //
 // The six-step drive behind an APB4 slave: wires between the blocks, and nothing else.
 //
-//     APB -> Apb -> SixStepRegistered -> gates
+//     APB -> Apb -> SixStepCsr -> gates
 //
-// The map is docs/registers.md.  A hole and a refused write end with pslverr.
+// The map is docs/six_step_registers.md.  A hole and a refused write end with pslverr.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
 //     write of CONTROL to the drive     2 clocks
@@ -82,7 +82,7 @@ module six_step_apb #(
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
+  six_step_csr #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),

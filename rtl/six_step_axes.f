@@ -25,5 +25,5 @@ rtl/telemetry.sv
 rtl/six_step_top.sv
 rtl/telemetry_copy.sv
 rtl/drive_registers.sv
-rtl/six_step_registered.sv
+rtl/six_step_csr.sv
 rtl/six_step_axes.sv

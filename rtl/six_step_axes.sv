@@ -3,9 +3,9 @@
 //
 // Several six-step drives on one AXI4-Lite slave: an axis per 256 bytes, wires between the blocks.
 //
-//     AXI4-Lite -> AxiLite -> axis address[9:8] -> SixStepRegistered -> gates of that axis
+//     AXI4-Lite -> AxiLite -> axis address[9:8] -> SixStepCsr -> gates of that axis
 //
-// Each axis has the whole map of docs/registers.md at 0x100 times its number: words, faults, heartbeat
+// Each axis has the whole map of docs/six_step_registers.md at 0x100 times its number: words, faults, heartbeat
 // watchdog and interrupt of its own.  Axes share the clock, reset and the bus, and nothing else: a
 // request reaches one of them, and none hears of another's.  Behind the last axis there are holes.
 // CAPABILITY.axes of each says how many there are.
@@ -132,7 +132,7 @@ module six_step_axes #(
   wire [31:0] drives_0_data;
   wire drives_0_read_error;
   wire drives_0_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_0 (
+  six_step_csr #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_0 (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_0_comparator_u_i),
@@ -174,7 +174,7 @@ module six_step_axes #(
   wire [31:0] drives_1_data;
   wire drives_1_read_error;
   wire drives_1_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_1 (
+  six_step_csr #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drives_1 (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_1_comparator_u_i),

@@ -3,9 +3,9 @@
 //
 // The six-step drive behind an SPI slave, for a companion MCU: wires between the blocks, and nothing else.
 //
-//     SPI -> Spi -> SixStepRegistered -> gates
+//     SPI -> Spi -> SixStepCsr -> gates
 //
-// The map is docs/registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and its
+// The map is docs/six_step_registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and its
 // heartbeat watchdog do not pass the bus.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
@@ -87,7 +87,7 @@ module six_step_spi #(
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
+  six_step_csr #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),

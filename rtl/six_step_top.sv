@@ -67,12 +67,12 @@ module six_step_top #(
     input  logic [25:0] words_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
     input  logic [25:0] words_loop_minimum_i,  // limits of the integrator and of the output
     input  logic [25:0] words_loop_maximum_i,
-    input  logic        words_start_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_start_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
-    input  logic [11:0] words_start_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_start_reset_duty_i,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
+    input  logic        words_start_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] words_start_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] words_start_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] words_start_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
     input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
+    input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
     input  logic [15:0] words_start_look_i,  // sample_every clocks, less one, with gates off until no current flows
     input  logic [15:0] words_start_probe_i,  // sample_every clocks of a drive between two looks
     input  logic [7:0]  words_start_still_i,  // looks without news after which the step moves on
@@ -80,12 +80,12 @@ module six_step_top #(
     input  logic [15:0] words_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_start_good_crossings_i,  // in a row, for lock (and for catching)
     input  logic [11:0] words_start_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_start_observe_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] words_start_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
     input  logic [11:0] words_start_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
     input  logic [11:0] words_start_brake_i,  // one braking interval, between two looks
     input  logic [15:0] words_start_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_start_rest_i,  // gates off between a failure and the next try
-    input  logic [3:0]  words_start_retries_i,  // failed tries before the fault latches
+    input  logic [11:0] words_start_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  words_start_retries_i,  // failed attempts before the fault latches
     input  logic [25:0] words_speed_target_i,  // u0.32
     input  logic [19:0] words_speed_slew_i,  // u0.32 per tick
     input  logic [3:0]  words_speed_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
@@ -157,7 +157,7 @@ module six_step_top #(
   logic steady;
   logic reverse;
   logic crossing;
-  logic hurries;
+  logic masked_lead;
   logic freewheels;
   logic lost;
   logic fatal;
@@ -273,17 +273,17 @@ module six_step_top #(
   wire [1:0] start_mode;
   wire [15:0] start_duty;
   wire start_stop;
-  wire [1:0] start_watch;
+  wire [1:0] start_detector_source;
   wire [2:0] start_loop;
   wire start_load_step;
   wire [2:0] start_step;
   wire start_turn_vco;
   wire start_follow;
   wire start_steady;
-  wire [1:0] start_gentle;
+  wire [1:0] start_backoff;
   wire start_began;
   wire start_failed;
-  start_sequence #(.OBSERVES(WITH_HALL_DECODER)) start (
+  start_sequence #(.DETECTS_SPIN(WITH_HALL_DECODER)) start (
       .clk(clk),
       .rst(rst),
       .tick_i(tick),
@@ -294,9 +294,9 @@ module six_step_top #(
       .command_clear_fault_i(command_clear_fault_i),
       .source_i(words_source_i),
       .words_method_i(start_words_method_2),
-      .words_settle_i(words_start_settle_i),
-      .words_reset_i(words_start_reset_i),
-      .words_reset_duty_i(words_start_reset_duty_i),
+      .words_pre_align_i(words_start_pre_align_i),
+      .words_align_i(words_start_align_i),
+      .words_align_duty_i(words_start_align_duty_i),
       .words_start_duty_i(words_start_start_duty_i),
       .words_ramp_i(words_start_ramp_i),
       .words_look_i(words_start_look_i),
@@ -306,11 +306,11 @@ module six_step_top #(
       .words_window_i(words_start_window_i),
       .words_good_crossings_i(words_start_good_crossings_i),
       .words_pull_in_i(words_start_pull_in_i),
-      .words_observe_i(words_start_observe_i),
+      .words_detect_spin_i(words_start_detect_spin_i),
       .words_slow_down_i(words_start_slow_down_i),
       .words_brake_i(words_start_brake_i),
       .words_brake_duty_i(words_start_brake_duty_i),
-      .words_rest_i(words_start_rest_i),
+      .words_retry_delay_i(words_start_retry_delay_i),
       .words_retries_i(words_start_retries_i),
       .fast_i(fast),
       .slow_i(slow),
@@ -339,14 +339,14 @@ module six_step_top #(
       .mode_o(start_mode),
       .duty_o(start_duty),
       .stop_o(start_stop),
-      .watch_o(start_watch),
+      .detector_source_o(start_detector_source),
       .loop_o(start_loop),
       .load_step_o(start_load_step),
       .step_o(start_step),
       .turn_vco_o(start_turn_vco),
       .follow_o(start_follow),
       .steady_o(start_steady),
-      .gentle_o(start_gentle),
+      .backoff_o(start_backoff),
       .began_o(start_began),
       .failed_o(start_failed)
   );
@@ -383,11 +383,11 @@ module six_step_top #(
   wire detector_update;
   wire detector_good;
   wire detector_missed;
-  wire detector_hurries;
+  wire detector_masked_lead;
   phase_detector detector (
       .clk(clk),
       .rst(rst),
-      .watch_i(start_watch),
+      .detector_source_i(start_detector_source),
       .crossing_i(bemf_crossing),
       .crossing_phase_i(bemf_crossing_phase),
       .before_seen_i(bemf_before_seen),
@@ -405,10 +405,10 @@ module six_step_top #(
       .update_o(detector_update),
       .good_o(detector_good),
       .missed_o(detector_missed),
-      .hurries_o(detector_hurries)
+      .masked_lead_o(detector_masked_lead)
   );
 
-  wire hold = start_watch == 2'd2 && (WITH_HALL_DECODER || WITH_FOLLOWER);
+  wire hold = start_detector_source == 2'd2 && (WITH_HALL_DECODER || WITH_FOLLOWER);
   wire new_sector = hold && (rotor_load || (!follow && hall_changed));
   wire load = start_load_step || new_sector;
 
@@ -424,7 +424,7 @@ module six_step_top #(
       .update_i(detector_update),
       .tick_i(tick),
       .ramp_i(words_start_ramp_i),
-      .gentle_i(start_gentle),
+      .backoff_i(start_backoff),
       .bandwidth_i(words_loop_bandwidth_i),
       .delay_i(words_loop_delay_i >> words_loop_divide_i),
       .ki_i(words_loop_ki_i),
@@ -468,7 +468,7 @@ module six_step_top #(
       .frequency_i(filter_frequency),
       .target_i(start_stop ? 26'd0 : words_speed_target_i),
       .limited_i(limited || unknown),
-      .hurries_i(hurries),
+      .masked_lead_i(masked_lead),
       .freewheels_i(freewheels),
       .period_i(words_pwm_period_i),
       .slip_i(words_protection_slip_i),
@@ -682,7 +682,7 @@ module six_step_top #(
     steady <= start_steady;
     reverse <= start_reverse;  // line 135
     crossing <= bemf_crossing;
-    hurries <= detector_hurries;
+    masked_lead <= detector_masked_lead;
     freewheels <= !hall_2 && start_running && bemf_freewheel[15:11] > 5'd14;  // line 187
     lost <= protection_lost;
     fatal <= protection_fatal;
@@ -711,7 +711,7 @@ module six_step_top #(
       steady <= 1'b0;
       reverse <= 1'b0;
       crossing <= 1'b0;
-      hurries <= 1'b0;
+      masked_lead <= 1'b0;
       freewheels <= 1'b0;
       lost <= 1'b0;
       fatal <= 1'b0;

@@ -3,9 +3,9 @@
 //
 // The six-step drive behind a Wishbone B4 slave: wires between the blocks, and nothing else.
 //
-//     Wishbone -> Wishbone -> SixStepRegistered -> gates
+//     Wishbone -> Wishbone -> SixStepCsr -> gates
 //
-// The map is docs/registers.md.  A hole and a refused write end in err instead of ack.
+// The map is docs/six_step_registers.md.  A hole and a refused write end in err instead of ack.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
 //     write of CONTROL to the drive     2 clocks
@@ -85,7 +85,7 @@ module six_step_wb #(
   wire [31:0] drive_data;
   wire drive_read_error;
   wire drive_write_error;
-  six_step_registered #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
+  six_step_csr #(.WITH_HALL_DECODER(WITH_HALL_DECODER), .WITH_RAMP(WITH_RAMP), .WITH_FOLLOWER(WITH_FOLLOWER), .WITH_TELEMETRY(WITH_TELEMETRY)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),

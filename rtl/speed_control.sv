@@ -18,7 +18,7 @@
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
 // 15/32 of a step or more and the duty is to rise (faster than its slew, or by 2^-13 a tick for the integral alone, or the limit
-// cuts), it falls by twice its slew; where it hid the crossing of a rotor that hurries on, by its slew until one shows: more
+// cuts), it falls by twice its slew; where it hid the crossing of a leading rotor (`masked_lead`), by its slew until one shows: more
 // current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
@@ -38,7 +38,7 @@ module speed_control (
     input  logic [25:0] frequency_i,  // u0.32, VCO turns per clock
     input  logic [25:0] target_i,  // u0.32, VCO turns per clock
     input  logic        limited_i,  // strobe: the current limit cut the pulse
-    input  logic        hurries_i,  // freewheeling just hid the crossing of a rotor that leads
+    input  logic        masked_lead_i,  // freewheeling just hid the crossing of a rotor that leads
     input  logic        freewheels_i,  // freewheeling took 15/32 of the last step, or more
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
@@ -317,7 +317,7 @@ module speed_control (
       far <= falls_and_not_passes;
     end
     resumes <= resumes_next;  // line 217
-    yields <= hurries_i || fast_next;  // line 241
+    yields <= masked_lead_i || fast_next;  // line 241
     fast <= fast_next;  // line 240
     low_was <= low && !sums;  // line 202
     high_was <= high && !sums;  // line 203

@@ -3,19 +3,19 @@
 //
 // Start counters: what the start sequence counts, and what follows from it.
 //
-//     over      the state's time: n ticks, and the part of one before the first.  kSettle, kReset and
-//               kAccelerate last twice as long after each failed try, three times.  Following a rotor takes 4 * 4096 over
-//               all tries together, and ends after each 4096 in whose last quarter there was no hope: none of its eight
-//               parts in which the rotor moved from end to end.  One that is shaken in its place does so for moments
-//     enough    `good_crossings` in a row; while observing, codes that went on in one direction
-//     tried     `retries` tries failed: this one is the last; or it follows, and these ticks are over.  Both are forgotten in
-//               kIdle and after 1024 ticks of kRun
-//     braked    255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
+//     timed_out          the state's time: n ticks, and the part of one before the first.  kPreAlign, kAlign and kAccelerate
+//                        last twice as long after each failed attempt, three times.  Following a rotor takes 4 * 4096 over all
+//                        attempts together, and ends after each 4096 in whose last quarter there was no hope: none of its eight
+//                        parts in which the rotor moved from end to end.  One that is shaken in its place does so for moments
+//     count_reached      `good_crossings` in a row; while a spin is detected, codes that went on in one direction
+//     retries_exhausted  `retries` attempts failed: this one is the last; or it follows, and these ticks are over.  Both are
+//                        forgotten in kIdle and after 1024 ticks of kRun
+//     brakes_exhausted   255 braking intervals: the rotor counts as unstoppable.  Forgotten in kIdle and kRun
 //
 // The state machine (start_sequence.hpp) tells the state, and when it is new.
 //
-//     latency      none from the tick to `over`; 2 clocks from a strobe to `tried` and `braked`, before which
-//                  nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
+//     latency      none from the tick to `timed_out`; 2 clocks from a strobe to `retries_exhausted` and `brakes_exhausted`,
+//                  before which nothing asks for them; 1 to all others.  Ticks, and updates, are further apart than that
 //     registers    56 bits     multipliers  none
 //
 // Doc: docs/blocks/start_counters.md   Test: tests/hls/start_counters_test.cpp
@@ -26,18 +26,18 @@ module start_counters (
     input  logic        tick_i,  // the slow time base
     input  logic [10:0] state_bits_i,
     input  logic        entered_i,  // this is the first clock of the state
-    input  logic        failed_i,  // strobe: a try failed
+    input  logic        failed_i,  // strobe: an attempt failed
     input  logic        braking_i,  // strobe: a braking interval begins
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
-    input  logic        turns_reverse_i,  // while observing: the code last moved downwards
+    input  logic        turns_reverse_i,  // while a spin is detected: the code last moved downwards
     input  logic        hopeful_i,  // a follower has seen the rotor move, as it now believes it does
-    input  logic        words_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
-    input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_reset_duty_i,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
+    input  logic        words_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] words_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] words_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] words_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
     input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
+    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
     input  logic [15:0] words_look_i,  // sample_every clocks, less one, with gates off until no current flows
     input  logic [15:0] words_probe_i,  // sample_every clocks of a drive between two looks
     input  logic [7:0]  words_still_i,  // looks without news after which the step moves on
@@ -45,51 +45,51 @@ module start_counters (
     input  logic [15:0] words_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_good_crossings_i,  // in a row, for lock (and for catching)
     input  logic [11:0] words_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_observe_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] words_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
     input  logic [11:0] words_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
     input  logic [11:0] words_brake_i,  // one braking interval, between two looks
     input  logic [15:0] words_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_rest_i,  // gates off between a failure and the next try
-    input  logic [3:0]  words_retries_i,  // failed tries before the fault latches
-    output logic        over_o,  // with `tick`: the state's time
-    output logic        enough_o,  // good crossings in a row, the last one in the clock before
+    input  logic [11:0] words_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  words_retries_i,  // failed attempts before the fault latches
+    output logic        timed_out_o,  // with `tick`: the state's time
+    output logic        count_reached_o,  // good crossings in a row, the last one in the clock before
     output logic        steady_o,  // one less, at least
-    output logic        tried_o,  // no more tries are left
-    output logic        braked_o,  // no more braking intervals are left
+    output logic        retries_exhausted_o,  // no more attempts are left
+    output logic        brakes_exhausted_o,  // no more braking intervals are left
     output logic        turns_reverse_o,  // direction at the last update
-    output logic [1:0]  gentle_o,  // failed tries, as far as they make the next one gentler
+    output logic [1:0]  backoff_o,  // failed attempts, as far as they make the next one gentler
     output logic        strong_o  // two or more of them
 );
   localparam logic [3:0] State_kIdle = 4'd0;
-  localparam logic [3:0] State_kObserve = 4'd1;
+  localparam logic [3:0] State_kDetectSpin = 4'd1;
   localparam logic [3:0] State_kBrake = 4'd2;
-  localparam logic [3:0] State_kSettle = 4'd3;
-  localparam logic [3:0] State_kReset = 4'd4;
+  localparam logic [3:0] State_kPreAlign = 4'd3;
+  localparam logic [3:0] State_kAlign = 4'd4;
   localparam logic [3:0] State_kAccelerate = 4'd5;
   localparam logic [3:0] State_kPullIn = 4'd6;
   localparam logic [3:0] State_kRun = 4'd7;
   localparam logic [3:0] State_kSlowDown = 4'd8;
-  localparam logic [3:0] State_kRest = 4'd9;
+  localparam logic [3:0] State_kRetryDelay = 4'd9;
 
   logic [14:0] ticks;  // left in this state
   logic late;  // there was a tick in the state's first clock
-  logic [13:0] follows;  // ticks left to follow a rotor, in all tries
-  logic last;  // no ticks are left, or none without a rotor that moves
+  logic [13:0] follows;  // ticks left to follow a rotor, in all attempts
+  logic time_up;  // no ticks are left, or none without a rotor that moves
   logic lasts;  // the rotor that is followed moved in this part of 128 ticks so far
   logic hopes;  // it did so throughout one of the last eight before a verdict
-  logic [3:0] retries;  // failed tries
-  logic tried;  // no more are left
+  logic [3:0] retries;  // failed attempts
+  logic retries_exhausted;  // no more are left
   logic [7:0] brakes;  // braking intervals of this stop
-  logic braked;  // no more are left
+  logic brakes_exhausted;  // no more are left
   logic [5:0] good;  // good crossings in a row
-  logic nearly;  // one more is enough
-  logic enough;  // that one came in the last clock
+  logic steady;  // one more is enough
+  logic count_reached;  // that one came in the last clock
   logic turns_reverse;  // direction at the last update
 
-  wire out_over = tick_i && last && !entered_i;
-  wire [1:0] gentle = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 149
+  wire out_timed_out = tick_i && time_up && !entered_i;
+  wire [1:0] backoff = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 149
   wire tick_or_late = tick_i || late;  // line 99
-  wire last_next_either = follows == 14'd0 || (follows[11:0] == 12'd4095 && !hopes);  // line 63
+  wire time_up_next_either = follows == 14'd0 || (follows[11:0] == 12'd4095 && !hopes);  // line 63
   wire [1:0] quarter = follows[11:10];
   wire words_retries_at_most_retries = words_retries_i <= retries;  // line 121
   wire [6:0] good_plus_one = {1'b0, good} + 7'd1;  // line 140
@@ -98,10 +98,10 @@ module start_counters (
     if (entered_i) begin
       logic [14:0] ticks_next_wide;
       logic [14:0] once;
-      logic [14:0] doubled_if_in_settle;
+      logic [14:0] doubled_if_in_pre_align;
       logic [14:0] ticks_next_either;
       logic [14:0] once_2;
-      logic [14:0] doubled_if_in_reset;
+      logic [14:0] doubled_if_in_align;
       logic [14:0] ticks_next_either_2;
       logic [14:0] ticks_next_either_3;
       logic [14:0] ticks_next_either_4;
@@ -109,55 +109,56 @@ module start_counters (
       logic [14:0] doubled_if_in_accelerate;
       ticks_next_wide =  // line 85
           {3'd0,
-          (state_bits_i[State_kObserve] ? words_observe_i : 12'd0) |
+          (state_bits_i[State_kDetectSpin] ? words_detect_spin_i : 12'd0) |
           (state_bits_i[State_kBrake] ? words_brake_i : 12'd0)};
-      once = {3'd0, words_settle_i} << gentle[0];
-      doubled_if_in_settle =  // line 84
-          state_bits_i[State_kSettle] ? (gentle[1] ? {once[12:0], 2'd0} : once) : 15'd0;
-      ticks_next_either = ticks_next_wide | doubled_if_in_settle;  // line 85
-      once_2 = {3'd0, words_reset_i} << gentle[0];
-      doubled_if_in_reset =  // line 84
-          state_bits_i[State_kReset] ? (gentle[1] ? {once_2[12:0], 2'd0} : once_2) : 15'd0;
-      ticks_next_either_2 = ticks_next_either | doubled_if_in_reset;  // line 86
+      once = {3'd0, words_pre_align_i} << backoff[0];
+      doubled_if_in_pre_align =  // line 84
+          state_bits_i[State_kPreAlign] ? (backoff[1] ? {once[12:0], 2'd0} : once) : 15'd0;
+      ticks_next_either = ticks_next_wide | doubled_if_in_pre_align;  // line 85
+      once_2 = {3'd0, words_align_i} << backoff[0];
+      doubled_if_in_align =  // line 84
+          state_bits_i[State_kAlign] ? (backoff[1] ? {once_2[12:0], 2'd0} : once_2) : 15'd0;
+      ticks_next_either_2 = ticks_next_either | doubled_if_in_align;  // line 86
       ticks_next_either_3 =  // line 88
           ticks_next_either_2 | {3'd0, state_bits_i[State_kPullIn] ? words_pull_in_i : 12'd0} |
           {3'd0, state_bits_i[State_kSlowDown] ? words_slow_down_i : 12'd0};
       ticks_next_either_4 =  // line 89
-          ticks_next_either_3 | {3'd0, state_bits_i[State_kRest] ? words_rest_i : 12'd0} |
+          ticks_next_either_3 |
+          {3'd0, state_bits_i[State_kRetryDelay] ? words_retry_delay_i : 12'd0} |
           {4'd0, state_bits_i[State_kRun], 10'd0};
-      once_3 = gentle[0] ? 13'd8190 : 13'd4095;
+      once_3 = backoff[0] ? 13'd8190 : 13'd4095;
       doubled_if_in_accelerate =  // line 84
-          state_bits_i[State_kAccelerate] ? (gentle[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
+          state_bits_i[State_kAccelerate] ? (backoff[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
       ticks <= ticks_next_either_4 | doubled_if_in_accelerate;
-      last <= 1'b0;
+      time_up <= 1'b0;
       good <= 6'd0;
-      enough <= 1'b0;
+      count_reached <= 1'b0;
     end else begin
       if (tick_or_late && ticks != 15'd0) begin
         ticks <= ticks - 15'd1;
       end
       if (words_method_i && state_bits_i[State_kAccelerate]) begin
-        last <= last_next_either;
+        time_up <= time_up_next_either;
       end else begin
-        last <= ticks == 15'd0;
+        time_up <= ticks == 15'd0;
       end
       if (update_i) begin
         if (good_i) begin
           logic same;
-          same = !state_bits_i[State_kObserve] || !(turns_reverse_i ^ turns_reverse);
+          same = !state_bits_i[State_kDetectSpin] || !(turns_reverse_i ^ turns_reverse);
           if (same) begin
             good <= good_plus_one[5:0];
           end else begin
             good <= 6'd0;
           end
-          enough <= same && nearly;
+          count_reached <= same && steady;
         end else begin
           good <= 6'd0;
-          enough <= 1'b0;
+          count_reached <= 1'b0;
         end
         turns_reverse <= turns_reverse_i;
       end else begin
-        enough <= 1'b0;
+        count_reached <= 1'b0;
       end
     end
     late <= tick_i && entered_i;  // line 100
@@ -165,7 +166,7 @@ module start_counters (
       follows <= 14'd16382;
       retries <= 4'd0;
       brakes <= 8'd0;
-    end else if (out_over && state_bits_i[State_kRun]) begin
+    end else if (out_timed_out && state_bits_i[State_kRun]) begin
       follows <= 14'd16382;
       retries <= 4'd0;
       brakes <= 8'd0;
@@ -192,43 +193,43 @@ module start_counters (
       default: ;
     endcase
     if (words_retries_at_most_retries || !words_method_i) begin
-      tried <= words_retries_at_most_retries;
+      retries_exhausted <= words_retries_at_most_retries;
     end else begin
       logic state_bits_choice;
-      state_bits_choice = state_bits_i[State_kAccelerate] ? last_next_either : ticks == 15'd0;
-      tried <= state_bits_i[State_kAccelerate] && !entered_i && state_bits_choice;
+      state_bits_choice = state_bits_i[State_kAccelerate] ? time_up_next_either : ticks == 15'd0;
+      retries_exhausted <= state_bits_i[State_kAccelerate] && !entered_i && state_bits_choice;
     end
-    braked <= brakes == 8'd255;  // line 127
-    nearly <= ({1'b0, words_good_crossings_i} <= good_plus_one);  // line 140
+    brakes_exhausted <= brakes == 8'd255;  // line 127
+    steady <= ({1'b0, words_good_crossings_i} <= good_plus_one);  // line 140
     if (rst) begin
       ticks <= 15'd0;
       late <= 1'b0;
       follows <= 14'd16382;
-      last <= 1'b0;
+      time_up <= 1'b0;
       lasts <= 1'b0;
       hopes <= 1'b0;
       retries <= 4'd0;
-      tried <= 1'b0;
+      retries_exhausted <= 1'b0;
       brakes <= 8'd0;
-      braked <= 1'b0;
+      brakes_exhausted <= 1'b0;
       good <= 6'd0;
-      nearly <= 1'b0;
-      enough <= 1'b0;
+      steady <= 1'b0;
+      count_reached <= 1'b0;
       turns_reverse <= 1'b0;
     end
   end
 
-  assign over_o = out_over;
-  assign enough_o = enough;
-  assign steady_o = nearly;
-  assign tried_o = tried;
-  assign braked_o = braked;
+  assign timed_out_o = out_timed_out;
+  assign count_reached_o = count_reached;
+  assign steady_o = steady;
+  assign retries_exhausted_o = retries_exhausted;
+  assign brakes_exhausted_o = brakes_exhausted;
   assign turns_reverse_o = turns_reverse;
-  assign gentle_o = gentle;
+  assign backoff_o = backoff;
   assign strong_o = retries[3:1] != 3'd0 && !words_method_i;
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, state_bits_i[10], words_reset_duty_i, words_start_duty_i, words_ramp_i, words_look_i,
+      &{1'b0, state_bits_i[10], words_align_duty_i, words_start_duty_i, words_ramp_i, words_look_i,
       words_probe_i, words_still_i, words_hand_over_i, words_window_i, words_brake_duty_i};
 endmodule

@@ -3,21 +3,21 @@
 //
 // Start sequence: from standstill, or from a rotor that already turns, to a lock; and back.
 //
-//     kIdle        gates off, until `run` goes up with valid words and a set speed that is not 0; words that become
+//     kIdle        gates off, until `run` active up with valid words and a set speed that is not 0; words that become
 //                  valid under a `run` that is up start nothing
-//     kObserve     gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
-//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Else, in time: kSettle
-//     kSettle      a step next to the reset position, for a rotor exactly opposite to it
-//     kReset       two phases high, one low: the rotor takes a known position   (t_r, Eq. 22).
-//                  Both last twice as long after each failed try, three times: a heavy rotor swings
+//     kDetectSpin  gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
+//                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Else, in time: kPreAlign
+//     kPreAlign    a step next to the aligned position, for a rotor exactly opposite to it
+//     kAlign       two phases high, one low: the rotor takes a known position   (the paper's reset: t_r, Eq. 22).
+//                  Both last twice as long after each failed attempt, three times: a heavy rotor swings
 //     kAccelerate  forced steps, frequency from 0 to hand_over by `ramp` per tick   (t_a, Eq. 23),
-//                  a quarter as fast after each failed try, three times.  With method kFollow it comes in place of
-//                  kSettle and kReset, too, and the steps are the rotor follower's, until that has caught the rotor
+//                  a quarter as fast after each failed attempt, three times.  With method kFollow it comes in place of
+//                  kPreAlign and kAlign, too, and the steps are the rotor follower's, until that has caught the rotor
 //     kPullIn      the PLL closes; `good_crossings` in a row are a lock
 //     kRun         speed control
 //     kSlowDown    speed control down to hand-over speed, before a reversal or a braked stop
-//     kBrake       braked for `brake` ticks, the more softly the faster it turned; then kObserve looks again
-//     kRest        gates off after a failed try
+//     kBrake       braked for `brake` ticks, the more softly the faster it turned; then kDetectSpin looks again
+//     kRetryDelay  gates off after a failed attempt
 //     kFault       latched; left by a rising edge of clear_fault with `run` down and the cause gone
 //
 // With Hall sensors kRun follows kIdle at once.  What ends a state in time, and how often, is counted by
@@ -29,7 +29,7 @@
 // Law: hls/six_step/start_sequence_law.hpp   Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
 module start_sequence #(
-    parameter logic OBSERVES = 1'b1  // else kObserve is left out, as with words.observe = 0
+    parameter logic DETECTS_SPIN = 1'b1  // else kDetectSpin is left out, as with words.detect_spin = 0
 ) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
@@ -40,12 +40,12 @@ module start_sequence #(
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
     input  logic        source_i,
-    input  logic        words_method_i,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_settle_i,  // first pattern, so that a rotor opposite to the reset place moves
-    input  logic [11:0] words_reset_i,  // reset pattern: t_r of Eq. (22)
-    input  logic [15:0] words_reset_duty_i,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
+    input  logic        words_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] words_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] words_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] words_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
     input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
+    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
     input  logic [15:0] words_look_i,  // sample_every clocks, less one, with gates off until no current flows
     input  logic [15:0] words_probe_i,  // sample_every clocks of a drive between two looks
     input  logic [7:0]  words_still_i,  // looks without news after which the step moves on
@@ -53,20 +53,20 @@ module start_sequence #(
     input  logic [15:0] words_window_i,  // u0.16: a crossing closer than this to its place is a good one
     input  logic [5:0]  words_good_crossings_i,  // in a row, for lock (and for catching)
     input  logic [11:0] words_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_observe_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] words_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
     input  logic [11:0] words_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
     input  logic [11:0] words_brake_i,  // one braking interval, between two looks
     input  logic [15:0] words_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_rest_i,  // gates off between a failure and the next try
-    input  logic [3:0]  words_retries_i,  // failed tries before the fault latches
+    input  logic [11:0] words_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  words_retries_i,  // failed attempts before the fault latches
     input  logic        fast_i,  // the VCO's frequency is hand_over or more
     input  logic        slow_i,  // it is below stall
     input  logic        commutate_i,  // strobe: a new step began
     input  logic        update_i,  // strobe: the phase detector has a new error
     input  logic        good_i,  // with `update`: it is a small one
     input  logic        lags_i,  // the last error was negative: the rotor lags the VCO
-    input  logic        turns_reverse_i,  // while observing: the code last moved downwards
-    input  logic [2:0]  sector_i,  // while observing: 0 to 5
+    input  logic        turns_reverse_i,  // while a spin is detected: the code last moved downwards
+    input  logic [2:0]  sector_i,  // while a spin is detected: 0 to 5
     input  logic        follower_drives_i,  // the rotor follower: gates may be on
     input  logic        caught_i,  // strobe: and the rotor can be handed over, in the middle of the present step
     input  logic        sure_i,  // it has the rotor
@@ -74,56 +74,56 @@ module start_sequence #(
     input  logic        blocked_i,  // strobe: it cannot move it
     input  logic        still_i,  // the set speed is 0: as if `run` were down, by braking
     input  logic [2:0]  at_i,  // the present step
-    input  logic        lost_i,  // protection: give up this try
+    input  logic        lost_i,  // protection: give up this attempt
     input  logic        fatal_i,  // protection: latch
     input  logic [3:0]  cause_i,  // protection: why
     output logic [3:0]  state_o,
-    output logic [3:0]  reason_o,  // of the last failed try, or of the fault
+    output logic [3:0]  reason_o,  // of the last failed attempt, or of the fault
     output logic        enable_o,  // the gate guard may turn gates on
     output logic [4:0]  pattern_bits_o,
-    output logic        reverse_o,  // direction of this try
+    output logic        reverse_o,  // direction of this attempt
     output logic        running_o,  // locked and under speed control
     output logic [1:0]  mode_o,
     output logic [15:0] duty_o,  // u1.15, for all modes but kControl
     output logic        stop_o,  // speed control: towards standstill, not the set speed
-    output logic [1:0]  watch_o,  // phase detector
+    output logic [1:0]  detector_source_o,  // phase detector
     output logic [2:0]  loop_o,  // loop filter
     output logic        load_step_o,  // one clock: take `step`, in its middle
     output logic [2:0]  step_o,  // 0 to 5
     output logic        turn_vco_o,  // the VCO may count
     output logic        follow_o,  // the rotor follower is at work
     output logic        steady_o,  // good intervals in a row, almost as many as a lock takes
-    output logic [1:0]  gentle_o,  // loop filter: the ramp is quartered so often
+    output logic [1:0]  backoff_o,  // loop filter: the ramp is quartered so often
     output logic        began_o,  // one clock: `run` was obeyed
-    output logic        failed_o  // one clock: a try failed
+    output logic        failed_o  // one clock: an attempt failed
 );
   localparam logic [3:0] Reason_kNone = 4'd0;
   localparam logic [3:0] Reason_kNoLock = 4'd6;
   localparam logic [3:0] Reason_kCannotStop = 4'd7;
   localparam logic [3:0] Reason_kBlocked = 4'd9;
   localparam logic [3:0] State_kIdle = 4'd0;
-  localparam logic [3:0] State_kObserve = 4'd1;
+  localparam logic [3:0] State_kDetectSpin = 4'd1;
   localparam logic [3:0] State_kBrake = 4'd2;
-  localparam logic [3:0] State_kSettle = 4'd3;
-  localparam logic [3:0] State_kReset = 4'd4;
+  localparam logic [3:0] State_kPreAlign = 4'd3;
+  localparam logic [3:0] State_kAlign = 4'd4;
   localparam logic [3:0] State_kAccelerate = 4'd5;
   localparam logic [3:0] State_kPullIn = 4'd6;
   localparam logic [3:0] State_kRun = 4'd7;
   localparam logic [3:0] State_kSlowDown = 4'd8;
-  localparam logic [3:0] State_kRest = 4'd9;
+  localparam logic [3:0] State_kRetryDelay = 4'd9;
   localparam logic [3:0] State_kFault = 4'd10;
   localparam logic [2:0] Pattern_kDrive = 3'd1;
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kAboveBemf = 2'd1;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
   localparam logic [1:0] SpeedMode_kBelowBemf = 2'd3;
-  localparam logic [1:0] Evidence_kNothing = 2'd0;
-  localparam logic [1:0] Evidence_kCrossings = 2'd1;
-  localparam logic [1:0] Evidence_kSectors = 2'd2;
+  localparam logic [1:0] DetectorSource_kNone = 2'd0;
+  localparam logic [1:0] DetectorSource_kCrossings = 2'd1;
+  localparam logic [1:0] DetectorSource_kSectors = 2'd2;
   localparam logic [2:0] Loop_kStop = 3'd0;
   localparam logic [2:0] Loop_kRamp = 3'd1;
   localparam logic [2:0] Loop_kTrack = 3'd2;
-  localparam logic [2:0] Loop_kCatch = 3'd3;
+  localparam logic [2:0] Loop_kCatchSpin = 3'd3;
   localparam logic [2:0] Loop_kHall = 3'd4;
   localparam logic [2:0] Loop_kFollow = 3'd5;
 
@@ -141,17 +141,17 @@ module start_sequence #(
   logic load_step;
   logic began;
   logic failed;
-  logic reverse;  // direction of this try
+  logic reverse;  // direction of this attempt
   logic clear_was;
   logic refused;  // `run` was up before the words were valid: that is no wish to start
 
-  wire counters_over;
-  wire counters_enough;
+  wire counters_timed_out;
+  wire counters_count_reached;
   wire counters_steady;
-  wire counters_tried;
-  wire counters_braked;
+  wire counters_retries_exhausted;
+  wire counters_brakes_exhausted;
   wire counters_turns_reverse;
-  wire [1:0] counters_gentle;
+  wire [1:0] counters_backoff;
   wire counters_strong;
   start_counters counters (
       .clk(clk),
@@ -166,9 +166,9 @@ module start_sequence #(
       .turns_reverse_i(turns_reverse_i),
       .hopeful_i(moves_i),
       .words_method_i(words_method_i),
-      .words_settle_i(words_settle_i),
-      .words_reset_i(words_reset_i),
-      .words_reset_duty_i(words_reset_duty_i),
+      .words_pre_align_i(words_pre_align_i),
+      .words_align_i(words_align_i),
+      .words_align_duty_i(words_align_duty_i),
       .words_start_duty_i(words_start_duty_i),
       .words_ramp_i(words_ramp_i),
       .words_look_i(words_look_i),
@@ -178,37 +178,37 @@ module start_sequence #(
       .words_window_i(words_window_i),
       .words_good_crossings_i(words_good_crossings_i),
       .words_pull_in_i(words_pull_in_i),
-      .words_observe_i(words_observe_i),
+      .words_detect_spin_i(words_detect_spin_i),
       .words_slow_down_i(words_slow_down_i),
       .words_brake_i(words_brake_i),
       .words_brake_duty_i(words_brake_duty_i),
-      .words_rest_i(words_rest_i),
+      .words_retry_delay_i(words_retry_delay_i),
       .words_retries_i(words_retries_i),
-      .over_o(counters_over),
-      .enough_o(counters_enough),
+      .timed_out_o(counters_timed_out),
+      .count_reached_o(counters_count_reached),
       .steady_o(counters_steady),
-      .tried_o(counters_tried),
-      .braked_o(counters_braked),
+      .retries_exhausted_o(counters_retries_exhausted),
+      .brakes_exhausted_o(counters_brakes_exhausted),
       .turns_reverse_o(counters_turns_reverse),
-      .gentle_o(counters_gentle),
+      .backoff_o(counters_backoff),
       .strong_o(counters_strong)
   );
 
-  wire [2:0] state_either =  // line 260
-      {1'b0, at_bits[State_kSettle] ? 2'd3 : at_bits[2:1]} | {at_bits[State_kReset], 2'd0};
-  wire [1:0] state_choice = at_bits[State_kPullIn] ? 2'd2 : 2'd0;  // line 260
-  wire [3:0] state_wide =  // line 260
+  wire [2:0] state_either =  // line 261
+      {1'b0, at_bits[State_kPreAlign] ? 2'd3 : at_bits[2:1]} | {at_bits[State_kAlign], 2'd0};
+  wire [1:0] state_choice = at_bits[State_kPullIn] ? 2'd2 : 2'd0;  // line 261
+  wire [3:0] state_wide =  // line 261
       {1'b0,
       state_either | (at_bits[State_kAccelerate] ? 3'd5 : 3'd0) | {state_choice[1], state_choice} |
       {3{at_bits[State_kRun]}}};
-  wire [3:0] state_either_2 =  // line 260
-      state_wide | {at_bits[State_kSlowDown], 3'd0} | (at_bits[State_kRest] ? 4'd9 : 4'd0);
+  wire [3:0] state_either_2 =  // line 261
+      state_wide | {at_bits[State_kSlowDown], 3'd0} | (at_bits[State_kRetryDelay] ? 4'd9 : 4'd0);
   wire follows_rotor = at_bits[State_kAccelerate] && words_method_i;
   wire rests = follows_rotor && !follower_drives_i;
   wire [1:0] present_pattern_drive = (drives && !rests) ? 2'd1 << Pattern_kDrive : 2'd0;
   wire [4:0] present_pattern_so_far = {3'd0, present_pattern_drive | {1'b0, !enables || rests}};
   wire [1:0] mode_choice =
-      (at_bits[State_kObserve] || boosts) ? SpeedMode_kAboveBemf :
+      (at_bits[State_kDetectSpin] || boosts) ? SpeedMode_kAboveBemf :
       at_bits[State_kBrake] ? SpeedMode_kBelowBemf :
       SpeedMode_kFixed;
 
@@ -223,13 +223,13 @@ module start_sequence #(
       .fast_i(fast_i),
       .commutate_i(commutate_i),
       .lags_i(lags_i),
-      .reset_duty_i(words_reset_duty_i),
+      .align_duty_i(words_align_duty_i),
       .start_duty_i(words_start_duty_i),
       .brake_duty_i(words_brake_duty_i),
       .duty_o(open_loop_duty)
   );
 
-  wire not_reverse = !reverse;  // line 302
+  wire not_reverse = !reverse;  // line 304
   wire to_high = sector_i[2] ? sector_i[0] : !sector_i[1] && !sector_i[0];  // divide_by_n.hpp:29
   wire three_or_four = sector_i[0] ? sector_i[1] : sector_i[2];  // divide_by_n.hpp:27
   wire [2:0] next_step =  // divide_by_n.hpp:30
@@ -237,148 +237,155 @@ module start_sequence #(
   wire runs_on = command_run_i && !still_i;  // line 212
   wire counters_turns_reverse_xor_reverse = counters_turns_reverse ^ reverse;  // line 219
   wire turns_on_either = !runs_on || counters_turns_reverse_xor_reverse;  // line 215
-  wire not_is_started_and_counters_enough =  // line 104
-      !(turns_on_either ? !fast_i : slow_i) && counters_enough;
-  wire choose_both = turns_on_either && !(words_method_i && runs_on);  // line 116
-  wire enough =
-      (!at_bits[State_kObserve] || choose_both) ? counters_enough :
-      not_is_started_and_counters_enough;
+  wire is_started_both = !(turns_on_either ? !fast_i : slow_i) && counters_count_reached;
+  wire request_both = turns_on_either && !(words_method_i && runs_on);  // line 116
+  wire count_reached =
+      (!at_bits[State_kDetectSpin] || request_both) ? counters_count_reached : is_started_both;
   wire failed_next_either =  // line 196
-      (at_bits[State_kPullIn] && counters_over && !enough) ||
+      (at_bits[State_kPullIn] && counters_timed_out && !count_reached) ||
       ((at_bits[State_kSlowDown] || at_bits[State_kRun]) && lost_i);
   wire arrives = words_method_i ? caught_i : fast_i;  // line 116
   wire not_in_accelerate_or_arrives = !at_bits[State_kAccelerate] || arrives;  // line 195
-  wire counters_over_or_blocked = counters_over || blocked_i;  // line 116
+  wire counters_timed_out_or_blocked = counters_timed_out || blocked_i;  // line 116
   wire failed_next_either_2 =  // line 116
-      (!not_in_accelerate_or_arrives && counters_over_or_blocked) || failed_next_either;
+      (!not_in_accelerate_or_arrives && counters_timed_out_or_blocked) || failed_next_either;
   wire fault_or_not_command_configured = at_bits[State_kFault] || !command_configured_i;
   wire command_brake_to_stop_or_still = command_brake_to_stop_i || still_i;  // line 183
   wire brakes =
       (!command_brake_to_stop_or_still || at_bits[State_kSlowDown] || at_bits[State_kRun]) ?
-      command_brake_to_stop_or_still : at_bits[State_kBrake] || at_bits[State_kObserve];
+      command_brake_to_stop_or_still : at_bits[State_kBrake] || at_bits[State_kDetectSpin];
   wire halts = (!runs_on || refused) && !brakes;
-  wire not_goes = fault_or_not_command_configured || fatal_i || halts;  // line 188
-  wire failed_next = !not_goes && failed_next_either_2;
-  wire [9:0] at_bits_next_rest = (failed_next && !counters_tried) ? 10'd1 << State_kRest : 10'd0;
+  wire not_active = fault_or_not_command_configured || fatal_i || halts;  // line 188
+  wire failed_next = !not_active && failed_next_either_2;
+  wire [9:0] at_bits_next_retry_delay =  // line 233
+      (failed_next && !counters_retries_exhausted) ? 10'd1 << State_kRetryDelay : 10'd0;
   wire rearm = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);
   wire trips = command_configured_i && fatal_i;
-  wire moves_trips = at_bits[State_kFault] ? !rearm : trips;
+  wire requests_trips = at_bits[State_kFault] ? !rearm : trips;
   wire command_reverse_xor_reverse = command_reverse_i ^ reverse;  // line 116
-  wire choose_either = !runs_on || command_reverse_xor_reverse;  // line 116
+  wire request_either = !runs_on || command_reverse_xor_reverse;  // line 116
   wire braking_next_both =  // line 193
-      at_bits[State_kObserve] &&
-      (choose_both ? counters_enough : not_is_started_and_counters_enough) && turns_on_either;
+      at_bits[State_kDetectSpin] && (request_both ? counters_count_reached : is_started_both) &&
+      turns_on_either;
   wire braking_next_either =  // line 116
       braking_next_both ||
-      (at_bits[State_kSlowDown] && !lost_i && choose_either && (counters_over || !fast_i));
-  wire braking_next = !not_goes && braking_next_either;
+      (at_bits[State_kSlowDown] && !lost_i && request_either && (counters_timed_out || !fast_i));
+  wire braking_next = !not_active && braking_next_either;
   wire [10:0] at_bits_next_fault =  // line 233
-      (moves_trips || (braking_next && counters_braked) || (failed_next && counters_tried)) ?
-      11'd1 << State_kFault : 11'd0;
-  wire in_rest_and_counters_over = at_bits[State_kRest] && counters_over;  // line 192
-  wire observes_and_not_source = OBSERVES && !source_i;  // line 166
-  wire looks_both = observes_and_not_source && words_observe_i != 12'd0;  // line 166
-  wire in_brake_and_counters_over = at_bits[State_kBrake] && counters_over;  // line 191
-  wire moves_tries_choice =  // line 116
-      in_brake_and_counters_over ? runs_on || looks_both || in_rest_and_counters_over :
-      in_rest_and_counters_over;
-  wire moves_tries_either = at_bits[State_kIdle] || moves_tries_choice;  // line 116
-  wire moves_tries = !not_goes && moves_tries_either;
-  wire [3:0] admit_settle =  // line 251
-      (!moves_tries || looks_both || source_i || words_method_i) ? 4'd0 : 4'd1 << State_kSettle;
-  wire [5:0] admit_accelerate =  // line 252
-      (moves_tries && !(looks_both || source_i) && words_method_i) ? 6'd1 << State_kAccelerate :
-      6'd0;
-  wire [5:0] admit_settle_wide = {2'd0, admit_settle};  // line 251
-  wire [1:0] admit_observe =  // line 233
-      (moves_tries && observes_and_not_source && words_observe_i != 12'd0) ?
-      2'd1 << State_kObserve : 2'd0;
-  wire moves_stops =
+      (requests_trips || (braking_next && counters_brakes_exhausted) ||
+      (failed_next && counters_retries_exhausted)) ? 11'd1 << State_kFault : 11'd0;
+  wire requests_attempt_both = at_bits[State_kRetryDelay] && counters_timed_out;  // line 192
+  wire detects_spin_and_not_source = DETECTS_SPIN && !source_i;  // line 166
+  wire looks_both = detects_spin_and_not_source && words_detect_spin_i != 12'd0;  // line 166
+  wire in_brake_and_counters_timed_out = at_bits[State_kBrake] && counters_timed_out;  // line 191
+  wire requests_attempt_choice =  // line 116
+      in_brake_and_counters_timed_out ? runs_on || looks_both || requests_attempt_both :
+      requests_attempt_both;
+  wire requests_attempt_either = at_bits[State_kIdle] || requests_attempt_choice;  // line 116
+  wire requests_attempt = !not_active && requests_attempt_either;
+  wire [3:0] next_state_pre_align =  // line 251
+      (!requests_attempt || looks_both || source_i || words_method_i) ? 4'd0 :
+      4'd1 << State_kPreAlign;
+  wire [5:0] next_state_accelerate =  // line 252
+      (requests_attempt && !(looks_both || source_i) && words_method_i) ?
+      6'd1 << State_kAccelerate : 6'd0;
+  wire [5:0] next_state_pre_align_wide = {2'd0, next_state_pre_align};  // line 251
+  wire [1:0] next_state_detect_spin =  // line 233
+      (requests_attempt && detects_spin_and_not_source && words_detect_spin_i != 12'd0) ?
+      2'd1 << State_kDetectSpin : 2'd0;
+  wire requests_stops =
       fault_or_not_command_configured ? !at_bits[State_kFault] || rearm : halts && !fatal_i;
-  wire neither_enough_nor_counters_over = !(enough || counters_over);
-  wire [1:0] wanted_observe =
-      (OBSERVES && at_bits[State_kObserve] && neither_enough_nor_counters_over) ?
-      2'd1 << State_kObserve : 2'd0;
-  wire missed = at_bits[State_kObserve] && !enough && counters_over;
+  wire wanted_inverse = !(count_reached || counters_timed_out);
+  wire [1:0] wanted_detect_spin =
+      (DETECTS_SPIN && at_bits[State_kDetectSpin] && wanted_inverse) ? 2'd1 << State_kDetectSpin :
+      2'd0;
+  wire missed = at_bits[State_kDetectSpin] && !count_reached && counters_timed_out;
   wire gives_up =
-      in_brake_and_counters_over && !runs_on && (!OBSERVES || source_i || words_observe_i == 12'd0);
-  wire [2:0] wanted_brake = (at_bits[State_kBrake] && !counters_over) ? 3'd1 << State_kBrake : 3'd0;
-  wire [2:0] wanted_so_far = {1'b0, wanted_observe | {1'b0, (missed && !runs_on) || gives_up}};
+      in_brake_and_counters_timed_out &&
+      !runs_on && (!DETECTS_SPIN || source_i || words_detect_spin_i == 12'd0);
+  wire [2:0] wanted_brake =  // line 233
+      (at_bits[State_kBrake] && !counters_timed_out) ? 3'd1 << State_kBrake : 3'd0;
+  wire [2:0] wanted_so_far = {1'b0, wanted_detect_spin | {1'b0, (missed && !runs_on) || gives_up}};
   wire begins = missed && runs_on;
-  wire [3:0] wanted_settle =  // line 233
-      ((words_method_i || begins) ? !words_method_i : at_bits[State_kSettle] && !counters_over) ?
-      4'd1 << State_kSettle : 4'd0;
-  wire [4:0] wanted_reset =  // line 233
-      (!words_method_i && (counters_over ? at_bits[State_kSettle] : at_bits[State_kReset])) ?
-      5'd1 << State_kReset : 5'd0;
-  wire [4:0] wanted_so_far_2 = {1'b0, {1'b0, wanted_so_far | wanted_brake} | wanted_settle};
-  wire wanted_either = not_in_accelerate_or_arrives || counters_over_or_blocked;
+  wire [3:0] wanted_pre_align =  // line 233
+      ((words_method_i || begins) ? !words_method_i :
+      at_bits[State_kPreAlign] && !counters_timed_out) ? 4'd1 << State_kPreAlign : 4'd0;
+  wire [4:0] wanted_align =  // line 233
+      (!words_method_i && (counters_timed_out ? at_bits[State_kPreAlign] : at_bits[State_kAlign])) ?
+      5'd1 << State_kAlign : 5'd0;
+  wire [4:0] wanted_so_far_2 = {1'b0, {1'b0, wanted_so_far | wanted_brake} | wanted_pre_align};
+  wire wanted_either = not_in_accelerate_or_arrives || counters_timed_out_or_blocked;
   wire [5:0] wanted_accelerate =
       words_method_i ?
       (begins ? 6'd1 << State_kAccelerate :
-      (!(at_bits[State_kReset] || at_bits[State_kSettle]) &&
-      (!at_bits[State_kReset] || !counters_over) && wanted_either) ? 6'd0 :
+      (!(at_bits[State_kAlign] || at_bits[State_kPreAlign]) &&
+      (!at_bits[State_kAlign] || !counters_timed_out) && wanted_either) ? 6'd0 :
       6'd1 << State_kAccelerate) :
-      (at_bits[State_kReset] && counters_over) ? 6'd1 << State_kAccelerate :
+      (at_bits[State_kAlign] && counters_timed_out) ? 6'd1 << State_kAccelerate :
       wanted_either ? 6'd0 :
       6'd1 << State_kAccelerate;
-  wire [5:0] wanted_so_far_3 = {1'b0, wanted_so_far_2 | wanted_reset};  // line 239
+  wire [5:0] wanted_so_far_3 = {1'b0, wanted_so_far_2 | wanted_align};  // line 239
   wire [6:0] wanted_pull_in =  // line 242
-      ((at_bits[State_kAccelerate] && arrives) ||
-      (at_bits[State_kPullIn] && neither_enough_nor_counters_over)) ? 7'd1 << State_kPullIn :
-      7'd0;
-  wire caught = at_bits[State_kObserve] && enough && runs_on && !counters_turns_reverse_xor_reverse;
-  wire locks = at_bits[State_kPullIn] && enough;
+      ((at_bits[State_kAccelerate] && arrives) || (at_bits[State_kPullIn] && wanted_inverse)) ?
+      7'd1 << State_kPullIn : 7'd0;
+  wire caught =
+      at_bits[State_kDetectSpin] && count_reached && runs_on && !counters_turns_reverse_xor_reverse;
+  wire locks = at_bits[State_kPullIn] && count_reached;
   wire caught_or_locks = caught || locks;  // line 244
-  wire admit_both = runs_on && !command_reverse_xor_reverse;  // line 244
+  wire next_state_both = runs_on && !command_reverse_xor_reverse;  // line 244
   wire on = (at_bits[State_kSlowDown] || at_bits[State_kRun]) && !lost_i;
   wire [7:0] wanted_run =  // line 233
-      ((caught_or_locks || !on) ? caught_or_locks : admit_both) ? 8'd1 << State_kRun : 8'd0;
+      ((caught_or_locks || !on) ? caught_or_locks : next_state_both) ? 8'd1 << State_kRun : 8'd0;
   wire [8:0] wanted_slow_down =  // line 245
-      (on && choose_either && (at_bits[State_kRun] || (!counters_over && fast_i))) ?
+      (on && request_either && (at_bits[State_kRun] || (!counters_timed_out && fast_i))) ?
       9'd1 << State_kSlowDown : 9'd0;
-  wire [9:0] wanted_rest = (at_bits[State_kRest] && !counters_over) ? 10'd1 << State_kRest : 10'd0;
+  wire [9:0] wanted_retry_delay =  // line 233
+      (at_bits[State_kRetryDelay] && !counters_timed_out) ? 10'd1 << State_kRetryDelay : 10'd0;
   wire [9:0] wanted_so_far_4 =  // line 245
       {1'b0,
       {1'b0, {1'b0, {1'b0, wanted_so_far_3 | wanted_accelerate} | wanted_pull_in} | wanted_run} |
       wanted_slow_down};
-  wire [9:0] wanted = wanted_so_far_4 | wanted_rest;
-  wire [9:0] admit = (moves_stops || moves_trips) ? 10'd0 : wanted;  // line 247
-  wire [9:0] admit_so_far = {8'd0, admit_observe | {1'b0, moves_stops}};  // line 248
-  wire [9:0] admit_2 = admit_so_far | admit;  // line 248
-  wire [7:0] admit_run = (moves_tries && !looks_both && source_i) ? 8'd1 << State_kRun : 8'd0;
-  wire [9:0] admit_3 = admit_2 | {2'd0, admit_run};  // line 249
-  wire [9:0] admit_so_far_2 = {4'd0, admit_settle_wide | admit_accelerate};  // line 251
-  wire [9:0] admit_4 = admit_so_far_2 | admit_3;  // line 251
-  wire [2:0] admit_brake = (braking_next && !counters_braked) ? 3'd1 << State_kBrake : 3'd0;
-  wire [9:0] admit_5 = admit_4 | {7'd0, admit_brake};  // line 252
-  wire [10:0] at_bits_next = {1'b0, at_bits_next_rest} | at_bits_next_fault | {1'b0, admit_5};
-  wire boosts_next = admit_4[State_kAccelerate] || admit[State_kPullIn];  // line 137
-  wire boosts_next_or_in_run = boosts_next || admit_3[State_kRun];  // line 138
-  wire runs = admit_3[State_kRun] || admit[State_kSlowDown];
-  wire began_next = moves_tries && at_bits[State_kIdle];  // line 119
-  wire in_observe_and_in_run = at_bits[State_kObserve] && admit_3[State_kRun];
+  wire [9:0] wanted = wanted_so_far_4 | wanted_retry_delay;
+  wire [9:0] next_state = (requests_stops || requests_trips) ? 10'd0 : wanted;  // line 247
+  wire [9:0] next_state_so_far = {8'd0, next_state_detect_spin | {1'b0, requests_stops}};
+  wire [9:0] next_state_2 = next_state_so_far | next_state;  // line 248
+  wire [7:0] next_state_run =  // line 250
+      (requests_attempt && !looks_both && source_i) ? 8'd1 << State_kRun : 8'd0;
+  wire [9:0] next_state_3 = next_state_2 | {2'd0, next_state_run};  // line 249
+  wire [9:0] next_state_so_far_2 = {4'd0, next_state_pre_align_wide | next_state_accelerate};
+  wire [9:0] next_state_4 = next_state_so_far_2 | next_state_3;  // line 251
+  wire [2:0] next_state_brake =  // line 233
+      (braking_next && !counters_brakes_exhausted) ? 3'd1 << State_kBrake : 3'd0;
+  wire [9:0] next_state_5 = next_state_4 | {7'd0, next_state_brake};  // line 252
+  wire [10:0] at_bits_next =  // line 254
+      {1'b0, at_bits_next_retry_delay} | at_bits_next_fault | {1'b0, next_state_5};
+  wire boosts_next = next_state_4[State_kAccelerate] || next_state[State_kPullIn];  // line 137
+  wire boosts_next_or_in_run = boosts_next || next_state_3[State_kRun];  // line 138
+  wire runs = next_state_3[State_kRun] || next_state[State_kSlowDown];
+  wire began_next = requests_attempt && at_bits[State_kIdle];  // line 119
+  wire in_detect_spin_and_in_run = at_bits[State_kDetectSpin] && next_state_3[State_kRun];
 
   always_ff @(posedge clk) begin
     at_bits <= at_bits_next;  // line 254
-    drives <= boosts_next_or_in_run || admit[State_kSlowDown];
+    drives <= boosts_next_or_in_run || next_state[State_kSlowDown];
     enables <=
         boosts_next_or_in_run ||
-        admit[State_kSlowDown] ||
-        !(!admit_5[State_kBrake] && !admit_4[State_kSettle]) || admit[State_kReset];
+        next_state[State_kSlowDown] ||
+        !(!next_state_5[State_kBrake] && !next_state_4[State_kPreAlign]) ||
+        next_state[State_kAlign];
     boosts <= boosts_next;  // line 137
     sectors <=
-        admit_2[State_kObserve] || (runs && source_i) ||
-        (at_bits[State_kAccelerate] && admit_4[State_kAccelerate] && words_method_i);
+        next_state_2[State_kDetectSpin] || (runs && source_i) ||
+        (at_bits[State_kAccelerate] && next_state_4[State_kAccelerate] && words_method_i);
     holds <= at_bits[State_kPullIn] && (tick_i ? boosted : holds);  // line 143
     boosted <= at_bits[State_kPullIn] && (tick_i ? words_method_i : boosted);  // line 143
-    tracks <= admit[State_kPullIn] || (runs && !source_i);  // line 148
+    tracks <= next_state[State_kPullIn] || (runs && !source_i);  // line 148
     if (began_next) begin
       entered <= 1'b1;
       reason <= Reason_kNone;
       reverse <= command_reverse_i;
     end else begin
-      if (not_goes) begin
+      if (not_active) begin
         entered <=
             !(at_bits[State_kFault] || at_bits[State_kIdle]) ||
             (at_bits[State_kIdle] && trips) || (at_bits[State_kFault] && rearm);
@@ -390,22 +397,22 @@ module start_sequence #(
         logic entered_next_inverse;
         entered_next_choice =  // line 197
             (!at_bits[State_kSlowDown] || lost_i) ? at_bits[State_kSlowDown] :
-            admit_both || !fast_i;
+            next_state_both || !fast_i;
         entered_next_choice_2 =  // line 197
             at_bits[State_kRun] ?
             lost_i || !runs_on || command_reverse_xor_reverse || entered_next_choice :
             entered_next_choice;
         entered_next_either =  // line 207
             ((arrives || blocked_i) && at_bits[State_kAccelerate]) ||
-            (words_method_i && (at_bits[State_kReset] || at_bits[State_kSettle]));
+            (words_method_i && (at_bits[State_kAlign] || at_bits[State_kPreAlign]));
         entered_next_either_2 = entered_next_either || entered_next_choice_2;  // line 197
         entered_next_inverse =  // line 197
             !(!at_bits[State_kIdle] &&
-            (!counters_over ||
+            (!counters_timed_out ||
             at_bits[State_kFault] || at_bits[State_kRun] || at_bits[State_kIdle]));
         entered <=
             entered_next_inverse ||
-            (enough && (at_bits[State_kPullIn] || at_bits[State_kObserve])) ||
+            (count_reached && (at_bits[State_kPullIn] || at_bits[State_kDetectSpin])) ||
             entered_next_either_2;
       end
       if (!at_bits[State_kFault]) begin
@@ -423,7 +430,7 @@ module start_sequence #(
             reason <= Reason_kNoLock;
           end
         end
-        if (command_configured_inverse && moves_tries_either) begin
+        if (command_configured_inverse && requests_attempt_either) begin
           reverse <= command_reverse_i;
         end
       end
@@ -431,20 +438,20 @@ module start_sequence #(
     braking <= braking_next;  // line 116
     if (words_method_i) begin
       if (at_bits[State_kAccelerate]) begin
-        if (admit[State_kPullIn] || !at_bits[State_kObserve]) begin
-          load_step <= admit[State_kPullIn];
+        if (next_state[State_kPullIn] || !at_bits[State_kDetectSpin]) begin
+          load_step <= next_state[State_kPullIn];
         end else begin
-          load_step <= admit_3[State_kRun];
+          load_step <= next_state_3[State_kRun];
         end
       end else begin
-        load_step <= in_observe_and_in_run;
+        load_step <= in_detect_spin_and_in_run;
       end
     end else if (at_bits[State_kAccelerate]) begin
-      load_step <= in_observe_and_in_run;
-    end else if (admit_4[State_kAccelerate] || !at_bits[State_kObserve]) begin
-      load_step <= admit_4[State_kAccelerate];
+      load_step <= in_detect_spin_and_in_run;
+    end else if (next_state_4[State_kAccelerate] || !at_bits[State_kDetectSpin]) begin
+      load_step <= next_state_4[State_kAccelerate];
     end else begin
-      load_step <= admit_3[State_kRun];
+      load_step <= next_state_3[State_kRun];
     end
     began <= began_next;  // line 119
     failed <= failed_next;  // line 116
@@ -476,7 +483,7 @@ module start_sequence #(
   assign enable_o = enables;
   assign pattern_bits_o =
       present_pattern_so_far | {at_bits[State_kBrake], 4'd0} |
-      {2'd0, at_bits[State_kSettle], 2'd0} | {1'b0, at_bits[State_kReset], 3'd0};
+      {2'd0, at_bits[State_kPreAlign], 2'd0} | {1'b0, at_bits[State_kAlign], 3'd0};
   assign reverse_o = reverse;
   assign running_o = at_bits[State_kSlowDown] || at_bits[State_kRun];
   assign mode_o =
@@ -484,15 +491,15 @@ module start_sequence #(
       SpeedMode_kControl;
   assign duty_o = open_loop_duty;
   assign stop_o = at_bits[State_kSlowDown];
-  assign watch_o =
-      sectors ? Evidence_kSectors :
-      tracks ? Evidence_kCrossings :
-      Evidence_kNothing;
+  assign detector_source_o =
+      sectors ? DetectorSource_kSectors :
+      tracks ? DetectorSource_kCrossings :
+      DetectorSource_kNone;
   assign loop_o =
       sectors ?
       (!(at_bits[State_kSlowDown] || at_bits[State_kRun]) ?
-      (at_bits[State_kObserve] ? Loop_kCatch : Loop_kFollow) : Loop_kHall) :
-      at_bits[State_kBrake] ? Loop_kCatch :
+      (at_bits[State_kDetectSpin] ? Loop_kCatchSpin : Loop_kFollow) : Loop_kHall) :
+      at_bits[State_kBrake] ? Loop_kCatchSpin :
       tracks ? Loop_kTrack :
       (at_bits[State_kAccelerate] && !words_method_i) ? Loop_kRamp :
       Loop_kStop;
@@ -502,10 +509,10 @@ module start_sequence #(
       at_bits[State_kAccelerate] ? {1'b0, {2{not_reverse}}} :
       reverse ? sector_i :
       next_step;
-  assign turn_vco_o = at_bits[State_kObserve] || drives;
+  assign turn_vco_o = at_bits[State_kDetectSpin] || drives;
   assign follow_o = follows_rotor;
   assign steady_o = counters_steady;
-  assign gentle_o = counters_gentle;
+  assign backoff_o = counters_backoff;
   assign began_o = began;
   assign failed_o = failed;
 endmodule

@@ -19,7 +19,7 @@ module telemetry #(
     input  logic        missed_i,  // a step ended without one
     input  logic        freewheel_long_i,  // a step freewheeled for too long
     input  logic        limit_hit_i,  // the current limit cut a pulse
-    input  logic        retry_i,  // a try failed
+    input  logic        retry_i,  // an attempt failed
     output logic [15:0] crossings_o,  // events, stops at 65535
     output logic [15:0] missed_o,  // events, stops at 65535
     output logic [15:0] freewheel_long_o,  // events, stops at 65535

@@ -58,12 +58,12 @@ module word_registers (
     output logic [25:0] words_loop_scale_o,  // u0.32: for the frequency, per second; last four bits unused
     output logic [25:0] words_loop_minimum_o,  // limits of the integrator and of the output
     output logic [25:0] words_loop_maximum_o,
-    output logic        words_start_method_o,  // kRamp: settle, reset, ramp; kFollow: look, probe, still
-    output logic [11:0] words_start_settle_o,  // first pattern, so that a rotor opposite to the reset place moves
-    output logic [11:0] words_start_reset_o,  // reset pattern: t_r of Eq. (22)
-    output logic [15:0] words_start_reset_duty_o,  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
+    output logic        words_start_method_o,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    output logic [11:0] words_start_pre_align_o,  // first pattern, so that a rotor opposite to the aligned position moves
+    output logic [11:0] words_start_align_o,  // alignment pattern: t_r of Eq. (22)
+    output logic [15:0] words_start_align_duty_o,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
     output logic [15:0] words_start_start_duty_o,  // during acceleration and pull-in
-    output logic [19:0] words_start_ramp_o,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
+    output logic [19:0] words_start_ramp_o,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
     output logic [15:0] words_start_look_o,  // sample_every clocks, less one, with gates off until no current flows
     output logic [15:0] words_start_probe_o,  // sample_every clocks of a drive between two looks
     output logic [7:0]  words_start_still_o,  // looks without news after which the step moves on
@@ -71,12 +71,12 @@ module word_registers (
     output logic [15:0] words_start_window_o,  // u0.16: a crossing closer than this to its place is a good one
     output logic [5:0]  words_start_good_crossings_o,  // in a row, for lock (and for catching)
     output logic [11:0] words_start_pull_in_o,  // time limit from hand-over to lock
-    output logic [11:0] words_start_observe_o,  // time to look for a rotor that already spins; 0 skips it
+    output logic [11:0] words_start_detect_spin_o,  // time to look for a rotor that already spins; 0 skips it
     output logic [11:0] words_start_slow_down_o,  // time limit for slowing to hand-over speed before a reversal
     output logic [11:0] words_start_brake_o,  // one braking interval, between two looks
     output logic [15:0] words_start_brake_duty_o,  // from which the back-EMF's is taken
-    output logic [11:0] words_start_rest_o,  // gates off between a failure and the next try
-    output logic [3:0]  words_start_retries_o,  // failed tries before the fault latches
+    output logic [11:0] words_start_retry_delay_o,  // gates off between a failure and the next attempt
+    output logic [3:0]  words_start_retries_o,  // failed attempts before the fault latches
     output logic [25:0] words_speed_target_o,  // u0.32
     output logic [19:0] words_speed_slew_o,  // u0.32 per tick
     output logic [3:0]  words_speed_shift_o,  // speeds are normalised: frequency >> shift fits 15 bits
@@ -130,12 +130,12 @@ module word_registers (
   logic [25:0] words_loop_scale;  // u0.32: for the frequency, per second; last four bits unused
   logic [25:0] words_loop_minimum;  // limits of the integrator and of the output
   logic [25:0] words_loop_maximum;
-  logic words_start_method;  // kRamp: settle, reset, ramp; kFollow: look, probe, still
-  logic [11:0] words_start_settle;  // first pattern, so that a rotor opposite to the reset place moves
-  logic [11:0] words_start_reset;  // reset pattern: t_r of Eq. (22)
-  logic [15:0] words_start_reset_duty;  // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
+  logic words_start_method;  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+  logic [11:0] words_start_pre_align;  // first pattern, so that a rotor opposite to the aligned position moves
+  logic [11:0] words_start_align;  // alignment pattern: t_r of Eq. (22)
+  logic [15:0] words_start_align_duty;  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
   logic [15:0] words_start_start_duty;  // during acceleration and pull-in
-  logic [19:0] words_start_ramp;  // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
+  logic [19:0] words_start_ramp;  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
   logic [15:0] words_start_look;  // sample_every clocks, less one, with gates off until no current flows
   logic [15:0] words_start_probe;  // sample_every clocks of a drive between two looks
   logic [7:0] words_start_still;  // looks without news after which the step moves on
@@ -143,12 +143,12 @@ module word_registers (
   logic [15:0] words_start_window;  // u0.16: a crossing closer than this to its place is a good one
   logic [5:0] words_start_good_crossings;  // in a row, for lock (and for catching)
   logic [11:0] words_start_pull_in;  // time limit from hand-over to lock
-  logic [11:0] words_start_observe;  // time to look for a rotor that already spins; 0 skips it
+  logic [11:0] words_start_detect_spin;  // time to look for a rotor that already spins; 0 skips it
   logic [11:0] words_start_slow_down;  // time limit for slowing to hand-over speed before a reversal
   logic [11:0] words_start_brake;  // one braking interval, between two looks
   logic [15:0] words_start_brake_duty;  // from which the back-EMF's is taken
-  logic [11:0] words_start_rest;  // gates off between a failure and the next try
-  logic [3:0] words_start_retries;  // failed tries before the fault latches
+  logic [11:0] words_start_retry_delay;  // gates off between a failure and the next attempt
+  logic [3:0] words_start_retries;  // failed attempts before the fault latches
   logic [25:0] words_speed_target;  // u0.32
   logic [19:0] words_speed_slew;  // u0.32 per tick
   logic [3:0] words_speed_shift;  // speeds are normalised: frequency >> shift fits 15 bits
@@ -378,10 +378,10 @@ module word_registers (
         end
         if (request_index_i == 10'd48) begin
           words_start_pull_in <= mirror_2[11:0] | (words_start_pull_in & mirror_3[11:0]);
-          words_start_rest <= mirror_2[27:16] | (words_start_rest & word_of_wide);
+          words_start_retry_delay <= mirror_2[27:16] | (words_start_retry_delay & word_of_wide);
         end
         if (request_index_i == 10'd49) begin
-          words_start_observe <= mirror_2[11:0] | (words_start_observe & mirror_3[11:0]);
+          words_start_detect_spin <= mirror_2[11:0] | (words_start_detect_spin & mirror_3[11:0]);
           words_start_slow_down <= mirror_2[27:16] | (words_start_slow_down & word_of_wide);
         end
         if (request_index_i == 10'd50) begin
@@ -436,11 +436,11 @@ module word_registers (
         end
       end
       if (request_index_i == 10'd43) begin
-        words_start_settle <= mirror_2[11:0] | (words_start_settle & mirror_3[11:0]);
-        words_start_reset <= mirror_2[27:16] | (words_start_reset & word_of_wide);
+        words_start_pre_align <= mirror_2[11:0] | (words_start_pre_align & mirror_3[11:0]);
+        words_start_align <= mirror_2[27:16] | (words_start_align & word_of_wide);
       end
       if (request_index_i == 10'd44) begin
-        words_start_reset_duty <= mirror_2[15:0] | (words_start_reset_duty & mirror_3[15:0]);
+        words_start_align_duty <= mirror_2[15:0] | (words_start_align_duty & mirror_3[15:0]);
         words_start_start_duty <= mirror_2[31:16] | (words_start_start_duty & write_wide);
       end
       if (request_index_i == 10'd45) begin
@@ -483,9 +483,9 @@ module word_registers (
       words_loop_minimum <= 26'd0;
       words_loop_maximum <= 26'd0;
       words_start_method <= Method_kRamp;
-      words_start_settle <= 12'd0;
-      words_start_reset <= 12'd0;
-      words_start_reset_duty <= 16'd0;
+      words_start_pre_align <= 12'd0;
+      words_start_align <= 12'd0;
+      words_start_align_duty <= 16'd0;
       words_start_start_duty <= 16'd0;
       words_start_ramp <= 20'd0;
       words_start_look <= 16'd0;
@@ -495,11 +495,11 @@ module word_registers (
       words_start_window <= 16'd0;
       words_start_good_crossings <= 6'd0;
       words_start_pull_in <= 12'd0;
-      words_start_observe <= 12'd0;
+      words_start_detect_spin <= 12'd0;
       words_start_slow_down <= 12'd0;
       words_start_brake <= 12'd0;
       words_start_brake_duty <= 16'd0;
-      words_start_rest <= 12'd0;
+      words_start_retry_delay <= 12'd0;
       words_start_retries <= 4'd0;
       words_speed_target <= 26'd0;
       words_speed_slew <= 20'd0;
@@ -550,9 +550,9 @@ module word_registers (
   assign words_loop_minimum_o = words_loop_minimum;
   assign words_loop_maximum_o = words_loop_maximum;
   assign words_start_method_o = words_start_method;
-  assign words_start_settle_o = words_start_settle;
-  assign words_start_reset_o = words_start_reset;
-  assign words_start_reset_duty_o = words_start_reset_duty;
+  assign words_start_pre_align_o = words_start_pre_align;
+  assign words_start_align_o = words_start_align;
+  assign words_start_align_duty_o = words_start_align_duty;
   assign words_start_start_duty_o = words_start_start_duty;
   assign words_start_ramp_o = words_start_ramp;
   assign words_start_look_o = words_start_look;
@@ -562,11 +562,11 @@ module word_registers (
   assign words_start_window_o = words_start_window;
   assign words_start_good_crossings_o = words_start_good_crossings;
   assign words_start_pull_in_o = words_start_pull_in;
-  assign words_start_observe_o = words_start_observe;
+  assign words_start_detect_spin_o = words_start_detect_spin;
   assign words_start_slow_down_o = words_start_slow_down;
   assign words_start_brake_o = words_start_brake;
   assign words_start_brake_duty_o = words_start_brake_duty;
-  assign words_start_rest_o = words_start_rest;
+  assign words_start_retry_delay_o = words_start_retry_delay;
   assign words_start_retries_o = words_start_retries;
   assign words_speed_target_o = words_speed_target;
   assign words_speed_slew_o = words_speed_slew;

@@ -37,10 +37,10 @@ module word_registers_sinusoidal (
     output logic [13:0] words_bridge_period_o,  // clocks; 480 at least, a sample's
     output logic [13:0] words_bridge_minimum_o,  // clocks; shorter on or off times become 0 % or 100 %
     output logic [7:0]  words_bridge_dead_time_o,  // clocks; the guard's floor wins
-    output logic [11:0] words_bridge_lost_o,  // u8.4 clocks that a leg loses by it, with its diode's drop
+    output logic [11:0] words_bridge_dead_time_loss_o,  // u8.4 clocks that a leg loses by it, with its diode's drop
     output logic        words_bridge_compensate_o,  // the on-times make up for it
-    output logic        words_bridge_sine_o,  // no zero component
-    output logic [14:0] words_bridge_inverse_o,  // u0.25: 1 / (3 period)
+    output logic        words_bridge_sine_pwm_o,  // no zero component
+    output logic [14:0] words_bridge_reciprocal_o,  // u0.25: 1 / (3 period)
     output logic        words_estimator_voltage_o,  // the voltage model's estimate, else the current model's
     output logic        words_estimator_average_o,  // voltage model: the mean of 8 samples
     output logic [14:0] words_estimator_decay_o,  // u0.15, per sample
@@ -73,9 +73,9 @@ module word_registers_sinusoidal (
     output logic [14:0] words_sequence_hold_voltage_o,  // u0.15, of the pattern's leg, or of a pilot pulse's
     output logic [19:0] words_sequence_pattern_o,  // each third of it; all pilot pulses at most
     output logic [19:0] words_sequence_lock_o,  // the estimate has to be trusted for so long
-    output logic [19:0] words_sequence_give_up_o,  // no lock in this time is a failed try
+    output logic [19:0] words_sequence_give_up_o,  // no lock in this time is a failed attempt
     output logic [19:0] words_sequence_brake_o,
-    output logic [19:0] words_sequence_rest_o,
+    output logic [19:0] words_sequence_retry_delay_o,
     output logic [3:0]  words_sequence_retries_o,
     output logic [5:0]  words_pilot_short_periods_o,  // 0 counts as 1
     output logic [5:0]  words_pilot_long_periods_o,  // 0 counts as 1
@@ -97,10 +97,10 @@ module word_registers_sinusoidal (
   logic [13:0] words_bridge_period;  // clocks; 480 at least, a sample's
   logic [13:0] words_bridge_minimum;  // clocks; shorter on or off times become 0 % or 100 %
   logic [7:0] words_bridge_dead_time;  // clocks; the guard's floor wins
-  logic [11:0] words_bridge_lost;  // u8.4 clocks that a leg loses by it, with its diode's drop
+  logic [11:0] words_bridge_dead_time_loss;  // u8.4 clocks that a leg loses by it, with its diode's drop
   logic words_bridge_compensate;  // the on-times make up for it
-  logic words_bridge_sine;  // no zero component
-  logic [14:0] words_bridge_inverse;  // u0.25: 1 / (3 period)
+  logic words_bridge_sine_pwm;  // no zero component
+  logic [14:0] words_bridge_reciprocal;  // u0.25: 1 / (3 period)
   logic words_estimator_voltage;  // the voltage model's estimate, else the current model's
   logic words_estimator_average;  // voltage model: the mean of 8 samples
   logic [14:0] words_estimator_decay;  // u0.15, per sample
@@ -133,9 +133,9 @@ module word_registers_sinusoidal (
   logic [14:0] words_sequence_hold_voltage;  // u0.15, of the pattern's leg, or of a pilot pulse's
   logic [19:0] words_sequence_pattern;  // each third of it; all pilot pulses at most
   logic [19:0] words_sequence_lock;  // the estimate has to be trusted for so long
-  logic [19:0] words_sequence_give_up;  // no lock in this time is a failed try
+  logic [19:0] words_sequence_give_up;  // no lock in this time is a failed attempt
   logic [19:0] words_sequence_brake;
-  logic [19:0] words_sequence_rest;
+  logic [19:0] words_sequence_retry_delay;
   logic [3:0] words_sequence_retries;
   logic [5:0] words_pilot_short_periods;  // 0 counts as 1
   logic [5:0] words_pilot_long_periods;  // 0 counts as 1
@@ -232,17 +232,18 @@ module word_registers_sinusoidal (
       if (request_index_i == 10'd32) begin
         words_bridge_period <= mirror_2[13:0] | (words_bridge_period & mirror_3[13:0]);
         words_bridge_compensate <= mirror_2[24] || (words_bridge_compensate && mirror_3[24]);
-        words_bridge_sine <= mirror_2[25] || (words_bridge_sine && mirror_3[24]);
+        words_bridge_sine_pwm <= mirror_2[25] || (words_bridge_sine_pwm && mirror_3[24]);
       end
       if (request_index_i == 10'd33) begin
         words_bridge_minimum <= mirror_2[13:0] | (words_bridge_minimum & mirror_3[13:0]);
         words_bridge_dead_time <= mirror_2[23:16] | (words_bridge_dead_time & mirror_3[23:16]);
       end
       if (request_index_i == 10'd34) begin
-        words_bridge_lost <= mirror_2[11:0] | (words_bridge_lost & mirror_3[11:0]);
+        words_bridge_dead_time_loss <=
+            mirror_2[11:0] | (words_bridge_dead_time_loss & mirror_3[11:0]);
       end
       if (request_index_i == 10'd35) begin
-        words_bridge_inverse <= mirror_2[14:0] | (words_bridge_inverse & mirror_3[14:0]);
+        words_bridge_reciprocal <= mirror_2[14:0] | (words_bridge_reciprocal & mirror_3[14:0]);
       end
       if (request_index_i == 10'd36) begin
         words_estimator_voltage <= mirror_2[0] || (words_estimator_voltage && mirror_3[0]);
@@ -316,7 +317,8 @@ module word_registers_sinusoidal (
         words_sequence_brake <= mirror_2[19:0] | (words_sequence_brake & mirror_3[19:0]);
       end
       if (request_index_i == 10'd47) begin
-        words_sequence_rest <= mirror_2[19:0] | (words_sequence_rest & mirror_3[19:0]);
+        words_sequence_retry_delay <=
+            mirror_2[19:0] | (words_sequence_retry_delay & mirror_3[19:0]);
       end
       if (request_index_i == 10'd49) begin
         words_pilot_short_periods <= mirror_2[5:0] | (words_pilot_short_periods & mirror_3[5:0]);
@@ -361,10 +363,10 @@ module word_registers_sinusoidal (
       words_bridge_period <= 14'd0;
       words_bridge_minimum <= 14'd0;
       words_bridge_dead_time <= 8'd0;
-      words_bridge_lost <= 12'd0;
+      words_bridge_dead_time_loss <= 12'd0;
       words_bridge_compensate <= 1'b0;
-      words_bridge_sine <= 1'b0;
-      words_bridge_inverse <= 15'd0;
+      words_bridge_sine_pwm <= 1'b0;
+      words_bridge_reciprocal <= 15'd0;
       words_estimator_voltage <= 1'b0;
       words_estimator_average <= 1'b0;
       words_estimator_decay <= 15'd0;
@@ -399,7 +401,7 @@ module word_registers_sinusoidal (
       words_sequence_lock <= 20'd0;
       words_sequence_give_up <= 20'd0;
       words_sequence_brake <= 20'd0;
-      words_sequence_rest <= 20'd0;
+      words_sequence_retry_delay <= 20'd0;
       words_sequence_retries <= 4'd0;
       words_pilot_short_periods <= 6'd0;
       words_pilot_long_periods <= 6'd0;
@@ -422,10 +424,10 @@ module word_registers_sinusoidal (
   assign words_bridge_period_o = words_bridge_period;
   assign words_bridge_minimum_o = words_bridge_minimum;
   assign words_bridge_dead_time_o = words_bridge_dead_time;
-  assign words_bridge_lost_o = words_bridge_lost;
+  assign words_bridge_dead_time_loss_o = words_bridge_dead_time_loss;
   assign words_bridge_compensate_o = words_bridge_compensate;
-  assign words_bridge_sine_o = words_bridge_sine;
-  assign words_bridge_inverse_o = words_bridge_inverse;
+  assign words_bridge_sine_pwm_o = words_bridge_sine_pwm;
+  assign words_bridge_reciprocal_o = words_bridge_reciprocal;
   assign words_estimator_voltage_o = words_estimator_voltage;
   assign words_estimator_average_o = words_estimator_average;
   assign words_estimator_decay_o = words_estimator_decay;
@@ -460,7 +462,7 @@ module word_registers_sinusoidal (
   assign words_sequence_lock_o = words_sequence_lock;
   assign words_sequence_give_up_o = words_sequence_give_up;
   assign words_sequence_brake_o = words_sequence_brake;
-  assign words_sequence_rest_o = words_sequence_rest;
+  assign words_sequence_retry_delay_o = words_sequence_retry_delay;
   assign words_sequence_retries_o = words_sequence_retries;
   assign words_pilot_short_periods_o = words_pilot_short_periods;
   assign words_pilot_long_periods_o = words_pilot_long_periods;

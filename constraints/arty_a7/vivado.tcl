@@ -9,7 +9,7 @@ set root [file dirname [file dirname $folder]]
 set out [file normalize [lindex $argv 0]]
 
 create_project -force -in_memory -part xc7a35ticsg324-1L
-set list [open $root/rtl/six_step_bare.f]
+set list [open $root/rtl/six_step_standalone.f]
 foreach name [split [string trim [read $list]] "\n"] { read_verilog -sv $root/$name }
 close $list
 read_verilog -sv [list $out/six_step_fixed.sv $root/constraints/power_on_reset.sv $folder/arty_a7_six_step.sv]

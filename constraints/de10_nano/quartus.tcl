@@ -18,7 +18,7 @@ set_global_assignment -name FAMILY "Cyclone V"
 set_global_assignment -name DEVICE 5CSEBA6U23I7
 set_global_assignment -name TOP_LEVEL_ENTITY de10_nano_six_step
 set_global_assignment -name PROJECT_OUTPUT_DIRECTORY output_files
-set list [open $root/rtl/six_step_bare.f]
+set list [open $root/rtl/six_step_standalone.f]
 foreach name [split [string trim [read $list]] "\n"] {
   set_global_assignment -name SYSTEMVERILOG_FILE $root/$name
 }

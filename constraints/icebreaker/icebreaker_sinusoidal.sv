@@ -1,7 +1,7 @@
 // iCEBreaker: PLL, pads, reset and LEDs around sinusoidal_fixed, the drive of one motor with sinusoidal
 // currents (steplock design FILE --verilog).  The PLL makes 24 MHz of the board's 12 MHz.
 //
-// The converter is an AD7928 with u on input 0, v on 1 and the dc voltage on 2.
+// The ADC is an AD7928 with u on input 0, v on 1 and the dc voltage on 2.
 //
 // Doc: docs/boards.md   Pins: icebreaker_sinusoidal.pcf   Test: tests/boards/CMakeLists.txt
 

@@ -13,7 +13,7 @@ set out [file normalize $env(STEPLOCK_OUT)]
 file mkdir $out/diamond
 cd $out/diamond
 prj_project new -name ulx3s_six_step -impl impl -dev LFE5U-85F-6BG381C -synthesis synplify -lpf $folder/ulx3s.lpf
-set list [open $root/rtl/six_step_bare.f]
+set list [open $root/rtl/six_step_standalone.f]
 foreach name [split [string trim [read $list]] "\n"] { prj_src add $root/$name }
 close $list
 prj_src add $out/six_step_fixed.sv

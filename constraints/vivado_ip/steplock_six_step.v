@@ -1,7 +1,7 @@
 // six_step_axi under the port names by which Vivado knows an AXI4-Lite slave, an interrupt and a reset; plain
 // Verilog, as its IP packager asks of a top.  AxPROT is taken and not looked at.
 //
-// Doc: docs/boards.md   Registers: docs/registers.md   Test: tests/boards/CMakeLists.txt
+// Doc: docs/boards.md   Registers: docs/six_step_registers.md   Test: tests/boards/CMakeLists.txt
 
 module steplock_six_step (
     input         s_axi_aclk,

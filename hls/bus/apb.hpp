@@ -58,8 +58,8 @@ struct ApbAnswers {
   bool pslverr = false;
   UInt<32> prdata = 0;
 };
-template <class Registered>
-ApbAnswers apb_answers(const Apb::Out& bus, bool pwrite, const Registered& drive) {
+template <class Csr>
+ApbAnswers apb_answers(const Apb::Out& bus, bool pwrite, const Csr& drive) {
   const bool error = pwrite ? drive.write_error : drive.read_error;
   return {.pready = bus.pready, .pslverr = bus.pready && error, .prdata = drive.data};
 }

@@ -88,8 +88,8 @@ struct AxiAnswers {
   UInt<32> rdata = 0;
   UInt<2> rresp = 0;
 };
-template <class Registered>
-AxiAnswers axi_answers(const AxiLite::Out& bus, const Registered& drive) {
+template <class Csr>
+AxiAnswers axi_answers(const AxiLite::Out& bus, const Csr& drive) {
   return {.awready = bus.awready,
           .wready = bus.wready,
           .bvalid = bus.bvalid,

@@ -3,7 +3,7 @@
 // At most one of `write` and `read` is up in a clock.  The registers answer in the next one and
 // keep the answer until the next request of the same kind, so that a slave may show it for long.
 //
-// Doc: docs/registers.md
+// Doc: docs/six_step_registers.md
 
 #pragma once
 

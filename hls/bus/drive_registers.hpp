@@ -85,7 +85,7 @@ class DriveRegisters {
     const bool writes = request.write && !in.refused;
     const UInt<32> ones = request.data & byte_mask(request.strobes);
     const bool beats = writes && (request.index == kHeartbeat || request.index == kWatchdog);
-    const bool bites = watch(in.tick, beats);
+    const bool expires = watch(in.tick, beats);
     const bool clears = writes && request.index == kFault;
     if (clears && ones.bit(kWatchdogFault)) watchdog_fault_ = false;
     drive_fault_ = faulted(in.drive);
@@ -96,7 +96,7 @@ class DriveRegisters {
       cleared_ = false;
     }
 
-    const UInt<kEvents> events = look(in.drive, bites);
+    const UInt<kEvents> events = look(in.drive, expires);
     const bool acknowledges = writes && request.index == kInterrupt;
     const auto kept = acknowledges ? ~wrap<UInt<kEvents>>(ones) : UInt<kEvents>::max();
     interrupts_ = (interrupts_ & kept) | events;
@@ -112,7 +112,7 @@ class DriveRegisters {
       const UInt<32> old = UInt<32>(period_) & ~byte_mask(request.strobes);
       left_ = period_ = wrap<WatchdogTicks>(ones | old);
     }
-    if (bites) {
+    if (expires) {
       watchdog_fault_ = true;
       run_ = false;
     }
@@ -148,22 +148,22 @@ class DriveRegisters {
   // True in the clock in which the time for a heartbeat is over.
   bool watch(bool tick, bool beats) {
     const bool watches = period_ != WatchdogTicks(0) && configured_ && !watchdog_fault_;
-    const bool bites = watches && tick && left_ == WatchdogTicks(0) && !beats;
+    const bool expires = watches && tick && left_ == WatchdogTicks(0) && !beats;
     if (beats || !watches) {
       left_ = period_;
-    } else if (tick && !bites) {
+    } else if (tick && !expires) {
       left_ = wrap<WatchdogTicks>(left_ - 1);
     }
-    return bites;
+    return expires;
   }
 
   // What happened since the clock before, each at its place in INTERRUPT.
-  UInt<kEvents> look(const Drive& drive, bool bites) {
+  UInt<kEvents> look(const Drive& drive, bool expires) {
     const bool faulted = drive.state == State::kFault;
     const bool locks = drive.locked && !was_locked_;
-    const bool loses = !drive.locked && was_locked_ && (faulted || drive.state == State::kRest);
+    const bool loses = !drive.locked && was_locked_ && (faulted || drive.state == State::kRetryDelay);
     const UInt<kEvents> events = flag<field<Map>("INTERRUPT", "fault").lsb>(faulted && !was_faulted_) |
-                                 flag<field<Map>("INTERRUPT", "watchdog").lsb>(bites) |
+                                 flag<field<Map>("INTERRUPT", "watchdog").lsb>(expires) |
                                  flag<field<Map>("INTERRUPT", "lock").lsb>(locks) |
                                  flag<field<Map>("INTERRUPT", "lost").lsb>(loses) |
                                  flag<field<Map>("INTERRUPT", "started").lsb>(locks && starting_);

@@ -6,7 +6,7 @@
 // A register is the fields of one address.  Its writable fields share one kind of access, because a
 // write is obeyed or refused as a whole.
 //
-// Doc: docs/registers.md   Test: tests/hls/register_fields_test.cpp
+// Doc: docs/six_step_registers.md   Test: tests/hls/register_fields_test.cpp
 
 #pragma once
 

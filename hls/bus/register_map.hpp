@@ -12,7 +12,7 @@
 //     no_period(words)               the bridge could not be run with these
 //     kCopies, telemetry(shown)      the registers that a snapshot copies, from TELEMETRY_SPEED on
 //
-// Doc: docs/registers.md   Test: tests/hls/register_fields_test.cpp
+// Doc: docs/six_step_registers.md   Test: tests/hls/register_fields_test.cpp
 
 #pragma once
 
@@ -117,7 +117,7 @@ consteval auto system_fields(const DriveKind& drive) {
     {"CAPABILITY", "hall", 0x08, 4, 1, Access::kReadOnly, drive.hall, "", "Has a Hall decoder."},
     {"CAPABILITY", "watchdog", 0x08, 5, 1, Access::kReadOnly, 1, "", "Has a heartbeat watchdog."},
     {"CAPABILITY", "counters", 0x08, 6, 1, Access::kReadOnly, drive.counters, "",
-     "Counts crossings, misses, limits and tries; else these read 0."},
+     "Counts crossings, misses, limits and attempts; else these read 0."},
     {"CAPABILITY", "follower", 0x08, 7, 1, Access::kReadOnly, drive.follower, "", "Starts by following the rotor."},
     {"CAPABILITY", "dead_time_floor", 0x08, 8, 8, Access::kReadOnly, kDeadTimeFloor, "clocks",
      "The least dead time, whatever PWM_LIMITS says."},
@@ -134,7 +134,7 @@ consteval auto system_fields(const DriveKind& drive) {
     {"STATUS", "state", 0x10, 0, 4, Access::kReadOnly, 0, "", drive.states},
     {"STATUS", "reason", 0x10, 4, 4, Access::kReadOnly, 0, "", drive.reasons},
     {"STATUS", "locked", 0x10, 8, 1, Access::kReadOnly, 0, "", "Running under speed control."},
-    {"STATUS", "reverse", 0x10, 9, 1, Access::kReadOnly, 0, "", "Direction of this try."},
+    {"STATUS", "reverse", 0x10, 9, 1, Access::kReadOnly, 0, "", "Direction of this attempt."},
     {"STATUS", "unlocked", 0x10, 10, 1, Access::kReadOnly, 0, "", "The lock is open."},
     {"STATUS", "stopped", 0x10, 11, 1, Access::kReadOnly, 1, "",
      "Idle or in fault, and run is 0: words may be written."},
@@ -150,7 +150,7 @@ consteval auto system_fields(const DriveKind& drive) {
     {"INTERRUPT", "watchdog", 0x18, 1, 1, Access::kWriteOneToClear, 0, "", "FAULT.watchdog rose."},
     {"INTERRUPT", "lock", 0x18, 2, 1, Access::kWriteOneToClear, 0, "", "STATUS.locked rose."},
     {"INTERRUPT", "lost", 0x18, 3, 1, Access::kWriteOneToClear, 0, "",
-     "The lock was lost: a try failed or a fault latched while running."},
+     "The lock was lost: an attempt failed or a fault latched while running."},
     {"INTERRUPT", "started", 0x18, 4, 1, Access::kWriteOneToClear, 0, "",
      "The first lock since run rose."},
     {"INTERRUPT_ENABLE", "enable", 0x1c, 0, 5, Access::kReadWrite, 0, "",

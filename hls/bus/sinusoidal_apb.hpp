@@ -1,6 +1,6 @@
 // The sinusoidal drive behind an APB4 slave: wires between the blocks, and nothing else.
 //
-//     APB -> Apb -> SinusoidalRegistered -> gates
+//     APB -> Apb -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md.  A hole and a refused write end with pslverr.
 //
@@ -12,7 +12,7 @@
 #pragma once
 
 #include "hls/bus/apb.hpp"
-#include "hls/bus/sinusoidal_registered.hpp"
+#include "hls/bus/sinusoidal_csr.hpp"
 
 namespace steplock {
 
@@ -20,7 +20,7 @@ class SinusoidalApb {
  public:
   struct In {
     bool fault = false;         // asynchronous pin, active high
-    CurrentSense::Codes codes;  // from the converters, once for each `sample`
+    CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
     Apb::In apb;
   };
 
@@ -46,7 +46,7 @@ class SinusoidalApb {
 
  private:
   Apb bus_;
-  SinusoidalRegistered drive_;
+  SinusoidalCsr drive_;
 };
 
 }  // namespace steplock

@@ -1,6 +1,6 @@
 // The sinusoidal drive behind an AXI4-Lite slave: wires between the blocks, and nothing else.
 //
-//     AXI4-Lite -> AxiLite -> SinusoidalRegistered -> gates
+//     AXI4-Lite -> AxiLite -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md.
 //
@@ -12,7 +12,7 @@
 #pragma once
 
 #include "hls/bus/axi_lite.hpp"
-#include "hls/bus/sinusoidal_registered.hpp"
+#include "hls/bus/sinusoidal_csr.hpp"
 
 namespace steplock {
 
@@ -20,7 +20,7 @@ class SinusoidalAxi {
  public:
   struct In {
     bool fault = false;         // asynchronous pin, active high
-    CurrentSense::Codes codes;  // from the converters, once for each `sample`
+    CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
     AxiLite::In axi;
   };
 
@@ -46,7 +46,7 @@ class SinusoidalAxi {
 
  private:
   AxiLite bus_;
-  SinusoidalRegistered drive_;
+  SinusoidalCsr drive_;
 };
 
 }  // namespace steplock

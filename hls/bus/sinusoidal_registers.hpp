@@ -20,7 +20,7 @@ namespace steplock {
 // The shortest PWM period that is one: a sample fits it, and 1 / (3 period) its word, u0.25.
 inline constexpr int kShortestPeriod = SinusoidalLoop::kClocks + 2;
 static_assert(kShortestPeriod == 480, "STATUS.no_period says 480");
-static_assert((1 << 25) / (3 * kShortestPeriod) < 1 << decltype(BridgeWords::inverse)::width);
+static_assert((1 << 25) / (3 * kShortestPeriod) < 1 << decltype(BridgeWords::reciprocal)::width);
 
 inline constexpr auto kSinusoidalSystemFields = joined(joined(
     system_fields(
@@ -31,8 +31,8 @@ inline constexpr auto kSinusoidalSystemFields = joined(joined(
          .ramp = 0,
          .follower = 0,
          .states = "0 idle, 1 calibrate, 2 pilot pulses, 3 pattern, 4 starting, 5 run, 6 slow down, "
-                   "7 brake, 8 rest, 9 fault.",
-         .reasons = "Of the last failed try: 0 none, 1 fault pin, 2 over-current, 3 lost sample, "
+                   "7 brake, 8 retry delay, 9 fault.",
+         .reasons = "Of the last failed attempt: 0 none, 1 fault pin, 2 over-current, 3 lost sample, "
                     "4 saturated, 5 too slow, 6 EMF, 7 no lock, 8 no decay, 9 no saliency, 10 no polarity.",
          .no_period = "PWM.period is below 480 clocks: all six gates are off, and the drive does not start, "
                       "whatever CONTROL says."}),
@@ -52,7 +52,7 @@ inline constexpr auto kSinusoidalSystemFields = joined(joined(
          "On-time of leg u in the next period."},
         {"TELEMETRY_LEGS", "on_v", 0x3c, 16, 14, Access::kReadOnly, 0, "clocks", "Of leg v."},
         {"TELEMETRY_RETRIES", "retries", 0x40, 0, 4, Access::kReadOnly, 0, "",
-         "Failed tries since run was obeyed, but for the one that latched a fault."},
+         "Failed attempts since run was obeyed, but for the one that latched a fault."},
         {"TELEMETRY_RETRIES", "on_w", 0x40, 16, 14, Access::kReadOnly, 0, "clocks", "Of leg w."},
     })), control_fields());
 

@@ -25,8 +25,8 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
     word<&SinusoidalWords::bridge, &BridgeWords::compensate>(
         "PWM", "compensate", 0x80, 24, Access::kStopped, "",
         "On-times make up for what the dead time takes."),
-    word<&SinusoidalWords::bridge, &BridgeWords::sine>(
-        "PWM", "sine", 0x80, 25, Access::kStopped, "",
+    word<&SinusoidalWords::bridge, &BridgeWords::sine_pwm>(
+        "PWM", "sine_pwm", 0x80, 25, Access::kStopped, "",
         "No zero component: sines instead of space vectors."),
     word<&SinusoidalWords::bridge, &BridgeWords::minimum>(
         "PWM_LIMITS", "minimum", 0x84, 0, Access::kKeyed, "clocks",
@@ -34,11 +34,11 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
     word<&SinusoidalWords::bridge, &BridgeWords::dead_time>(
         "PWM_LIMITS", "dead_time", 0x84, 16, Access::kKeyed, "clocks",
         "Dead time; not below CAPABILITY.dead_time_floor."),
-    word<&SinusoidalWords::bridge, &BridgeWords::lost>(
-        "PWM_LOST", "lost", 0x88, 0, Access::kStopped, "u8.4 clocks",
+    word<&SinusoidalWords::bridge, &BridgeWords::dead_time_loss>(
+        "PWM_DEAD_TIME_LOSS", "loss", 0x88, 0, Access::kStopped, "u8.4 clocks",
         "What a leg loses by its dead time and its diode's drop."),
-    word<&SinusoidalWords::bridge, &BridgeWords::inverse>(
-        "PWM_INVERSE", "inverse", 0x8c, 0, Access::kStopped, "u0.25",
+    word<&SinusoidalWords::bridge, &BridgeWords::reciprocal>(
+        "PWM_RECIPROCAL", "reciprocal", 0x8c, 0, Access::kStopped, "u0.25",
         "1 / (3 PWM.period)."),
     word<&SinusoidalWords::estimator, &EstimatorWords::voltage>(
         "ESTIMATOR", "voltage", 0x90, 0, Access::kStopped, "",
@@ -93,7 +93,7 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "Pilot pulses instead of the pattern: a salient rotor."),
     word<&SinusoidalWords::sequence, &SequenceWords::retries>(
         "START", "retries", 0xac, 4, Access::kStopped, "",
-        "Failed tries before the fault latches."),
+        "Failed attempts before the fault latches."),
     word<&SinusoidalWords::sequence, &SequenceWords::hold_voltage>(
         "START", "hold_voltage", 0xac, 16, Access::kStopped, "u0.15",
         "Of the pattern's leg, or of a pilot pulse's."),
@@ -105,10 +105,10 @@ inline constexpr auto kSinusoidalWordRows = std::make_tuple(
         "The estimate has to be trusted for so long."),
     word<&SinusoidalWords::sequence, &SequenceWords::give_up>(
         "START_GIVE_UP", "give_up", 0xb8, 0, Access::kStopped, "periods",
-        "No lock in this time is a failed try."),
-    word<&SinusoidalWords::sequence, &SequenceWords::rest>(
-        "START_REST", "rest", 0xbc, 0, Access::kStopped, "periods",
-        "Gates off between a failure and the next try."),
+        "No lock in this time is a failed attempt."),
+    word<&SinusoidalWords::sequence, &SequenceWords::retry_delay>(
+        "START_RETRY", "retry_delay", 0xbc, 0, Access::kStopped, "periods",
+        "Gates off between a failure and the next attempt."),
     word<&SinusoidalWords::sequence, &SequenceWords::brake>(
         "STOP_BRAKE", "brake", 0xc0, 0, Access::kStopped, "periods",
         "Low sides on at the end of a stop."),

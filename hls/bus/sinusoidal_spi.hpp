@@ -1,6 +1,6 @@
 // The sinusoidal drive behind an SPI slave, for a companion MCU: wires between the blocks, and nothing else.
 //
-//     SPI -> Spi -> SinusoidalRegistered -> gates
+//     SPI -> Spi -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and
 // its heartbeat watchdog do not pass the bus.
@@ -12,7 +12,7 @@
 
 #pragma once
 
-#include "hls/bus/sinusoidal_registered.hpp"
+#include "hls/bus/sinusoidal_csr.hpp"
 #include "hls/bus/spi.hpp"
 
 namespace steplock {
@@ -21,7 +21,7 @@ class SinusoidalSpi {
  public:
   struct In {
     bool fault = false;         // asynchronous pin, active high
-    CurrentSense::Codes codes;  // from the converters, once for each `sample`
+    CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
     Spi::Pins spi;              // asynchronous
   };
 
@@ -48,7 +48,7 @@ class SinusoidalSpi {
 
  private:
   Spi bus_;
-  SinusoidalRegistered drive_;
+  SinusoidalCsr drive_;
   Spi::Reply reply_;
 };
 

@@ -1,6 +1,6 @@
 // The sinusoidal drive behind a Wishbone B4 slave: wires between the blocks, and nothing else.
 //
-//     Wishbone -> Wishbone -> SinusoidalRegistered -> gates
+//     Wishbone -> Wishbone -> SinusoidalCsr -> gates
 //
 // The map is docs/sinusoidal_registers.md.  A hole and a refused write end in err instead of ack.
 //
@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include "hls/bus/sinusoidal_registered.hpp"
+#include "hls/bus/sinusoidal_csr.hpp"
 #include "hls/bus/wishbone.hpp"
 
 namespace steplock {
@@ -20,7 +20,7 @@ class SinusoidalWb {
  public:
   struct In {
     bool fault = false;         // asynchronous pin, active high
-    CurrentSense::Codes codes;  // from the converters, once for each `sample`
+    CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
     Wishbone::In wb;
   };
 
@@ -46,7 +46,7 @@ class SinusoidalWb {
 
  private:
   Wishbone bus_;
-  SinusoidalRegistered drive_;
+  SinusoidalCsr drive_;
 };
 
 }  // namespace steplock

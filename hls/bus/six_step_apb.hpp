@@ -1,8 +1,8 @@
 // The six-step drive behind an APB4 slave: wires between the blocks, and nothing else.
 //
-//     APB -> Apb -> SixStepRegistered -> gates
+//     APB -> Apb -> SixStepCsr -> gates
 //
-// The map is docs/registers.md.  A hole and a refused write end with pslverr.
+// The map is docs/six_step_registers.md.  A hole and a refused write end with pslverr.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
 //     write of CONTROL to the drive     2 clocks
@@ -12,7 +12,7 @@
 #pragma once
 
 #include "hls/bus/apb.hpp"
-#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/six_step_csr.hpp"
 
 namespace steplock {
 
@@ -44,7 +44,7 @@ class SixStepApb {
 
  private:
   Apb bus_;
-  SixStepRegistered drive_;
+  SixStepCsr drive_;
 };
 
 }  // namespace steplock

@@ -1,8 +1,8 @@
 // Several six-step drives on one AXI4-Lite slave: an axis per 256 bytes, wires between the blocks.
 //
-//     AXI4-Lite -> AxiLite -> axis address[9:8] -> SixStepRegistered -> gates of that axis
+//     AXI4-Lite -> AxiLite -> axis address[9:8] -> SixStepCsr -> gates of that axis
 //
-// Each axis has the whole map of docs/registers.md at 0x100 times its number: words, faults, heartbeat
+// Each axis has the whole map of docs/six_step_registers.md at 0x100 times its number: words, faults, heartbeat
 // watchdog and interrupt of its own.  Axes share the clock, reset and the bus, and nothing else: a
 // request reaches one of them, and none hears of another's.  Behind the last axis there are holes.
 // CAPABILITY.axes of each says how many there are.
@@ -18,7 +18,7 @@
 
 #include "hls/bus/axi_lite.hpp"
 #include "hls/bus/six_step_axi.hpp"
-#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/six_step_csr.hpp"
 
 namespace steplock {
 
@@ -96,7 +96,7 @@ class SixStepAxes {
   }
 
   AxiLite axi_;
-  std::array<SixStepRegistered, Axes> drives_;
+  std::array<SixStepCsr, Axes> drives_;
   UInt<2> write_axis_ = 0;   // whose answer is shown
   UInt<2> read_axis_ = 0;
   bool write_hole_ = false;  // there is none

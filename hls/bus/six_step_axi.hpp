@@ -1,8 +1,8 @@
 // The six-step drive behind an AXI4-Lite slave: wires between the blocks, and nothing else.
 //
-//     AXI4-Lite -> AxiLite -> SixStepRegistered -> gates
+//     AXI4-Lite -> AxiLite -> SixStepCsr -> gates
 //
-// The map is docs/registers.md.
+// The map is docs/six_step_registers.md.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
 //     write of CONTROL to the drive     2 clocks
@@ -12,7 +12,7 @@
 #pragma once
 
 #include "hls/bus/axi_lite.hpp"
-#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/six_step_csr.hpp"
 
 namespace steplock {
 
@@ -44,7 +44,7 @@ class SixStepAxi {
 
  private:
   AxiLite axi_;
-  SixStepRegistered drive_;
+  SixStepCsr drive_;
 };
 
 }  // namespace steplock

@@ -5,7 +5,7 @@
 //     kWordRows       every word of the drive: hls/bus/word_rows.hpp
 //     kFields         both, which is the map; SixStep is its name
 //
-// Doc: docs/registers.md   Test: tests/hls/register_fields_test.cpp
+// Doc: docs/six_step_registers.md   Test: tests/hls/register_fields_test.cpp
 
 #pragma once
 
@@ -25,9 +25,9 @@ inline constexpr auto kSystemFields = joined(joined(
          .counters = 1,
          .ramp = 1,
          .follower = 1,
-         .states = "0 idle, 1 observe, 2 brake, 3 settle, 4 reset, 5 accelerate, 6 pull in, 7 run, "
-                   "8 slow down, 9 rest, 10 fault.",
-         .reasons = "Of the last failed try: 0 none, 1 fault pin, 2 over-current, 3 step-out, 4 stall, "
+         .states = "0 idle, 1 detect spin, 2 brake, 3 pre-align, 4 align, 5 accelerate, 6 pull in, 7 run, "
+                   "8 slow down, 9 retry delay, 10 fault.",
+         .reasons = "Of the last failed attempt: 0 none, 1 fault pin, 2 over-current, 3 step-out, 4 stall, "
                     "5 wrong lock, 6 no lock, 7 cannot stop, 8 Hall code, 9 blocked.",
          .no_period = "PWM.period is 0: all six gates are off, and the drive does not start, whatever "
                       "CONTROL says."}),
@@ -44,7 +44,7 @@ inline constexpr auto kSystemFields = joined(joined(
          "Steps that freewheeled for too long."},
         {"TELEMETRY_LIMITS", "limit_hits", 0x3c, 16, 16, Access::kReadOnly, 0, "",
          "Pulses cut by the current limit."},
-        {"TELEMETRY_RETRIES", "retries", 0x40, 0, 16, Access::kReadOnly, 0, "", "Failed tries."},
+        {"TELEMETRY_RETRIES", "retries", 0x40, 0, 16, Access::kReadOnly, 0, "", "Failed attempts."},
     })), control_fields());
 
 inline constexpr auto kFields = joined(kSystemFields, fields_of(kWordRows));

@@ -1,8 +1,8 @@
 // The six-step drive behind an SPI slave, for a companion MCU: wires between the blocks, and nothing else.
 //
-//     SPI -> Spi -> SixStepRegistered -> gates
+//     SPI -> Spi -> SixStepCsr -> gates
 //
-// The map is docs/registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and its
+// The map is docs/six_step_registers.md, the frames are in docs/blocks/spi.md.  The drive's fault pin and its
 // heartbeat watchdog do not pass the bus.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
@@ -12,7 +12,7 @@
 
 #pragma once
 
-#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/six_step_csr.hpp"
 #include "hls/bus/spi.hpp"
 
 namespace steplock {
@@ -46,7 +46,7 @@ class SixStepSpi {
 
  private:
   Spi bus_;
-  SixStepRegistered drive_;
+  SixStepCsr drive_;
   Spi::Reply reply_;
 };
 

@@ -1,8 +1,8 @@
 // The six-step drive behind a Wishbone B4 slave: wires between the blocks, and nothing else.
 //
-//     Wishbone -> Wishbone -> SixStepRegistered -> gates
+//     Wishbone -> Wishbone -> SixStepCsr -> gates
 //
-// The map is docs/registers.md.  A hole and a refused write end in err instead of ack.
+// The map is docs/six_step_registers.md.  A hole and a refused write end in err instead of ack.
 //
 //     fault pin to all six gates off    3 clocks, as without the bus
 //     write of CONTROL to the drive     2 clocks
@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/six_step_csr.hpp"
 #include "hls/bus/wishbone.hpp"
 
 namespace steplock {
@@ -44,7 +44,7 @@ class SixStepWb {
 
  private:
   Wishbone bus_;
-  SixStepRegistered drive_;
+  SixStepCsr drive_;
 };
 
 }  // namespace steplock

@@ -126,8 +126,8 @@ class Spi {
 };
 
 // What is to be replied in the next clock.
-template <class Registered>
-Spi::Reply spi_reply(const Spi::Out& bus, const Registered& drive) {
+template <class Csr>
+Spi::Reply spi_reply(const Spi::Out& bus, const Csr& drive) {
   return {.bit = drive.data.bit(int(bus.place.raw())),
           .error = bus.writing ? drive.write_error : drive.read_error};
 }

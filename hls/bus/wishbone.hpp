@@ -65,8 +65,8 @@ struct WishboneAnswers {
   bool stall = false;  // for pipelined hosts
   UInt<32> dat = 0;
 };
-template <class Registered>
-WishboneAnswers wishbone_answers(const Wishbone::Out& bus, bool we, const Registered& drive) {
+template <class Csr>
+WishboneAnswers wishbone_answers(const Wishbone::Out& bus, bool we, const Csr& drive) {
   const bool error = we ? drive.write_error : drive.read_error;
   return {.ack = bus.ack && !error, .err = bus.ack && error, .stall = bus.stall, .dat = drive.data};
 }

@@ -6,7 +6,7 @@
 //     kReadWrite  may be tuned while the motor turns      kStopped  shapes the start or the bridge
 //     kShadowed   the set-point                           kKeyed    protects the hardware
 //
-// Doc: docs/registers.md   Test: tests/hls/register_fields_test.cpp
+// Doc: docs/six_step_registers.md   Test: tests/hls/register_fields_test.cpp
 
 #pragma once
 
@@ -84,10 +84,10 @@ inline constexpr auto kWordRows = std::make_tuple(
         "LOOP", "delay", 0x90, 16, Access::kStopped, "clocks",
         "From the crossing at the motor to the sample."),
     word<&Words::loop, &LoopWords::expected>(
-        "LOOP_PLACE", "expected", 0x94, 0, Access::kReadWrite, "u0.16 step",
+        "LOOP_PHASE", "expected", 0x94, 0, Access::kReadWrite, "u0.16 step",
         "The crossing's place in the step: 1/2 + advance / 60 degrees."),
     word<&Words::loop, &LoopWords::lead_error>(
-        "LOOP_PLACE", "lead_error", 0x94, 16, Access::kReadWrite, "u0.16 step",
+        "LOOP_PHASE", "lead_error", 0x94, 16, Access::kReadWrite, "u0.16 step",
         "Error when the level before the crossing never showed and the rotor led before."),
     word<&Words::loop, &LoopWords::ki>(
         "LOOP_GAIN", "ki", 0x98, 0, Access::kReadWrite, "u2.14",
@@ -107,18 +107,18 @@ inline constexpr auto kWordRows = std::make_tuple(
     word<&Words::loop, &LoopWords::maximum>(
         "LOOP_MAXIMUM", "maximum", 0xa8, 0, Access::kReadWrite, "u0.32 turns/clock",
         "Largest frequency."),
-    word<&Words::start, &StartWords::settle>(
-        "START_RESET", "settle", 0xac, 0, Access::kStopped, "ticks",
-        "Of the first pattern."),
-    word<&Words::start, &StartWords::reset>(
-        "START_RESET", "reset", 0xac, 16, Access::kStopped, "ticks",
-        "Of the reset pattern."),
-    word<&Words::start, &StartWords::reset_duty>(
-        "START_DUTY", "reset_duty", 0xb0, 0, Access::kStopped, "u1.15",
-        "Of settle and reset; twice that from the third try on. Following: until the rotor is followed."),
+    word<&Words::start, &StartWords::pre_align>(
+        "START_ALIGN", "pre_align", 0xac, 0, Access::kStopped, "ticks",
+        "Of the pattern before the alignment."),
+    word<&Words::start, &StartWords::align>(
+        "START_ALIGN", "align", 0xac, 16, Access::kStopped, "ticks",
+        "Of the alignment pattern."),
+    word<&Words::start, &StartWords::align_duty>(
+        "START_DUTY", "align_duty", 0xb0, 0, Access::kStopped, "u1.15",
+        "Of both alignment patterns; twice that from the third attempt on. Following: until the rotor is followed."),
     word<&Words::start, &StartWords::start_duty>(
         "START_DUTY", "start_duty", 0xb0, 16, Access::kStopped, "u1.15",
-        "During acceleration and pull-in, above the back-EMF; twice that from the third try on."),
+        "During acceleration and pull-in, above the back-EMF; twice that from the third attempt on."),
     word<&Words::start, &StartWords::ramp>(
         "START_RAMP", "ramp", 0xb4, 0, Access::kStopped, "u0.32 per tick",
         "Acceleration of the VCO."),
@@ -133,21 +133,21 @@ inline constexpr auto kWordRows = std::make_tuple(
         "So many in a row are a lock."),
     word<&Words::start, &StartWords::retries>(
         "START_LOCK", "retries", 0xbc, 24, Access::kStopped, "",
-        "Failed tries before the fault latches."),
+        "Failed attempts before the fault latches."),
     word<&Words::start, &StartWords::method>(
         "START_LOCK", "method", 0xbc, 31, Access::kStopped, "",
         "Of the start: 0 alignment and ramp, 1 following the rotor."),
     word<&Words::start, &StartWords::pull_in>(
         "START_TIMES", "pull_in", 0xc0, 0, Access::kStopped, "ticks",
         "Time limit from hand-over to lock."),
-    word<&Words::start, &StartWords::rest>(
-        "START_TIMES", "rest", 0xc0, 16, Access::kStopped, "ticks",
-        "Gates off between a failure and the next try."),
-    word<&Words::start, &StartWords::observe>(
-        "START_CATCH", "observe", 0xc4, 0, Access::kStopped, "ticks",
+    word<&Words::start, &StartWords::retry_delay>(
+        "START_TIMES", "retry_delay", 0xc0, 16, Access::kStopped, "ticks",
+        "Gates off between a failure and the next attempt."),
+    word<&Words::start, &StartWords::detect_spin>(
+        "START_SPIN", "detect_spin", 0xc4, 0, Access::kStopped, "ticks",
         "Time to look for a rotor that already spins; 0 skips it."),
     word<&Words::start, &StartWords::slow_down>(
-        "START_CATCH", "slow_down", 0xc4, 16, Access::kStopped, "ticks",
+        "START_SPIN", "slow_down", 0xc4, 16, Access::kStopped, "ticks",
         "Time limit for slowing down before a reversal."),
     word<&Words::start, &StartWords::brake>(
         "START_BRAKE", "brake", 0xc8, 0, Access::kStopped, "ticks",

@@ -2,7 +2,7 @@
 // measured.
 //
 //     t_k = on_k - s_k dead       s_k = sign of the current out of leg k, in proportion within
-//                                 one step of a 12-bit converter
+//                                 one step of a 12-bit ADC
 //     v_alpha = (2 t_u - t_v - t_w) v_dc / (3 period)
 //     v_beta = sqrt 3 (t_v - t_w) v_dc / (3 period)
 //
@@ -25,7 +25,7 @@ namespace steplock {
 using LegClocks = UInt<14>;   // on-time of a leg within the period
 using DeadClocks = UInt<12>;  // u8.4, clocks
 
-// s_k dead in s9.4 clocks; `current` in s0.15, of which a converter's step is 16 places.
+// s_k dead in s9.4 clocks; `current` in s0.15, of which an ADC's step is 16 places.
 template <int W>
 Int<14> dead_clocks(Int<W> current, DeadClocks dead) {
   const bool above = current > 16, below = current < -16;

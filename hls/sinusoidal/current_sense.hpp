@@ -1,4 +1,4 @@
-// Current sense: the converters' codes to currents without offset, and over-current.
+// Current sense: the ADCs' codes to currents without offset, and over-current.
 //
 //     calibrate   the mean of 16 samples is the offset; `measured` when it stands
 //     else        i = code - offset, taken with `valid`, limited to the format

@@ -1,8 +1,8 @@
-// What ends a run of the sinusoidal drive, or a try: once per sample.
+// What ends a run of the sinusoidal drive, or an attempt: once per sample.
 //
 //     over-current   any phase beyond its limit                            fault at once
 //     lost sample    so many periods in a row without one                  fault at once
-//     saturated      a regulator at its limit for too long                 the try has failed
+//     saturated      a regulator at its limit for too long                 the attempt has failed
 //     EMF            one that does not belong to the speed, for too long   "
 //     too slow       for too long more than not, while locked              "
 //
@@ -37,7 +37,7 @@ class DriveProtection {
 
   struct Out {
     SinusoidalReason fatal = SinusoidalReason::kNone;   // ends the run
-    SinusoidalReason failed = SinusoidalReason::kNone;  // ends the try
+    SinusoidalReason failed = SinusoidalReason::kNone;  // ends the attempt
   };
 
   Out tick(const In& in) {

@@ -1,6 +1,6 @@
 // Pilot pulses, the law: the rotor's position from the currents of all pulses, as equations.
 //
-// PilotPulses does the same one sample at a time, with waits for what decays, and is held to this bit for bit.  What the converters
+// PilotPulses does the same one sample at a time, with waits for what decays, and is held to this bit for bit.  What the ADCs
 // and the current control do in between stands for two functions: `peak(pulse, axis)`, the current along `axis` at the end of a
 // pulse, and `seen(u, v, from)`, the sum (its parts along windings u and v) from a direction.  What ends a search that is under way
 // (a lost sample, a current that does not decay) is no part of it.

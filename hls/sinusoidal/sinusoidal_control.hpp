@@ -78,8 +78,8 @@ class SinusoidalControl {
                                                 .on_v = in.ended.on_v,
                                                 .on_w = in.ended.on_w,
                                                 .period = in.bridge.period,
-                                                .dead = in.bridge.lost,
-                                                .inverse = in.bridge.inverse},
+                                                .dead = in.bridge.dead_time_loss,
+                                                .inverse = in.bridge.reciprocal},
                                     .words = in.estimator});
     // A sample and a half on; the speed's last place is an eighth of the angle's.
     const auto further = (speed_ + (speed_ >> 1)) >> 3;
@@ -106,8 +106,8 @@ class SinusoidalControl {
                                        .v_dc = in.v_dc,
                                        .period = in.bridge.period,
                                        .minimum = in.bridge.minimum,
-                                       .dead = compensate ? in.bridge.lost : DeadClocks(0),
-                                       .sine = in.bridge.sine,
+                                       .dead = compensate ? in.bridge.dead_time_loss : DeadClocks(0),
+                                       .sine = in.bridge.sine_pwm,
                                        .hold = in.hold,
                                        .hold_u = in.hold_u,
                                        .hold_v = in.hold_v,

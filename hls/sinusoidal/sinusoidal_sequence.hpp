@@ -2,12 +2,12 @@
 //
 //     idle -> calibrate -> pattern -> starting -> run -> slow down -> brake -> idle
 //                                        |         |
-//                    pilot ----------^   (failed: rest -> calibrate, so many times, then fault)
+//                    pilot ----------^   (failed: retry delay -> calibrate, so many times, then fault)
 //
 // Pattern: three places, the last of which is winding u, angle 0; forwards 240, 300 and 0 degrees (legs w, w and u, u), in
 // reverse 120, 60 and 0 (v, v and u, u), so that the rotor turns the wanted way from place to place.  A load holds a rotor
 // near each of them, and near its opposite; from what it leaves of one, the next is near enough to be reached.
-// Pilot: PilotPulses looks for the angle; not found in `pattern` periods is a try that failed for want of decay.
+// Pilot: PilotPulses looks for the angle; not found in `pattern` periods is an attempt that failed for want of decay.
 // Starting: the loop is closed; the gates follow from the first period on that has on-times of the regulators, and the
 // estimator from the period after.  Run: the speed was high enough, and the EMF belonged to it, for `lock` periods
 // without a gap.
@@ -31,7 +31,7 @@ class SinusoidalSequence {
     bool fault_pin = false;
     bool period = false;     // a PWM period begins
     bool sampled = false;    // a sample has been worked through
-    bool measured = false;   // the converters' offsets stand
+    bool measured = false;   // the ADCs' offsets stand
     bool fast = false;       // the speed may be trusted
     bool plausible = false;  // the EMF belongs to it
     bool stopping = false;   // slower than the stop speed
@@ -59,7 +59,7 @@ class SinusoidalSequence {
     bool brake = false;       // all low sides on
     bool slow_down = false;
     bool locked = false;
-    UInt<4> tries = 0;        // that failed and were followed by another one, since `run` was obeyed
+    UInt<4> retries = 0;      // attempts that failed and were followed by another one, since `run` was obeyed
   };
 
   Out tick(const In& in) {
@@ -81,7 +81,7 @@ class SinusoidalSequence {
                   .brake = state_ == SinusoidalState::kBrake,
                   .slow_down = state_ == SinusoidalState::kSlowDown,
                   .locked = regulating && state_ != SinusoidalState::kStarting,
-                  .tries = tries_};
+                  .retries = retries_};
     entered_ = false;
     // As they stand at the begin of the clock: counting and deciding are a path each.
     const bool over = timer_ == 0, trusted = trust_ == 0;
@@ -120,11 +120,11 @@ class SinusoidalSequence {
     enter(SinusoidalState::kFault);
   }
   void fail(SinusoidalReason reason, const SequenceWords& words) {
-    const bool last = tries_ >= words.retries;
+    const bool last = retries_ >= words.retries;
     reason_ = reason;
-    timer_ = words.rest;
-    if (!last) tries_ = wrap<UInt<4>>(tries_ + 1);
-    enter(last ? SinusoidalState::kFault : SinusoidalState::kRest);
+    timer_ = words.retry_delay;
+    if (!last) retries_ = wrap<UInt<4>>(retries_ + 1);
+    enter(last ? SinusoidalState::kFault : SinusoidalState::kRetryDelay);
   }
   void begin_to_turn(const SequenceWords& words) {
     timer_ = words.give_up;
@@ -143,7 +143,7 @@ class SinusoidalSequence {
       case SinusoidalState::kIdle:
         if (run) {
           reverse_ = in.command.reverse;
-          tries_ = 0;
+          retries_ = 0;
           reason_ = SinusoidalReason::kNone;
           enter(SinusoidalState::kCalibrate);
         }
@@ -211,7 +211,7 @@ class SinusoidalSequence {
       case SinusoidalState::kBrake:
         if (over) enter(SinusoidalState::kIdle);
         break;
-      case SinusoidalState::kRest:
+      case SinusoidalState::kRetryDelay:
         if (!run) {
           enter(SinusoidalState::kIdle);
         } else if (over) {
@@ -230,7 +230,7 @@ class SinusoidalSequence {
   SinusoidalReason reason_ = SinusoidalReason::kNone;
   Periods timer_ = 0;        // periods left of the state
   Periods trust_ = 0;        // periods in which the estimate has still to be trusted
-  UInt<4> tries_ = 0;        // that failed
+  UInt<4> retries_ = 0;        // that failed
   UInt<2> modulated_ = 0;    // periods begun under the regulators
   bool regulated_ = false;   // their first on-times stand
   UInt<2> third_ = 0;        // of the pattern

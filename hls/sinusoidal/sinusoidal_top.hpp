@@ -10,7 +10,7 @@
 // is closed when; DriveProtection watches.  What the sequence says is taken over when a sample is
 // taken, so that all of it works under the same orders.
 //
-// `sample` is a strobe at the start of a PWM period: the converters are to hold what stands then,
+// `sample` is a strobe at the start of a PWM period: the ADCs are to hold what stands then,
 // and give their codes with `valid` so early that the sample is done before the next period.  Codes
 // that come while one is under way are not taken, and DriveProtection counts the lost sample.
 //
@@ -38,7 +38,7 @@ class SinusoidalTop {
  public:
   struct In {
     bool fault = false;          // asynchronous pin, active high
-    CurrentSense::Codes codes;   // from the converters
+    CurrentSense::Codes codes;   // from the ADCs
     Command command;
     SinusoidalWords words;
   };
@@ -53,7 +53,7 @@ class SinusoidalTop {
     bool done = false;        // strobe: a sample is worked through
     bool busy = false;        // one is under way: codes of the next clock are not taken
     bool reverse = false;     // the wanted direction
-    UInt<4> tries = 0;        // that failed and were followed by another one, since `run` was obeyed
+    UInt<4> retries = 0;      // attempts that failed and were followed by another one, since `run` was obeyed
     Angle angle = 0;          // u0.24, electrical turns, at the last sample
     Angle initial = 0;        // u0.24, where the estimate begins: once found, by pilot pulses
     Int<16> speed = 0;        // s0.15 of 1/16 turn per sample, smoothed
@@ -182,7 +182,7 @@ class SinusoidalTop {
             .done = control.done,
             .busy = busy_,
             .reverse = now.reverse,
-            .tries = now.tries,
+            .retries = now.retries,
             .angle = control.angle,
             .initial = pilot.angle,
             .speed = speed.speed,

@@ -4,7 +4,7 @@
 //     on_k = period (1/2 + (v_k - common) / v_dc) + s_k dead
 //     common = (least + greatest) / 2, which gives v_dc / sqrt 3 a phase; 0 with `sine`
 //
-// s_k is the sign of the current out of leg k, in proportion within a converter's step: so the
+// s_k is the sign of the current out of leg k, in proportion within an ADC's step: so the
 // pulse makes up for its dead time.  On or off times below `minimum` become 0 % or 100 %, here and
 // not only in the PWM generator, because the applied voltage is reconstructed from what comes out.
 //

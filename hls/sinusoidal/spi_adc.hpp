@@ -1,4 +1,4 @@
-// SPI converter front end: a 12-bit converter of AD7928 class to the codes of two currents and the dc voltage.
+// SPI ADC front end: a 12-bit ADC of AD7928 class to the codes of two currents and the dc voltage.
 //
 //     sample   conversion of u at once, then v and dc: three frames of 16 bits, cs_n up between them
 //     frame    reads the result of the present channel while it writes the address of the next one,
@@ -6,8 +6,8 @@
 //     wake     two frames of ones and one with u's address: after reset, after `half` was 0, and after
 //              a wrong answer
 //
-// Every answer has to begin with a zero and the address of its channel: a converter that lost its
-// place, or a line that does not move, gives an error instead of a current.  The converter holds its
+// Every answer has to begin with a zero and the address of its channel: an ADC that lost its
+// place, or a line that does not move, gives an error instead of a current.  The ADC holds its
 // input when cs_n falls.  Per frame: 33 half + quiet clocks.
 //
 //     `sample` to cs_n, which holds u    1 clock; v and dc one and two frames later
@@ -37,7 +37,7 @@ class SpiAdc {
  public:
   struct In {
     bool sample = false;  // strobe: hold now
-    bool miso = false;    // pin, from the converter's DOUT
+    bool miso = false;    // pin, from the ADC's DOUT
     SpiAdcWords words;    // stand still while not off
   };
 

@@ -1,6 +1,6 @@
 // The words of the sinusoidal drive: what firmware sets.
 //
-// Full scales: the converters' ranges for current and voltage, of a phase's peak; 1/16 electrical
+// Full scales: the ADCs' ranges for current and voltage, of a phase's peak; 1/16 electrical
 // turn per sample for speeds.  One sample per PWM period; all slow times are counted in these
 // periods.  Words stand still while the drive runs: a sample is computed over many clocks, and
 // takes them where it needs them.
@@ -19,7 +19,7 @@ using Periods = UInt<20>;  // PWM periods
 
 // Places as in the reference, so that a record reads the same.
 enum class SinusoidalState : std::uint8_t {
-  kIdle, kCalibrate, kPilot, kPattern, kStarting, kRun, kSlowDown, kBrake, kRest, kFault
+  kIdle, kCalibrate, kPilot, kPattern, kStarting, kRun, kSlowDown, kBrake, kRetryDelay, kFault
 };
 
 enum class SinusoidalReason : std::uint8_t {
@@ -31,10 +31,10 @@ struct BridgeWords {
   LegClocks period = 0;    // clocks; 480 at least, a sample's
   LegClocks minimum = 0;   // clocks; shorter on or off times become 0 % or 100 %
   UInt<8> dead_time = 0;   // clocks; the guard's floor wins
-  DeadClocks lost = 0;     // u8.4 clocks that a leg loses by it, with its diode's drop
+  DeadClocks dead_time_loss = 0;  // u8.4 clocks that a leg loses by it, with its diode's drop
   bool compensate = false; // the on-times make up for it
-  bool sine = false;       // no zero component
-  UInt<15> inverse = 0;    // u0.25: 1 / (3 period)
+  bool sine_pwm = false;   // no zero component
+  UInt<15> reciprocal = 0; // u0.25: 1 / (3 period)
 };
 
 struct ControlWords {
@@ -52,9 +52,9 @@ struct SequenceWords {
   UInt<15> hold_voltage = 0;  // u0.15, of the pattern's leg, or of a pilot pulse's
   Periods pattern = 0;        // each third of it; all pilot pulses at most
   Periods lock = 0;           // the estimate has to be trusted for so long
-  Periods give_up = 0;        // no lock in this time is a failed try
+  Periods give_up = 0;        // no lock in this time is a failed attempt
   Periods brake = 0;
-  Periods rest = 0;
+  Periods retry_delay = 0;
   UInt<4> retries = 0;
 };
 

@@ -5,7 +5,7 @@
 //     on        V-    W-    W-    U-    U-    V-      low side on throughout
 //     off       W     V     U     W     V     U       floats: its back-EMF is watched
 //
-// Reverse rotation needs no other table: the steps count down.  The reset pattern has U and V high
+// Reverse rotation needs no other table: the steps count down.  The alignment pattern has U and V high
 // and W low; complementary PWM closes the low side of a chopped leg in the off-time.
 //
 //     latency      none: gates and gates only     registers  none     multipliers  none
@@ -20,13 +20,13 @@
 
 namespace steplock {
 
-enum class Pattern : std::uint8_t { kOff, kDrive, kSettle, kReset, kBrake };
+enum class Pattern : std::uint8_t { kOff, kDrive, kPreAlign, kAlign, kBrake };
 
 class Commutation {
  public:
   struct In {
     OneHot<Pattern, 5> pattern = Pattern::kOff;
-    Gates legs;                       // the gates of the step; kSettle is step 1, whatever they say
+    Gates legs;                       // the gates of the step; kPreAlign is step 1, whatever they say
     bool chop = false;                // PWM and current limit: on
     bool complementary = false;       // low side of a chopped leg on while chop is off
   };
@@ -45,11 +45,11 @@ class Commutation {
 
   Out tick(const In& in) {
     const bool drive = in.pattern.holds(Pattern::kDrive);
-    const bool reset = in.pattern.holds(Pattern::kReset);
-    const bool settle = in.pattern.holds(Pattern::kSettle);
+    const bool align = in.pattern.holds(Pattern::kAlign);
+    const bool pre_align = in.pattern.holds(Pattern::kPreAlign);
     const bool brake = in.pattern.holds(Pattern::kBrake) && in.chop;
-    const bool u_high = reset || settle || (drive && in.legs.uh);
-    const bool v_high = reset || (drive && in.legs.vh);
+    const bool u_high = align || pre_align || (drive && in.legs.uh);
+    const bool v_high = align || (drive && in.legs.vh);
     const bool w_high = drive && in.legs.wh;
     const bool freewheel = in.complementary && !in.chop;
     return {.uh = u_high && in.chop,
@@ -57,7 +57,7 @@ class Commutation {
             .vh = v_high && in.chop,
             .vl = (drive && in.legs.vl) || brake || (v_high && freewheel),
             .wh = w_high && in.chop,
-            .wl = reset || settle || (drive && in.legs.wl) || brake || (w_high && freewheel)};
+            .wl = align || pre_align || (drive && in.legs.wl) || brake || (w_high && freewheel)};
   }
 
   bool operator==(const Commutation&) const = default;

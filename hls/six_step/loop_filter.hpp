@@ -12,7 +12,7 @@
 //
 // Following sectors (a rotor to be caught, or Hall sensors) x takes e * frequency whole or a
 // quarter of it, and goes out directly: with error = 1 - turns this is Newton's iteration for 1 /
-// interval.  A ramp is the same with a constant error, quartered `gentle` times, and `ramp` for s.
+// interval.  A ramp is the same with a constant error, quartered `backoff` times, and `ramp` for s.
 //
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
 //     s            its upper 22 bits: a gain needs no more; pole: its upper 15
@@ -31,10 +31,10 @@
 
 namespace steplock {
 
-// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatch, kHall,
+// kStop: frequency 0.  kRamp: it grows by `ramp` per tick.  kTrack: the PLL is closed.  kCatchSpin, kHall,
 // kFollow: it follows the intervals between changes of sector; kFollow from hand_over on, which a slower
 // rotor's misses halve sooner than a faster one's intervals could raise it from the minimum.
-enum class Loop : std::uint8_t { kStop, kRamp, kTrack, kCatch, kHall, kFollow };
+enum class Loop : std::uint8_t { kStop, kRamp, kTrack, kCatchSpin, kHall, kFollow };
 
 class LoopFilter {
  public:
@@ -44,7 +44,7 @@ class LoopFilter {
     bool update = false;           // strobe: the error is new
     bool tick = false;             // strobe: time base of ramp and per-second form
     UInt<20> ramp = 0;             // u0.32, VCO turns per clock, per tick
-    UInt<2> gentle = 0;            // the ramp is quartered so often
+    UInt<2> backoff = 0;           // the ramp is quartered so often
     Bandwidth bandwidth = Bandwidth::kPerStep;
     UInt<10> delay = 0;            // clocks / 2^divide
     UInt<16> ki = 0;               // u2.14
@@ -147,7 +147,7 @@ class LoopFilter {
     const bool too_high = at_.holds(Stage::kSlow) && !below_;
     // A product takes longer than a clock, and a bound waits for one: there is time to fetch what they need.
     if (at_.holds(Stage::kIdle)) {
-      base_ = Work(loop_ == Loop::kRamp ? ramp_error(in.gentle) : in.error) << 6;
+      base_ = Work(loop_ == Loop::kRamp ? ramp_error(in.backoff) : in.error) << 6;
     } else if (!at_.holds(Stage::kDelay)) {
       base_ = at_.holds_one_of(Stage::kIntegral, Stage::kProportional) ? x_
               : at_.holds(Stage::kKeep)                                ? work_
@@ -174,10 +174,10 @@ class LoopFilter {
   }
 
   // 1/16 of a turn stands for the whole ramp.
-  static PhaseError ramp_error(UInt<2> gentle) {
-    return gentle == 0 ? PhaseError(0x1000)
-           : gentle == 1 ? PhaseError(0x400)
-           : gentle == 2 ? PhaseError(0x100)
+  static PhaseError ramp_error(UInt<2> backoff) {
+    return backoff == 0 ? PhaseError(0x1000)
+           : backoff == 1 ? PhaseError(0x400)
+           : backoff == 2 ? PhaseError(0x100)
                          : PhaseError(0x40);
   }
 

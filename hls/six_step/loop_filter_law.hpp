@@ -49,7 +49,7 @@ struct LoopFilterLaw {
 
   // Turns of a step; 1/16 of one stands for the whole ramp.
   static Value error(const In& in) {
-    const PhaseError ramp = 0x1000 >> 2 * static_cast<int>(in.gentle.raw());
+    const PhaseError ramp = 0x1000 >> 2 * static_cast<int>(in.backoff.raw());
     return Value(in.loop == Loop::kRamp ? ramp : in.error) << 6;
   }
   // Turns per clock, 22 bits of it: each form's own.

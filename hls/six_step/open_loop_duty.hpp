@@ -1,8 +1,8 @@
 // Open-loop duty: the torque of a start, before speed control has a say.
 //
-//     kSettle, kReset    reset_duty        twice that with `strong`, up to 100 %
+//     kPreAlign, kAlign  align_duty        twice that with `strong`, up to 100 %
 //     kAccelerate        start_duty        likewise
-//       following        reset_duty until the rotor is followed, then start_duty, then a part: see below
+//       following        align_duty until the rotor is followed, then start_duty, then a part: see below
 //     kPullIn            start_duty, which fades by 1/32 per step
 //       following        the same part of start_duty, until speed control takes over
 //     kBrake             brake_duty, from which speed control takes the back-EMF's
@@ -37,13 +37,13 @@ class OpenLoopDuty {
  public:
   struct In {
     States state = State::kIdle;
-    bool strong = false;     // two tries failed
+    bool strong = false;     // two attempts failed
     bool follows = false;    // the start follows the rotor
     bool sure = false;       // and has it
     bool fast = false;       // and has the frequency of hand-over
     bool commutate = false;  // strobe: a new step began
     bool lags = false;       // the last error was negative: the rotor lags the VCO
-    Duty reset_duty = 0;     // u1.15
+    Duty align_duty = 0;     // u1.15
     Duty start_duty = 0;     // u1.15
     Duty brake_duty = 0;     // u1.15
   };
@@ -52,7 +52,7 @@ class OpenLoopDuty {
     Duty duty = 0;  // u1.15, of the state a clock ago
   };
 
-  // `strong` leaves out a try that fails in this clock: that ends the pulling in, and waiting for the
+  // `strong` leaves out an attempt that fails in this clock: that ends the pulling in, and waiting for the
   // verdict would make this the longest path of the drive.
   Out tick(const In& in) {
     const Out out{.duty = duty_};
@@ -75,9 +75,9 @@ class OpenLoopDuty {
       began_ = fast && (began_ || in.commutate);
       was_fast_ = fast;
       duty_ = pulls_in || fast                                       ? fell_ ? start >> 2 : start >> 4
-              : accelerates && in.follows && !in.sure                ? in.reset_duty
+              : accelerates && in.follows && !in.sure                ? in.align_duty
               : accelerates                                          ? eases_ ? start >> 1 : start
-              : in.state.holds_one_of(State::kSettle, State::kReset) ? stronger(in.reset_duty, in.strong)
+              : in.state.holds_one_of(State::kPreAlign, State::kAlign) ? stronger(in.align_duty, in.strong)
               : in.state.holds(State::kBrake)                        ? in.brake_duty
                                                                      : Duty(0);
     }
@@ -88,7 +88,7 @@ class OpenLoopDuty {
   bool operator==(const OpenLoopDuty&) const = default;
 
  private:
-  // Two failed tries: bus, flux or resistance may be weaker than the words' motor; the limit stands.  No bus
+  // Two failed attempts: bus, flux or resistance may be weaker than the words' motor; the limit stands.  No bus
   // has more than 100 %, and what a rotor that lags gets more than that does not pass the word's end.
   static Duty stronger(Duty duty, bool strong) {
     if (!strong) return duty;

@@ -7,7 +7,7 @@
 //                                                         was hidden, too, or led by 1/8
 //     following       error = 1 - turns since the last change of sector, within +-1/2
 //
-// `hurries` marks a hidden crossing after one that was hidden or led by 1/16: current that grows the
+// `masked_lead` marks a hidden crossing after one that was hidden or led by 1/16: current that grows the
 // freewheeling makes the rotor faster than the loop can follow.  Hidden ones of a steady rotor do not.
 //
 // Two forms: every crossing, each 60 electrical degrees; or only phase U's rising one, once per
@@ -28,12 +28,12 @@
 
 namespace steplock {
 
-enum class Evidence : std::uint8_t { kNothing, kCrossings, kSectors };
+enum class DetectorSource : std::uint8_t { kNone, kCrossings, kSectors };
 
 class PhaseDetector {
  public:
   struct In {
-    Evidence watch = Evidence::kNothing;  // what the error is made of
+    DetectorSource detector_source = DetectorSource::kNone;  // what the error is made of
     bool crossing = false;          // strobe: the back-EMF crossed zero
     Phase crossing_phase = 0;       // u0.16, where in the step
     bool before_seen = false;       // the level before the crossing showed in this step
@@ -54,7 +54,7 @@ class PhaseDetector {
     bool update = false;   // strobe: the error is new
     bool good = false;     // strobe: it is within the window (following: within 1/8)
     bool missed = false;   // strobe: it stands for a crossing that was not found
-    bool hurries = false;  // until the next one: freewheeling hid it, and the rotor led before
+    bool masked_lead = false;  // until the next one: freewheeling hid it, and the rotor led before
   };
 
   Out tick(const In& in) {
@@ -63,16 +63,16 @@ class PhaseDetector {
                   .update = update_,
                   .good = update_ && !missed_ && (follows_ ? magnitude < kSectorWindow : magnitude < in.window),
                   .missed = missed_,
-                  .hurries = hurries_};
+                  .masked_lead = masked_lead_};
 
-    const bool crossings = in.watch == Evidence::kCrossings;
-    const bool sectors = in.watch == Evidence::kSectors;
+    const bool crossings = in.detector_source == DetectorSource::kCrossings;
+    const bool sectors = in.detector_source == DetectorSource::kSectors;
     missed_ = (crossings && in.commutate && !answered_) ||
               (sectors && in.elapsed && turned_);
     update_ = missed_ || (crossings && in.crossing && !answered_) || (sectors && in.changed);
     if (update_) {
       const bool hid = crossings && missed_ && !before_;
-      hurries_ = hid && (hid_ || error_ >= kLead);
+      masked_lead_ = hid && (hid_ || error_ >= kLead);
       error_ = wrap<Int<18>>(place(in) - found(in));
       hid_ = hid;
     }
@@ -103,11 +103,11 @@ class PhaseDetector {
   UInt<17> place(const In& in) const {
     // A change in the very clock in which the turn ends, as often happens in lock, comes after it.
     const bool turned = turned_ || in.elapsed;
-    if (in.watch == Evidence::kSectors) return turned ? UInt<17>(0) : UInt<17>(0x10000);
+    if (in.detector_source == DetectorSource::kSectors) return turned ? UInt<17>(0) : UInt<17>(0x10000);
     return !in.commutate || before_ ? in.expected : hid_ || far_lead() ? in.lead_error : Phase(0);
   }
   Phase found(const In& in) const {
-    if (in.watch == Evidence::kSectors) return in.elapsed && turned_ ? Phase(0x8000) : in.phase;
+    if (in.detector_source == DetectorSource::kSectors) return in.elapsed && turned_ ? Phase(0x8000) : in.phase;
     return !in.commutate ? in.crossing_phase : before_ ? Phase::max() : Phase(0);
   }
   bool far_lead() const { return error_ >= kFarLead; }
@@ -122,7 +122,7 @@ class PhaseDetector {
   bool answered_ = true;  // this step has had its crossing, or needs none
   bool before_ = false;   // before_seen, from the step that a commutation ends
   bool hid_ = false;      // the last update was of a step on the level after
-  bool hurries_ = false;  // and the rotor led before it; until the next update
+  bool masked_lead_ = false;  // and the rotor led before it; until the next update
   bool follows_ = false;  // the error is that of a sector
   bool turned_ = false;   // following: a whole turn since the last change or miss
 };

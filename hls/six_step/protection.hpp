@@ -19,7 +19,7 @@
 //     over-current the limit's comparator was never released in `over_current` hits in a row
 //     fault pin    as it comes
 //
-// The first four end a try (`lost`), the last two end the drive (`fatal`), whatever it is doing.
+// The first four end an attempt (`lost`), the last two end the drive (`fatal`), whatever it is doing.
 //
 //     latency      none: the verdict stands in the clock of its cause; on strobes in clocks in a row up to two later
 //     registers    35 bits     multipliers  none
@@ -54,7 +54,7 @@ class Protection {
   };
 
   struct Out {
-    bool lost = false;            // give up this try
+    bool lost = false;            // give up this attempt
     bool fatal = false;           // latch a fault, in any state
     Reason reason = Reason::kNone;
     bool freewheel_long = false;  // strobe: the step that ended freewheeled for too long

@@ -122,7 +122,7 @@ class SixStepTop {
                            .update = update_, .good = good_, .fast = fast_, .slow = slow_, .steady = steady_,
                            .step = divided_.step, .reverse = reverse_, .sample_every = words.bemf.sample_every,
                            .look = words.start.look, .probe = words.start.probe, .still = words.start.still});
-    const auto start = start_.tick({.observes = in.with.hall_decoder, .tick = tick_, .command = command,
+    const auto start = start_.tick({.detects_spin = in.with.hall_decoder, .tick = tick_, .command = command,
                                     .source = words.source, .words = start_words, .fast = fast_, .slow = slow_,
                                     .commutate = divided_.commutate, .update = update_, .good = good_, .lags = lags_,
                                     .turns_reverse = w.sectors.reverse, .sector = w.sectors.sector,
@@ -133,7 +133,7 @@ class SixStepTop {
     w.start = start;
 
     listen(in, w);
-    w.detector = detector_.tick({.watch = start.watch, .crossing = w.bemf.crossing,
+    w.detector = detector_.tick({.detector_source = start.detector_source, .crossing = w.bemf.crossing,
                                  .crossing_phase = w.bemf.crossing_phase, .before_seen = w.bemf.before_seen,
                                  .commutate = w.divider.commutate, .step = w.step, .reverse = start.reverse,
                                  .changed = follow_ ? w.rotor.changed : w.sectors.moved, .elapsed = w.divider.elapsed,
@@ -141,7 +141,7 @@ class SixStepTop {
                                  .expected = words.loop.expected, .lead_error = words.loop.lead_error,
                                  .window = words.start.window});
     w.filter = filter_.tick({.loop = start.loop, .error = w.detector.error, .update = w.detector.update,
-                             .tick = tick_, .ramp = words.start.ramp, .gentle = start.gentle,
+                             .tick = tick_, .ramp = words.start.ramp, .backoff = start.backoff,
                              .bandwidth = words.loop.bandwidth,
                              .delay = words.loop.delay >> int(words.loop.divide.raw()), .ki = words.loop.ki,
                              .kp = words.loop.kp, .pole = words.loop.pole, .scale = words.loop.scale,
@@ -154,7 +154,7 @@ class SixStepTop {
     w.speed = speed_.tick({.tick = tick_, .mode = start.mode, .fixed_duty = start.duty,
                            .frequency = w.filter.frequency,
                            .target = start.stop ? Frequency(0) : words.speed.target, .limited = limited_ || unknown,
-                           .hurries = hurries_, .freewheels = freewheels_, .period = words.pwm.period,
+                           .masked_lead = masked_lead_, .freewheels = freewheels_, .period = words.pwm.period,
                            .slip = words.protection.slip, .words = words.speed});
     drive(in, w);
 
@@ -182,7 +182,7 @@ class SixStepTop {
     steady_ = start.steady;
     reverse_ = start.reverse;
     crossing_ = w.bemf.crossing;
-    hurries_ = w.detector.hurries;
+    masked_lead_ = w.detector.masked_lead;
     // 15/32 of a step: more current would hide the crossing, or did.  Not while pulling in, which has its own way out.
     freewheels_ = !hall && start.running && w.bemf.freewheel.slice<15, 11>() >= 15;
     lost_ = protection.lost;
@@ -228,7 +228,7 @@ class SixStepTop {
   // The step that is driven, and what its floating terminal says.
   void listen(const In& in, Wires& w) {
     // With Hall sensors the sector is the step, in reverse with the current turned round.
-    const bool hold = w.start.watch == Evidence::kSectors && (in.with.hall_decoder || in.with.follower);
+    const bool hold = w.start.detector_source == DetectorSource::kSectors && (in.with.hall_decoder || in.with.follower);
     const bool new_sector = hold && (w.rotor.load || (!follow_ && w.sectors.changed));
     const Step hall_step = !w.start.reverse       ? w.sectors.sector
                            : w.sectors.sector < 3 ? wrap<Step>(w.sectors.sector + 3)
@@ -335,7 +335,7 @@ class SixStepTop {
   bool steady_ = false;
   bool reverse_ = false;
   bool crossing_ = false;
-  bool hurries_ = false;
+  bool masked_lead_ = false;
   bool freewheels_ = false;
   bool lost_ = false;
   bool fatal_ = false;

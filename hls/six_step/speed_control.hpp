@@ -15,7 +15,7 @@
 //
 // The current limit holds the duty where it is: what it cannot give would only look like a slip.  Where freewheeling takes
 // 15/32 of a step or more and the duty is to rise (faster than its slew, or by 2^-13 a tick for the integral alone, or the limit
-// cuts), it falls by twice its slew; where it hid the crossing of a rotor that hurries on, by its slew until one shows: more
+// cuts), it falls by twice its slew; where it hid the crossing of a leading rotor (`masked_lead`), by its slew until one shows: more
 // current would hide them all and lose the loop.
 //
 // One product at a time, one addition to it, then one bound after the other by one comparator.
@@ -46,7 +46,7 @@ class SpeedControl {
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
-    bool hurries = false;                // freewheeling just hid the crossing of a rotor that leads
+    bool masked_lead = false;                // freewheeling just hid the crossing of a rotor that leads
     bool freewheels = false;             // freewheeling took 15/32 of the last step, or more
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
@@ -238,7 +238,7 @@ class SpeedControl {
     const auto moved = duty_ + (falls ? ~slew : held_ ? none : slew);
     moved_ = moved.negative() ? Limit(0) : wrap<Limit>(moved);
     fast_ = asks_ && in.freewheels;
-    yields_ = in.hurries || fast_;
+    yields_ = in.masked_lead || fast_;
   }
 
   SerialMultiplier<27, 16> multiplier_;

@@ -62,7 +62,7 @@ struct SpeedControlLaw {
     sum = add(wrap<Sum>(integral >> 16), times(e, in.words.kp, in));
     const Int<15> rise = held ? 0 : in.words.duty_slew;
     upper(sum, in.words.maximum);
-    upper(sum, moved(yields(in) || in.hurries ? fall(in) : rise));
+    upper(sum, moved(yields(in) || in.masked_lead ? fall(in) : rise));
     lower(sum, moved(fall(in)));
     lower(sum, in.words.minimum);
     duty = wrap<Duty>(sum);

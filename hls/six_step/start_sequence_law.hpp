@@ -31,15 +31,15 @@ struct StartSequenceLaw {
 
   Next next(const In& in, const Counts& counts) const {
     const Command& host = in.command;
-    const bool wanted = host.run && !in.still, over = counts.over, follows = in.words.method == Method::kFollow;
-    const bool hall = in.source == Source::kHall, looks = in.observes && !hall && in.words.observe != 0;
-    const bool may_brake = at == State::kRun || at == State::kSlowDown || at == State::kBrake || at == State::kObserve;
+    const bool wanted = host.run && !in.still, timed_out = counts.timed_out, follows = in.words.method == Method::kFollow;
+    const bool hall = in.source == Source::kHall, looks = in.detects_spin && !hall && in.words.detect_spin != 0;
+    const bool may_brake = at == State::kRun || at == State::kSlowDown || at == State::kBrake || at == State::kDetectSpin;
     const bool turns_round = !wanted || host.reverse != reverse;
     const bool turns_on = wanted && counts.turns_reverse == reverse;
-    const State first = follows ? State::kAccelerate : State::kSettle;
-    const Next begin{.state = looks ? State::kObserve : hall ? State::kRun : first, .begins = true};
-    const Next brake{.state = counts.braked ? State::kFault : State::kBrake, .brakes = true};
-    const Next fail{.state = counts.tried ? State::kFault : State::kRest, .fails = true};
+    const State first = follows ? State::kAccelerate : State::kPreAlign;
+    const Next begin{.state = looks ? State::kDetectSpin : hall ? State::kRun : first, .begins = true};
+    const Next brake{.state = counts.brakes_exhausted ? State::kFault : State::kBrake, .brakes = true};
+    const Next fail{.state = counts.retries_exhausted ? State::kFault : State::kRetryDelay, .fails = true};
     const auto go = [](State state) { return Next{.state = state}; };
 
     if (at == State::kFault) return go(host.clear_fault && !cleared && !host.run && !in.fatal ? State::kIdle : at);
@@ -47,24 +47,24 @@ struct StartSequenceLaw {
     if (in.fatal) return go(State::kFault);
     if ((!wanted || refused) && !((host.brake_to_stop || in.still) && may_brake)) return go(State::kIdle);
     switch (at) {
-      case State::kObserve:
+      case State::kDetectSpin:
         // One that turns the wanted way, but slower than it may run, is started; so is one that a follower turns round.
-        if (counts.enough && turns_on && !in.slow) return go(State::kRun);
-        if (counts.enough && !turns_on && (in.fast || !follows || !wanted)) return brake;
-        return go(!over ? at : wanted ? first : State::kIdle);
-      case State::kBrake: return !over ? go(at) : wanted || looks ? begin : go(State::kIdle);
-      case State::kSettle: return go(follows ? first : over ? State::kReset : at);
-      case State::kReset: return go(follows || over ? State::kAccelerate : at);
+        if (counts.count_reached && turns_on && !in.slow) return go(State::kRun);
+        if (counts.count_reached && !turns_on && (in.fast || !follows || !wanted)) return brake;
+        return go(!timed_out ? at : wanted ? first : State::kIdle);
+      case State::kBrake: return !timed_out ? go(at) : wanted || looks ? begin : go(State::kIdle);
+      case State::kPreAlign: return go(follows ? first : timed_out ? State::kAlign : at);
+      case State::kAlign: return go(follows || timed_out ? State::kAccelerate : at);
       case State::kAccelerate:
         if (follows ? in.caught : in.fast) return go(State::kPullIn);
-        return over || in.blocked ? fail : go(at);
-      case State::kPullIn: return counts.enough ? go(State::kRun) : over ? fail : go(at);
+        return timed_out || in.blocked ? fail : go(at);
+      case State::kPullIn: return counts.count_reached ? go(State::kRun) : timed_out ? fail : go(at);
       case State::kRun: return in.lost ? fail : go(turns_round ? State::kSlowDown : at);
       case State::kSlowDown:
         if (in.lost) return fail;
         if (!turns_round) return go(State::kRun);
-        return over || !in.fast ? brake : go(at);
-      case State::kRest: return over ? begin : go(at);
+        return timed_out || !in.fast ? brake : go(at);
+      case State::kRetryDelay: return timed_out ? begin : go(at);
       default: return begin;  // kIdle
     }
   }
@@ -74,7 +74,7 @@ struct StartSequenceLaw {
     const bool follows = in.words.method == Method::kFollow;
     const bool accelerates = at != State::kAccelerate && go.state == State::kAccelerate;
     const bool hands_over = at == State::kAccelerate && go.state == State::kPullIn;
-    load_step = (follows ? hands_over : accelerates) || (at == State::kObserve && go.state == State::kRun);
+    load_step = (follows ? hands_over : accelerates) || (at == State::kDetectSpin && go.state == State::kRun);
     began = go.begins && at == State::kIdle;
     failed = go.fails;
     braking = go.brakes;

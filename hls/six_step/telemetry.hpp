@@ -24,7 +24,7 @@ class Telemetry {
     bool missed = false;          // a step ended without one
     bool freewheel_long = false;  // a step freewheeled for too long
     bool limit_hit = false;       // the current limit cut a pulse
-    bool retry = false;           // a try failed
+    bool retry = false;           // an attempt failed
   };
 
   struct Out {

@@ -49,12 +49,12 @@ struct LoopWords {
 };
 
 struct StartWords {
-  Method method = Method::kRamp;  // kRamp: settle, reset, ramp; kFollow: look, probe, still
-  Ticks settle = 0;              // first pattern, so that a rotor opposite to the reset place moves
-  Ticks reset = 0;               // reset pattern: t_r of Eq. (22)
-  Duty reset_duty = 0;           // kRamp: twice that from the third try on, and so start_duty; kFollow: until followed
+  Method method = Method::kRamp;  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+  Ticks pre_align = 0;           // first pattern, so that a rotor opposite to the aligned position moves
+  Ticks align = 0;               // alignment pattern: t_r of Eq. (22)
+  Duty align_duty = 0;           // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
   Duty start_duty = 0;           // during acceleration and pull-in
-  UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration; a quarter after each failed try
+  UInt<20> ramp = 0;             // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
   UInt<16> look = 0;             // sample_every clocks, less one, with gates off until no current flows
   UInt<16> probe = 0;            // sample_every clocks of a drive between two looks
   UInt<8> still = 0;             // looks without news after which the step moves on
@@ -62,12 +62,12 @@ struct StartWords {
   Phase window = 0;              // u0.16: a crossing closer than this to its place is a good one
   UInt<6> good_crossings = 0;    // in a row, for lock (and for catching)
   Ticks pull_in = 0;             // time limit from hand-over to lock
-  Ticks observe = 0;             // time to look for a rotor that already spins; 0 skips it
+  Ticks detect_spin = 0;         // time to look for a rotor that already spins; 0 skips it
   Ticks slow_down = 0;           // time limit for slowing to hand-over speed before a reversal
   Ticks brake = 0;               // one braking interval, between two looks
   Duty brake_duty = 0;           // from which the back-EMF's is taken
-  Ticks rest = 0;                // gates off between a failure and the next try
-  UInt<4> retries = 0;           // failed tries before the fault latches
+  Ticks retry_delay = 0;         // gates off between a failure and the next attempt
+  UInt<4> retries = 0;           // failed attempts before the fault latches
 };
 
 struct SpeedWords {
@@ -112,7 +112,7 @@ struct Parts {
 };
 
 enum class State : std::uint8_t {
-  kIdle, kObserve, kBrake, kSettle, kReset, kAccelerate, kPullIn, kRun, kSlowDown, kRest, kFault
+  kIdle, kDetectSpin, kBrake, kPreAlign, kAlign, kAccelerate, kPullIn, kRun, kSlowDown, kRetryDelay, kFault
 };
 using States = OneHot<State, 11>;  // how the blocks of the start hold and tell theirs
 

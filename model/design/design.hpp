@@ -43,10 +43,10 @@ struct Design {
   double k_l = 0;                   // per second
   double bandwidth = 0;             // rad/step; per step
   Margins continuous, sampled;      // of the open loop; sampled at hand-over speed
-  double reset_time_formula = 0;    // s, Eq. (22)
+  double align_time_formula = 0;    // s, Eq. (22)
   double kappa = 0;                 // N m/rad, Eq. (19)
   double acceleration_time = 0;     // s, from stand-still to hand-over
-  double hand_over_rpm = 0, ramp_rpm_s = 0, start_current = 0, reset_current = 0;
+  double hand_over_rpm = 0, ramp_rpm_s = 0, start_current = 0, align_current = 0;
   double rated_torque = 0;  // N m
 };
 

@@ -48,17 +48,17 @@ struct LoopParameters {
 
 struct StartParameters {
   Method method = Method::kRamp;
-  double settle = 0, reset = 0;  // s
-  double reset_duty = 0, start_duty = 0;  // kFollow: until the rotor is followed, and then
+  double pre_align = 0, align = 0;  // s
+  double align_duty = 0, start_duty = 0;  // kFollow: until the rotor is followed, and then
   double ramp = 0;       // steps/s^2
   double look = 0, probe = 0;  // s
   int still = 0;               // looks
   double hand_over = 0;  // steps/s
   double window = 0;     // turns of a step
   int good_crossings = 1;
-  double pull_in = 0, observe = 0, slow_down = 0, brake = 0;  // s
+  double pull_in = 0, detect_spin = 0, slow_down = 0, brake = 0;  // s
   double brake_duty = 0;  // from which the back-EMF's is taken
-  double rest = 0;  // s
+  double retry_delay = 0;  // s
   int retries = 0;
 };
 

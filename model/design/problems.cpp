@@ -138,7 +138,7 @@ void check_speeds(Findings& found, const Settings& s, const Design& d) {
 
 void check_start(Findings& found, const Settings& s, const Design& d) {
   const auto& p = d.parameters;
-  for (const auto& [name, current] : {std::pair{"start.reset_current_a", d.reset_current},
+  for (const auto& [name, current] : {std::pair{"start.align_current_a", d.align_current},
                                       std::pair{"start.start_current_a", d.start_current}}) {
     const double least = (s.motor.coulomb_nm + s.load.opposing_nm) / d.motor.k_e;
     if (current <= least) {
@@ -152,9 +152,9 @@ void check_start(Findings& found, const Settings& s, const Design& d) {
     found.add("control.limit_off_time_s is ", p.limit.off_time, " s; must be at least ", least_off_time(s),
               " s, or 0: in a quarter of it, with all gates off, the current falls by what it rose while the comparator was not believed; or lower control.limit_blanking_s");
   }
-  if (p.start.reset_duty * p.pwm.period < p.pwm.minimum) {
-    found.add("control.minimum_pulse_s is ", p.pwm.minimum, " s; must be below the reset pulse, ",
-              p.start.reset_duty * p.pwm.period, " s");
+  if (p.start.align_duty * p.pwm.period < p.pwm.minimum) {
+    found.add("control.minimum_pulse_s is ", p.pwm.minimum, " s; must be below the alignment pulse, ",
+              p.start.align_duty * p.pwm.period, " s");
   }
 }
 

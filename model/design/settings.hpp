@@ -118,15 +118,15 @@ struct StartSection {
   Method method = Method::kFollow;
   double kappa_nm = 0, gamma = 4.28;     // Eqs. (19)-(22)
   std::optional<double> xi, k_v, t_a_s;  // Eq. (23)
-  std::optional<double> settle_s, reset_s, reset_current_a, start_current_a;
+  std::optional<double> pre_align_s, align_s, align_current_a, start_current_a;
   std::optional<double> ramp_rpm_s, hand_over_rpm;
   double window_deg = 12;
   int good_crossings = 12;
   std::optional<double> pull_in_s;
-  std::optional<double> observe_s;
+  std::optional<double> detect_spin_s;
   std::optional<double> slow_down_s, brake_s;
   std::optional<double> brake_current_a;
-  double rest_s = 0.05;
+  double retry_delay_s = 0.05;
   int retries = 3;
   std::optional<double> look_s, probe_s, find_duty;
   std::optional<double> still;  // looks
@@ -167,7 +167,7 @@ struct SinusoidalSection {
 struct SinusoidalStartSection {
   StartBy by = StartBy::kPattern;
   std::optional<double> pattern_s, pattern_current_a, start_current_a, lock_rpm, lock_s, stop_rpm;
-  double give_up_s = 2, brake_s = 0.2, rest_s = 0.3;
+  double give_up_s = 2, brake_s = 0.2, retry_delay_s = 0.3;
   int retries = 3;
   std::optional<double> pilot_short_s, pilot_long_s;
   int pilot_repeats = 4;

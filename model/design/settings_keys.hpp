@@ -206,14 +206,14 @@ void for_each_key(S& s, Visitor&& visit) {
   k("probe_s", t.probe_s, "s", "follow: a drive between two looks; default: from the lightest rotor", 1e-6, 0.1);
   k("still", t.still, "", "follow: looks without news before the field moves on; default: from the heaviest rotor", 1, 255);
   k("find_duty", t.find_duty, "", "follow: until the rotor is followed; default: 0.95, so that the limit rules", 0.01, 1);
-  k("kappa_nm", t.kappa_nm, "N m/rad", "Eq. (19); 0: from reset current and flux", 0, 1e3);
+  k("kappa_nm", t.kappa_nm, "N m/rad", "Eq. (19); 0: from alignment current and flux", 0, 1e3);
   k("gamma", t.gamma, "", "Eq. (22), aggregate loss constant", 0.1, 100);
   k("xi", t.xi, "", "Eq. (23), acceleration constant", 1e-3, 1e6);
   k("k_v", t.k_v, "", "Eq. (23), gain of the VCO", 1e-9, 1e9);
   k("t_a_s", t.t_a_s, "s", "acceleration time; default: Eq. (23) or from torque", 1e-4, 10);
-  k("settle_s", t.settle_s, "s", "first pattern, so that an opposite rotor moves", 0, 4);
-  k("reset_s", t.reset_s, "s", "t_r; default: Eq. (22)", 0, 4);
-  k("reset_current_a", t.reset_current_a, "A", "in settle and reset; default: rated", 1e-3, 1e4);
+  k("pre_align_s", t.pre_align_s, "s", "pattern before the alignment, so that an opposite rotor moves", 0, 4);
+  k("align_s", t.align_s, "s", "alignment, the paper's t_r; default: Eq. (22)", 0, 4);
+  k("align_current_a", t.align_current_a, "A", "of both alignment patterns; default: rated", 1e-3, 1e4);
   k("start_current_a", t.start_current_a, "A", "stalled current in acceleration; default: rated",
     1e-3, 1e4);
   k("ramp_rpm_s", t.ramp_rpm_s, "rpm/s", "acceleration of the ramp; default: from torque", 1, 1e7);
@@ -221,14 +221,14 @@ void for_each_key(S& s, Visitor&& visit) {
   k("window_deg", t.window_deg, "deg", "a crossing closer to its place is good", 1, 29);
   k("good_crossings", t.good_crossings, "", "in a row, for lock", 1, 63);
   k("pull_in_s", t.pull_in_s, "s", "time limit from hand-over to lock; default 1 s", 1e-3, 4);
-  k("observe_s", t.observe_s, "s", "look for a rotor that spins; 0 skips it, and a board is made without Hall decoder; default: enough", 0,
+  k("detect_spin_s", t.detect_spin_s, "s", "look for a rotor that spins (flying start); 0 skips it, and a board is made without Hall decoder; default: enough", 0,
     4);
   k("slow_down_s", t.slow_down_s, "s", "time limit before a reversal; default 2 s", 1e-3, 4);
   k("brake_s", t.brake_s, "s", "one braking interval", 1e-3, 4);
   k("brake_current_a", t.brake_current_a, "A", "of a brake, at any speed; default: 0.7 of the limit",
     1e-3, 1e4);
-  k("rest_s", t.rest_s, "s", "gates off before the next try", 0, 4);
-  k("retries", t.retries, "", "failed tries before the fault latches", 0, 15);
+  k("retry_delay_s", t.retry_delay_s, "s", "gates off before the next attempt", 0, 4);
+  k("retries", t.retries, "", "failed attempts before the fault latches", 0, 15);
 
   section = "speed";
   auto& p = s.speed;
@@ -253,7 +253,7 @@ void for_each_key(S& s, Visitor&& visit) {
 
   section = "adc";
   auto& x = s.adc;
-  k("bits", x.bits, "", "of every converter", 4, 24);
+  k("bits", x.bits, "", "of every ADC", 4, 24);
   k("current_a", x.current_a, "A", "range, either sign; default: 4 x rated", 1e-3, 1e4);
   k("voltage_v", x.voltage_v, "V", "range of the bus voltage's; default: 1.5 x bus_v", 1, 1e4);
   k("current_offset_a", x.current_offset_a, "A", "of u, v, w", -1e3, 1e3);
@@ -284,11 +284,11 @@ void for_each_key(S& s, Visitor&& visit) {
   k("start_current_a", z.start_current_a, "A", "phase peak, when the loop is closed; default: what inertia, friction and the envelope's greatest load take, as far as a tenth of the set speed allows", 0, 1e4);
   k("lock_rpm", z.lock_rpm, "rpm", "the estimate is trusted above; default: 2 % of no-load speed, or what a fifth of the resistance may look like", 0.1, 1e6);
   k("lock_s", z.lock_s, "s", "for so long; default: half an electrical turn from that speed on by a quarter of the rated torque, 0.02 at least", 0, 10);
-  k("give_up_s", z.give_up_s, "s", "no lock in this time is a failed try", 1e-3, 100);
+  k("give_up_s", z.give_up_s, "s", "no lock in this time is a failed attempt", 1e-3, 100);
   k("stop_rpm", z.stop_rpm, "rpm", "the drive lets go below; default: lock_rpm", 0.1, 1e6);
   k("brake_s", z.brake_s, "s", "three low sides on, at the end of a stop", 0, 100);
-  k("rest_s", z.rest_s, "s", "gates off before the next try", 0, 100);
-  k("retries", z.retries, "", "failed tries before the fault latches", 0, 100);
+  k("retry_delay_s", z.retry_delay_s, "s", "gates off before the next attempt", 0, 100);
+  k("retries", z.retries, "", "failed attempts before the fault latches", 0, 100);
   k("pilot_short_s", z.pilot_short_s, "s", "pulse; default: to 0.3 x rated current", 1e-6, 0.1);
   k("pilot_long_s", z.pilot_long_s, "s", "pulse for the polarity; default: to 1.2 x rated current", 1e-6, 0.1);
   k("pilot_repeats", z.pilot_repeats, "", "rounds of six short pulses, averaged", 1, 64);
@@ -298,7 +298,7 @@ void for_each_key(S& s, Visitor&& visit) {
   section = "sinusoidal_protection";
   auto& g = s.sinusoidal_protection;
   k("saturated_s", g.saturated_s, "s", "a regulator at its limit for so long; 0 disables", 0, 100);
-  k("slow_rpm", g.slow_rpm, "rpm", "too slow for the estimator; default: from the converter's step", 0, 1e6);
+  k("slow_rpm", g.slow_rpm, "rpm", "too slow for the estimator; default: from the ADC's step", 0, 1e6);
   k("slow_s", g.slow_s, "s", "for so long; 0 disables", 0, 100);
   k("emf_low", g.emf_low, "", "least EMF over K_E speed", 0, 1);
   k("emf_high", g.emf_high, "", "greatest", 1, 100);

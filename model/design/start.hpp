@@ -1,4 +1,4 @@
-// Start sequence by Amano's Eqs. (18)-(23): how long to reset, how long to accelerate.
+// Start sequence by Amano's Eqs. (18)-(23): how long to align (the paper's reset), how long to accelerate.
 //
 //     J theta'' + sigma theta' + kappa theta = 0      (18)-(20), with a restoring sign
 //     f_r = sqrt(kappa / J) / gamma                   (21)
@@ -16,19 +16,19 @@
 
 namespace steplock::design {
 
-inline double reset_resonance(double kappa, double inertia, double gamma) {  // Hz, Eq. (21)
+inline double align_resonance(double kappa, double inertia, double gamma) {  // Hz, Eq. (21)
   return std::sqrt(kappa / inertia) / gamma;
 }
-inline double reset_time(double kappa, double inertia, double gamma) {  // s, Eq. (22)
+inline double align_time(double kappa, double inertia, double gamma) {  // s, Eq. (22)
   return gamma / std::sqrt(kappa / inertia);
 }
 inline double acceleration_time(double xi, double inertia, double k_v, double k_t) {  // s, Eq. (23)
   return xi * inertia * k_v / k_t;
 }
 
-// kappa of Eq. (19): stiffness at the reset position of a rotor held by `current` from U and V to
+// kappa of Eq. (19): stiffness at the aligned position of a rotor held by `current` from U and V to
 // W, per mechanical radian.  The field of that pattern has 3/2 of one phase's amplitude.
-inline double reset_stiffness(double flux, int pole_pairs, double current) {  // N m/rad
+inline double align_stiffness(double flux, int pole_pairs, double current) {  // N m/rad
   return 1.5 * flux * pole_pairs * pole_pairs * current;
 }
 

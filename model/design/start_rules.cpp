@@ -62,15 +62,15 @@ void set_start(const Settings& s, Design& d) {
       std::max(s.motor.rated_current_a / 2,
                std::max(1.3 * heavy.torque, 1.15 * heavy.torque + swing) / heavy.share / m.k_e +
                    heavy.lost));
-  d.reset_current = t.reset_current_a.value_or(d.start_current);
+  d.align_current = t.align_current_a.value_or(d.start_current);
   d.kappa = t.kappa_nm > 0 ? t.kappa_nm
-                           : reset_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.reset_current);
-  d.reset_time_formula = reset_time(d.kappa, m.inertia, t.gamma);
+                           : align_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.align_current);
+  d.align_time_formula = align_time(d.kappa, m.inertia, t.gamma);
   // The shorted windings damp the swing with twice tau_m: five of those leave 8 % of it.
-  p.reset = t.reset_s.value_or(std::max(d.reset_time_formula, 5 * m.tau_m));
-  p.settle = t.settle_s.value_or(p.reset / 2);
+  p.align = t.align_s.value_or(std::max(d.align_time_formula, 5 * m.tau_m));
+  p.pre_align = t.pre_align_s.value_or(p.align / 2);
   // Two phases in parallel, in series with the third.
-  p.reset_duty = duty_for(s, d.reset_current, 0.75 * m.r_loop);
+  p.align_duty = duty_for(s, d.align_current, 0.75 * m.r_loop);
   p.start_duty = duty_for(s, d.start_current, m.r_loop);
 
   const double spare = std::max(0.1 * m.k_e * d.start_current, m.k_e * d.start_current - friction);
@@ -85,7 +85,7 @@ void set_start(const Settings& s, Design& d) {
                  kLatestHandOver * set);
   p.hand_over = t.hand_over_rpm ? steps_per_second(s, *t.hand_over_rpm) : derived;
 
-  // Each failed try takes a quarter of the ramp, the last one what the heaviest load can follow.
+  // Each failed attempt takes a quarter of the ramp, the last one what the heaviest load can follow.
   const double left = heavy.share * m.k_e * (d.start_current - heavy.lost) - heavy.torque;
   const double gentlest = std::max(0.7 * left / inertia * steps,
                                    p.hand_over / (kMostTicks * d.parameters.pwm.tick()));
@@ -102,15 +102,15 @@ void set_start(const Settings& s, Design& d) {
   p.window = t.window_deg / 60;
   p.good_crossings = t.good_crossings;
   p.pull_in = t.pull_in_s.value_or(1.0);
-  // Enough changes of sector at hand-over speed; what turns slower, the reset stops.
-  p.observe = t.observe_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.5));
+  // Enough changes of sector at hand-over speed; what turns slower, the alignment stops.
+  p.detect_spin = t.detect_spin_s.value_or(std::clamp((p.good_crossings + 8) / p.hand_over, 0.005, 0.5));
   p.slow_down = t.slow_down_s.value_or(2.0);
   p.brake = t.brake_s.value_or(std::clamp(2 * m.tau_m, 0.02, 0.6));
   // Shorting the motor brakes with e / R; chopped, only with what exceeds (1 - duty) of the bus: so the duty of a current at
   // standstill, less the back-EMF's.
   const double brake_current = t.brake_current_a.value_or(0.7 * s.sensors.limit_a);
   p.brake_duty = std::min(1 + brake_current * m.r_loop / s.inverter.bus_v, kMostDuty);
-  p.rest = t.rest_s;
+  p.retry_delay = t.retry_delay_s;
   p.retries = t.retries;
   p.method = t.method;
 }
@@ -138,13 +138,13 @@ void set_follower(const Settings& s, Design& d) {
   const double told = kEdgesBetweenLooks / (kBrakedFrom * p.hand_over) - decay;
   p.probe = t.probe_s.value_or(std::max(std::min(0.35 * lightest, told), 1.5 * decay));
   // What cannot turn is to be told in 5 s: three steps an attempt, and a second for codes that only quiver.
-  const double attempt = 4.0 / (1 + p.retries) - p.observe - p.rest;
+  const double attempt = 4.0 / (1 + p.retries) - p.detect_spin - p.retry_delay;
   const double patience = std::min(1.5 * heaviest, std::max(1.2 * heaviest, attempt / 3));
   p.still = int(std::lround(t.still.value_or(std::clamp(patience / (p.probe + p.look), 2.0, 250.0))));
   // So much that the current limit rules.
   d.start_current = t.start_current_a.value_or(1.5 * s.sensors.limit_a);
   p.start_duty = std::min(0.95, duty_for(s, d.start_current, m.r_loop));
-  p.reset_duty = t.find_duty.value_or(0.95);
+  p.align_duty = t.find_duty.value_or(0.95);
 }
 
 }  // namespace steplock::design

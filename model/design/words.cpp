@@ -39,20 +39,20 @@ LoopWords loop_words(Quantiser& word, const LoopParameters& p, double tick, doub
 StartWords start_words(Quantiser& word, const StartParameters& p, double tick, double hertz,
                        double sample) {
   StartWords w{.method = p.method};
-  w.settle = word("start.settle", "s", p.settle, tick, 12);
-  w.reset = word("start.reset", "s", p.reset, tick, 12);
-  w.reset_duty = word("start.reset_duty", "", p.reset_duty, kDuty, 16, kDutyMost);
+  w.pre_align = word("start.pre_align", "s", p.pre_align, tick, 12);
+  w.align = word("start.align", "s", p.align, tick, 12);
+  w.align_duty = word("start.align_duty", "", p.align_duty, kDuty, 16, kDutyMost);
   w.start_duty = word("start.start_duty", "", p.start_duty, kDuty, 16, kDutyMost);
   w.ramp = word("start.ramp", "steps/s^2", p.ramp, hertz / tick, 20);
   w.hand_over = word("start.hand_over", "steps/s", p.hand_over, hertz, 26);
   w.window = word("start.window", "step", p.window, kPhase, 16);
   w.good_crossings = word("start.good_crossings", "", p.good_crossings, 1, 6);
   w.pull_in = word("start.pull_in", "s", p.pull_in, tick, 12);
-  w.observe = word("start.observe", "s", p.observe, tick, 12);
+  w.detect_spin = word("start.detect_spin", "s", p.detect_spin, tick, 12);
   w.slow_down = word("start.slow_down", "s", p.slow_down, tick, 12);
   w.brake = word("start.brake", "s", p.brake, tick, 12);
   w.brake_duty = word("start.brake_duty", "", p.brake_duty, kDuty, 16, kDutyMost);
-  w.rest = word("start.rest", "s", p.rest, tick, 12);
+  w.retry_delay = word("start.retry_delay", "s", p.retry_delay, tick, 12);
   w.retries = word("start.retries", "", p.retries, 1, 4);
   w.look = word("start.look", "s", p.look, sample, 16);
   w.probe = word("start.probe", "s", p.probe, sample, 16);

@@ -43,9 +43,9 @@ struct LoopWords {
   Word ki = 0, kp = 0, pole = 0x8000, scale = 0, minimum = 0, maximum = 0;
 };
 struct StartWords {
-  Word settle = 0, reset = 0, reset_duty = 0, start_duty = 0, ramp = 0, hand_over = 0, window = 0;
-  Word good_crossings = 0, pull_in = 0, observe = 0, slow_down = 0, brake = 0, brake_duty = 0;
-  Word rest = 0, retries = 0;
+  Word pre_align = 0, align = 0, align_duty = 0, start_duty = 0, ramp = 0, hand_over = 0, window = 0;
+  Word good_crossings = 0, pull_in = 0, detect_spin = 0, slow_down = 0, brake = 0, brake_duty = 0;
+  Word retry_delay = 0, retries = 0;
   Method method = Method::kRamp;
   Word look = 0, probe = 0, still = 0;
 };

@@ -1,8 +1,8 @@
 // Which gate should conduct, and the guard that lets it: dead time, shoot-through, minimum pulse.
 //
-//     step      0    1    2    3    4    5      reset   settle   brake
-//     high      U    U    V    V    W    W      U V     U        -
-//     low       V    W    W    U    U    V      W       W        U V W (while chop is on)
+//     step      0    1    2    3    4    5      align   pre-align   brake
+//     high      U    U    V    V    W    W      U V     U           -
+//     low       V    W    W    U    U    V      W       W           U V W (while chop is on)
 //     floats    W    V    U    W    V    U
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_commutation_test.cpp
@@ -15,7 +15,7 @@
 
 namespace steplock::reference {
 
-enum class Mode { kOff, kDrive, kSettle, kReset, kBrake };
+enum class Mode { kOff, kDrive, kPreAlign, kAlign, kBrake };
 
 inline constexpr std::array<int, 6> kHigh = {0, 0, 1, 1, 2, 2}, kLow = {1, 2, 2, 0, 0, 1},
                                     kFloating = {2, 1, 0, 2, 1, 0};
@@ -33,10 +33,10 @@ constexpr Gates gates_wanted(Mode mode, int step, bool chop, bool complementary)
     case Mode::kDrive:
       source(kHigh[step]), sink(kLow[step]);
       break;
-    case Mode::kSettle:
+    case Mode::kPreAlign:
       source(kHigh[1]), sink(kLow[1]);
       break;
-    case Mode::kReset:
+    case Mode::kAlign:
       source(0), source(1), sink(2);
       break;
     case Mode::kBrake:

@@ -32,10 +32,10 @@ bool Drive::commutating() const {
 
 Mode Drive::mode() const {
   switch (sequence_.state()) {
-    case State::kSettle:
-      return Mode::kSettle;
-    case State::kReset:
-      return Mode::kReset;
+    case State::kPreAlign:
+      return Mode::kPreAlign;
+    case State::kAlign:
+      return Mode::kAlign;
     case State::kBrake:
       return Mode::kBrake;
     case State::kAccelerate:
@@ -78,7 +78,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
   const bool hall = p_.source == design::Source::kHall;
   decoder_.update(t, hall ? pins.hall : pins.comparator);
   caught_ = 0;
-  if (sequence_.state() == State::kObserve) observe(t, follows() && command.run && target_ != 0);
+  if (sequence_.state() == State::kDetectSpin) detect_spin(t, follows() && command.run && target_ != 0);
   if (hall && sequence_.locked()) follow_halls(t);
   if (following()) follow_rotor(t, pins);
 
@@ -149,7 +149,7 @@ Output Drive::update(double t, const Pins& pins, const Command& command,
 }
 
 // A rotor that coasts shows all three back-EMFs: signs are the sector, changes the speed.
-void Drive::observe(double t, bool to_be_followed) {
+void Drive::detect_spin(double t, bool to_be_followed) {
   if (!decoder_.settled()) return;
   const double turns = filter_.frequency() * (t - changed_);
   const int way = decoder_.direction();
@@ -226,7 +226,7 @@ void Drive::follow_rotor(double t, const Pins& pins) {
 
 void Drive::enter_state(double t) {
   switch (sequence_.state()) {
-    case State::kObserve:
+    case State::kDetectSpin:
       decoder_.restart();
       filter_.load(p_.start.hand_over);
       steady_ = way_ = 0;
@@ -291,13 +291,13 @@ void Drive::join(double t, const Joined& other) {
 void Drive::on_tick(double t) {
   const auto& s = p_.start;
   const double f = filter_.frequency();
-  // A load too heavy for the ramp fails; the next try takes a quarter of it, three times.
+  // A load too heavy for the ramp fails; the next attempt takes a quarter of it, three times.
   const double ramp = std::ldexp(s.ramp, -2 * std::min(sequence_.retries(), 3));
   double duty = 0;
   switch (sequence_.state()) {
-    case State::kSettle:
-    case State::kReset:
-      duty = stronger(s.reset_duty);
+    case State::kPreAlign:
+    case State::kAlign:
+      duty = stronger(s.align_duty);
       break;
     case State::kBrake:
       duty = std::clamp(s.brake_duty - speed_.bemf_duty(f), 0.0, p_.speed.maximum);
@@ -311,7 +311,7 @@ void Drive::on_tick(double t) {
         eases_ = eases_ || falls;
         if (!fast) fast_steps_ = 0;
         was_fast_ = fast;
-        boost_ = !follower_.sure() ? s.reset_duty : !fast ? s.start_duty / (eases_ ? 2 : 1) : part_of(s.start_duty);
+        boost_ = !follower_.sure() ? s.align_duty : !fast ? s.start_duty / (eases_ ? 2 : 1) : part_of(s.start_duty);
         duty = std::min(boost_ + speed_.bemf_duty(f), p_.speed.maximum);
         break;
       }
@@ -336,7 +336,7 @@ void Drive::on_tick(double t) {
     // Freewheeling of 15/32 of a step, and more current would hide the crossing, if it is not hidden yet.  Not while pulling in.
     const bool freewheels = p_.source != design::Source::kHall && sequence_.locked() && bemf_.freewheel() >= 15.0 / 32;
     speed_.tick(sequence_.state() == State::kSlowDown ? s.hand_over : target_, f, limited_,
-                detector_.hurries(), freewheels);
+                detector_.masked_lead(), freewheels);
   } else {
     speed_.follow(duty, duty, f);
   }

@@ -55,7 +55,7 @@ class Drive {
 
  private:
   void enter_state(double t);
-  void observe(double t, bool to_be_followed);
+  void detect_spin(double t, bool to_be_followed);
   void follow_halls(double t);
   void follow_rotor(double t, const Pins&);
   void on_tick(double t);

@@ -39,7 +39,7 @@ class PhaseDetector {
       missed_ = in.counts && !found_;
       if (in.counts) {
         const bool hid = missed_ && !in.before_seen, again = hid && hid_;
-        hurries_ = again || (hid && error_ >= 1. / 16);
+        masked_lead_ = again || (hid && error_ >= 1. / 16);
         const bool leads = again || (hid && error_ >= 1. / 8);
         hid_ = hid;
         if (missed_) take(!hid ? p_.expected - 1 : leads ? p_.lead_error : 0);
@@ -48,7 +48,7 @@ class PhaseDetector {
     }
     if (in.crossing && in.counts) {
       found_ = true;
-      hurries_ = false;
+      masked_lead_ = false;
       take(p_.expected - in.crossing_phase);
       good_ = std::abs(error_) < in.window;
     }
@@ -61,7 +61,7 @@ class PhaseDetector {
   bool good() const { return good_; }
   bool missed() const { return missed_; }
   // The last crossing was hidden, and the rotor led in the step before.
-  bool hurries() const { return hurries_; }
+  bool masked_lead() const { return masked_lead_; }
 
  private:
   void take(double error) {
@@ -71,7 +71,7 @@ class PhaseDetector {
 
   design::LoopParameters p_;
   double error_ = 0;
-  bool updated_ = false, good_ = false, missed_ = false, hurries_ = false, found_ = true;
+  bool updated_ = false, good_ = false, missed_ = false, masked_lead_ = false, found_ = true;
   bool hid_ = false;  // the last step that counts was on the level after from its beginning
 };
 

@@ -1,4 +1,4 @@
-// Protection: when a lock is no longer one (ends the try), and what ends the drive at once.
+// Protection: when a lock is no longer one (ends the attempt), and what ends the drive at once.
 //
 //     step-out     score + 4 per step that ended before its crossing, + 1 per one whose crossing
 //                  freewheeling hid or came far from its place, - 1 per good one, at `misses`
@@ -53,7 +53,7 @@ class Protection {
     if (p_.misses > 0 && score_ >= p_.misses) lost_ = Reason::kStepOut;
   }
 
-  Reason lost() const { return lost_; }    // give up this try
+  Reason lost() const { return lost_; }    // give up this attempt
   Reason fatal() const { return fatal_; }  // latch a fault
 
  private:

@@ -27,15 +27,15 @@ struct Command {
 
 enum class State {
   kIdle,
-  kObserve,
+  kDetectSpin,
   kBrake,
-  kSettle,
-  kReset,
+  kPreAlign,
+  kAlign,
   kAccelerate,
   kPullIn,
   kRun,
   kSlowDown,
-  kRest,
+  kRetryDelay,
   kFault
 };
 

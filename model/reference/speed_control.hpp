@@ -39,8 +39,8 @@ class SpeedControl {
   }
   bool resumes() const { return resumes_; }
   // `limited`: the current limit cut, the duty stays; `freewheels`: the current is about to hide crossings, and the duty
-  // falls, faster than its slew, if it is to rise; `hurries`: one of a rotor that leads is hidden, it falls by its slew.
-  void tick(double target, double f, bool limited, bool hurries = false, bool freewheels = false) {
+  // falls, faster than its slew, if it is to rise; `masked_lead`: one of a rotor that leads is hidden, it falls by its slew.
+  void tick(double target, double f, bool limited, bool masked_lead = false, bool freewheels = false) {
     if (resumes_) {
       resumes_ = false;
       const double duty = std::min(std::max(bemf_duty(f), duty_), p_.maximum);
@@ -51,7 +51,7 @@ class SpeedControl {
     reference_ += std::clamp(target - reference_, -move, held_ ? 0 : move);
     const double error = reference_ - f;
     const bool yields = (limited || at_high_ || p_.ki * tick_ * error >= kAsks) && freewheels;
-    const double fall = yields ? kYield * slew : slew, rise = yields || hurries ? -fall : limited ? 0 : slew;
+    const double fall = yields ? kYield * slew : slew, rise = yields || masked_lead ? -fall : limited ? 0 : slew;
     const double low = std::max(p_.minimum, duty_ - fall), high = std::max(low, std::min(p_.maximum, duty_ + rise));
     const bool far = reference_ > target;
     resumes_ = descends_ && !far && error >= 0;

@@ -28,7 +28,7 @@ bool StartSequence::time_is_up(double seconds) const {
 
 void StartSequence::begin_try() {
   if (source_ == design::Source::kHall) return enter(State::kRun);
-  if (std::lround(p_.observe / tick_) > 0) return enter(State::kObserve);
+  if (std::lround(p_.detect_spin / tick_) > 0) return enter(State::kDetectSpin);
   stopped();
 }
 
@@ -37,12 +37,12 @@ void StartSequence::stopped() {
   brakes_ = 0;
   enter(stopping_                                ? State::kIdle
         : p_.method == design::Method::kFollow ? State::kAccelerate
-                                               : State::kSettle);
+                                               : State::kPreAlign);
 }
 
 void StartSequence::fail(Reason why) {
   reason_ = why;
-  enter(State::kRest);
+  enter(State::kRetryDelay);
 }
 
 // What was tried before.
@@ -90,24 +90,24 @@ void StartSequence::update(const In& in) {
 
   if (!in.command.configured || (!runs && !stopping_)) return enter(State::kIdle);
   switch (state_) {
-    case State::kObserve:
+    case State::kDetectSpin:
       if (in.caught > 0 && !stopping_) return enter(State::kRun);
       if (in.caught != 0) {
         if (++brakes_ <= 255) return enter(State::kBrake);
         reason_ = Reason::kCannotStop;
         return enter(State::kFault);
       }
-      if (time_is_up(p_.observe)) stopped();
+      if (time_is_up(p_.detect_spin)) stopped();
       return;
     case State::kBrake:
       if (!time_is_up(p_.brake)) return;
       reverse_ = in.command.reverse;
       return begin_try();
-    case State::kSettle:
-      if (time_is_up(std::ldexp(p_.settle, std::min(retries_, 3)))) enter(State::kReset);
+    case State::kPreAlign:
+      if (time_is_up(std::ldexp(p_.pre_align, std::min(retries_, 3)))) enter(State::kAlign);
       return;
-    case State::kReset:
-      if (time_is_up(std::ldexp(p_.reset, std::min(retries_, 3)))) enter(State::kAccelerate);
+    case State::kAlign:
+      if (time_is_up(std::ldexp(p_.align, std::min(retries_, 3)))) enter(State::kAccelerate);
       return;
     case State::kAccelerate:
       if (in.ramp_done) return enter(State::kPullIn);
@@ -129,8 +129,8 @@ void StartSequence::update(const In& in) {
       if (good_ >= p_.good_crossings) return enter(State::kRun);
       if (time_is_up(p_.pull_in)) fail(Reason::kNoLock);
       return;
-    case State::kRest:
-      if (!time_is_up(p_.rest)) return;
+    case State::kRetryDelay:
+      if (!time_is_up(p_.retry_delay)) return;
       if (++retries_ > p_.retries) return enter(State::kFault);
       return begin_try();
     default:

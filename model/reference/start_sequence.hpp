@@ -1,13 +1,13 @@
-// Start sequence of Fig. 5, made safe: look for a spinning rotor, settle, reset, accelerate, pull
+// Start sequence of Fig. 5, made safe: look for a spinning rotor, align, accelerate, pull
 // in, run; slow down and brake before a reversal or a stop; bounded retries, then a latched fault.
 //
-// With method kFollow the steps follow the rotor instead (rotor_follower.hpp): kObserve -> kAccelerate -> kPullIn.
+// With method kFollow the steps follow the rotor instead (rotor_follower.hpp): kDetectSpin -> kAccelerate -> kPullIn.
 //
-//     kIdle -> kObserve -> kSettle -> kReset -> kAccelerate -> kPullIn -> kRun
-//                 |  caught, right way ---------------------------------^  |
-//                 |  caught, wrong way                               reverse, or stop by brake |
-//              kBrake <--------------------------------------------- kSlowDown
-//     a failed try: kRest -> kObserve, `retries` times, then kFault
+//     kIdle -> kDetectSpin -> kPreAlign -> kAlign -> kAccelerate -> kPullIn -> kRun
+//                    |  caught, right way ------------------------------------^   |
+//                    |  caught, wrong way                      reverse, or stop by brake |
+//                 kBrake <-------------------------------------------------- kSlowDown
+//     a failed attempt: kRetryDelay -> kDetectSpin, `retries` times, then kFault
 //
 // Doc: docs/theory.md   Test: tests/model/reference/reference_start_sequence_test.cpp
 #pragma once
@@ -32,7 +32,7 @@ class StartSequence {
     bool hopeful = false;    // it has seen the rotor move
     bool still = false;      // the set speed is 0
     double frequency = 0;  // steps/s
-    int caught = 0;        // observing: the rotor turns, +1 as wanted, -1 the other way
+    int caught = 0;        // detecting a spin: the rotor turns, +1 as wanted, -1 the other way
   };
   void update(const In&);
 
@@ -56,7 +56,7 @@ class StartSequence {
 
   static constexpr long kHopes = 1024;  // ticks before a verdict, in
   static constexpr long kLasts = 128;   // ticks of which a rotor that moves from end to end counts
-  static constexpr long kVerdict = 4096, kMostTicks = 4 * kVerdict - 2;  // to follow a rotor, in all tries
+  static constexpr long kVerdict = 4096, kMostTicks = 4 * kVerdict - 2;  // to follow a rotor, in all attempts
 
   design::StartParameters p_;
   design::Source source_;
@@ -64,7 +64,7 @@ class StartSequence {
   State state_ = State::kIdle;
   Reason reason_ = Reason::kNone;
   long ticks_ = 0;  // since the state was entered
-  long followed_ = 0;         // ticks for which a rotor was followed, in all tries
+  long followed_ = 0;         // ticks for which a rotor was followed, in all attempts
   bool lasts_ = false;        // that rotor moved in this part of kLasts so far
   long hoped_ = -kHopes - 1;  // the end of the last one throughout which it did
   int good_ = 0, retries_ = 0, brakes_ = 0;

@@ -10,7 +10,7 @@
 `timescale 1ns / 1ps
 
 module first_start #(
-    // With the Hall decoder the drive first observes whether its rotor turns: -P first_start.WITH_HALL_DECODER=1
+    // With the Hall decoder the drive first looks whether its rotor spins: -P first_start.WITH_HALL_DECODER=1
     parameter logic WITH_HALL_DECODER = 1'b0
 );
   localparam int kLeastWords = 10, kWait = 3_000_000, kFaultClocks = 3;

@@ -6,7 +6,7 @@
 `timescale 1ns / 1ps
 
 module hosted_drive #(
-    // With it the drive first observes whether its rotor turns.
+    // With it the drive first looks whether its rotor spins.
     parameter logic WITH_HALL_DECODER = 1'b0
 ) (
     input  logic       clk,

@@ -1,4 +1,4 @@
-// sinusoidal_axi, its host, and the converters that it asks: what the benches of the sinusoidal drive share.
+// sinusoidal_axi, its host, and the ADCs that it asks: what the benches of the sinusoidal drive share.
 //
 // At `sample` the currents of phases U and V and the dc voltage are held; the codes come kConversion clocks later.
 //
@@ -56,7 +56,7 @@ module hosted_sinusoidal #(
   endfunction
 
   int left = 0;
-  logic lost = 1'b0;  // what a bench sets: the converters do not answer
+  logic lost = 1'b0;  // what a bench sets: the ADCs do not answer
   always @(posedge clk) begin
     valid <= left == 1 && !lost;
     if (left > 0) left <= left - 1;

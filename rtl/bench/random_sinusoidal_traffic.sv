@@ -1,4 +1,4 @@
-// Random traffic for sinusoidal_axi: a host that does what it likes, converters whose codes jump or do not come, and a fault pin, while
+// Random traffic for sinusoidal_axi: a host that does what it likes, ADCs whose codes jump or do not come, and a fault pin, while
 // drive_properties looks on.
 //
 //     tools/bench verilator random_sinusoidal_traffic [+clocks=200000] [+seed=1]
@@ -25,7 +25,7 @@ module random_sinusoidal_traffic;
   wire [3:0] axi_wstrb_i;
   wire [1:0] axi_bresp_o, axi_rresp_o;
   wire gates_uh_o, gates_ul_o, gates_vh_o, gates_vl_o, gates_wh_o, gates_wl_o;
-  // Seldom, since a drive that is stopped calibrates its converters anew before a gate is on, which takes longer than a busy host lets it run.
+  // Seldom, since a drive that is stopped calibrates its ADCs anew before a gate is on, which takes longer than a busy host lets it run.
   traffic #(.WRITES(400)) traffic (.*);
   sinusoidal_axi dut (
       .*,

@@ -8,7 +8,7 @@
 `timescale 1ns / 1ps
 
 module random_traffic #(
-    // With it the drive first observes whether its rotor turns, and its gates are on for less of the time.
+    // With it the drive first looks whether its rotor spins, and its gates are on for less of the time.
     parameter logic WITH_HALL_DECODER = 1'b0
 );
   logic clk = 1'b0;

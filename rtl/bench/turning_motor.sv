@@ -11,7 +11,7 @@
 `timescale 1ns / 1ps
 
 module turning_motor #(
-    // With the Hall decoder the drive first observes whether its rotor turns: -P turning_motor.WITH_HALL_DECODER=1
+    // With the Hall decoder the drive first looks whether its rotor spins: -P turning_motor.WITH_HALL_DECODER=1
     parameter logic WITH_HALL_DECODER = 1'b0,
     parameter int LATEST = 4_800_000  // clocks until it has to be in lock
 );

@@ -1,5 +1,5 @@
-// A motor that turns with sinusoidal currents: sinusoidal_axi, its host, its converters and motor.sv.  It starts, locks and comes to
-// its set speed; then a load, a stop, a converter that falls silent, and another start.
+// A motor that turns with sinusoidal currents: sinusoidal_axi, its host, its ADCs and motor.sv.  It starts, locks and comes to
+// its set speed; then a load, a stop, an ADC that falls silent, and another start.
 //
 //     tools/bench verilator turning_sinusoidal
 //     tools/bench icarus turning_sinusoidal +first_ms=4 [+dump=FILE.vcd]      the calibration and the pattern that pulls the rotor
@@ -88,7 +88,7 @@ module turning_sinusoidal #(
     drive.lost = 1'b1;
     repeat (2 * kMs) @(negedge clk);
     drive.host.read(kFault, value);
-    if (gates != 6'd0 || !latched || value[7:4] != 4'd3) judge.fail("converters that fall silent are no fault");
+    if (gates != 6'd0 || !latched || value[7:4] != 4'd3) judge.fail("ADCs that fall silent are no fault");
     $display("without samples: fault, reason %0d, gates off", value[7:4]);
     $display("PASSED");
     $finish;

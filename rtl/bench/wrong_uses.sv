@@ -87,7 +87,7 @@ module wrong_uses;
       4'd6: return "pull in";
       4'd7: return "in lock";
       4'd8: return "slow down";
-      4'd9: return "rest";
+      4'd9: return "retry delay";
       4'd10: return "fault";
       default: return "another state";
     endcase

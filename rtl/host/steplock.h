@@ -3,7 +3,7 @@
  *
  * Every function gets the bus, two functions that read and write one register.  For a drive in the
  * address space of the processor steplock_memory_mapped() gives them.  Words for a motor come from
- * `steplock design FILE --c-header`.  Registers: docs/registers.md.  Test:
+ * `steplock design FILE --c-header`.  Registers: docs/six_step_registers.md.  Test:
  * tests/testbench/host_driver_test.cpp, where this driver turns a motor through the RTL.
  */
 #ifndef STEPLOCK_H

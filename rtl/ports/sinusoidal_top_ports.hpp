@@ -22,10 +22,10 @@ void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {
   set_port(rtl.words_bridge_period_i, word_of(in.words.bridge.period, 14));
   set_port(rtl.words_bridge_minimum_i, word_of(in.words.bridge.minimum, 14));
   set_port(rtl.words_bridge_dead_time_i, word_of(in.words.bridge.dead_time, 8));
-  set_port(rtl.words_bridge_lost_i, word_of(in.words.bridge.lost, 12));
+  set_port(rtl.words_bridge_dead_time_loss_i, word_of(in.words.bridge.dead_time_loss, 12));
   set_port(rtl.words_bridge_compensate_i, word_of(in.words.bridge.compensate, 1));
-  set_port(rtl.words_bridge_sine_i, word_of(in.words.bridge.sine, 1));
-  set_port(rtl.words_bridge_inverse_i, word_of(in.words.bridge.inverse, 15));
+  set_port(rtl.words_bridge_sine_pwm_i, word_of(in.words.bridge.sine_pwm, 1));
+  set_port(rtl.words_bridge_reciprocal_i, word_of(in.words.bridge.reciprocal, 15));
   set_port(rtl.words_estimator_voltage_i, word_of(in.words.estimator.voltage, 1));
   set_port(rtl.words_estimator_average_i, word_of(in.words.estimator.average, 1));
   set_port(rtl.words_estimator_decay_i, word_of(in.words.estimator.decay, 15));
@@ -60,7 +60,7 @@ void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {
   set_port(rtl.words_sequence_lock_i, word_of(in.words.sequence.lock, 20));
   set_port(rtl.words_sequence_give_up_i, word_of(in.words.sequence.give_up, 20));
   set_port(rtl.words_sequence_brake_i, word_of(in.words.sequence.brake, 20));
-  set_port(rtl.words_sequence_rest_i, word_of(in.words.sequence.rest, 20));
+  set_port(rtl.words_sequence_retry_delay_i, word_of(in.words.sequence.retry_delay, 20));
   set_port(rtl.words_sequence_retries_i, word_of(in.words.sequence.retries, 4));
   set_port(rtl.words_pilot_short_periods_i, word_of(in.words.pilot.short_periods, 6));
   set_port(rtl.words_pilot_long_periods_i, word_of(in.words.pilot.long_periods, 6));
@@ -92,7 +92,7 @@ const char* differs([[maybe_unused]] const Rtl& rtl, [[maybe_unused]] const Out&
   if (word_at(rtl.done_o) != word_of(out.done, 1)) return "done_o";
   if (word_at(rtl.busy_o) != word_of(out.busy, 1)) return "busy_o";
   if (word_at(rtl.reverse_o) != word_of(out.reverse, 1)) return "reverse_o";
-  if (word_at(rtl.tries_o) != word_of(out.tries, 4)) return "tries_o";
+  if (word_at(rtl.retries_o) != word_of(out.retries, 4)) return "retries_o";
   if (word_at(rtl.angle_o) != word_of(out.angle, 24)) return "angle_o";
   if (word_at(rtl.initial_o) != word_of(out.initial, 24)) return "initial_o";
   if (word_at(rtl.speed_o) != word_of(out.speed, 16)) return "speed_o";
@@ -123,10 +123,10 @@ void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {
   set_number(in.words.bridge.period, stimulus.bits(14));
   set_number(in.words.bridge.minimum, stimulus.bits(14));
   set_number(in.words.bridge.dead_time, stimulus.bits(8));
-  set_number(in.words.bridge.lost, stimulus.bits(12));
+  set_number(in.words.bridge.dead_time_loss, stimulus.bits(12));
   set_number(in.words.bridge.compensate, stimulus.bits(1));
-  set_number(in.words.bridge.sine, stimulus.bits(1));
-  set_number(in.words.bridge.inverse, stimulus.bits(15));
+  set_number(in.words.bridge.sine_pwm, stimulus.bits(1));
+  set_number(in.words.bridge.reciprocal, stimulus.bits(15));
   set_number(in.words.estimator.voltage, stimulus.bits(1));
   set_number(in.words.estimator.average, stimulus.bits(1));
   set_number(in.words.estimator.decay, stimulus.bits(15));
@@ -161,7 +161,7 @@ void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {
   set_number(in.words.sequence.lock, stimulus.bits(20));
   set_number(in.words.sequence.give_up, stimulus.bits(20));
   set_number(in.words.sequence.brake, stimulus.bits(20));
-  set_number(in.words.sequence.rest, stimulus.bits(20));
+  set_number(in.words.sequence.retry_delay, stimulus.bits(20));
   set_number(in.words.sequence.retries, stimulus.bits(4));
   set_number(in.words.pilot.short_periods, stimulus.bits(6));
   set_number(in.words.pilot.long_periods, stimulus.bits(6));

@@ -47,9 +47,9 @@ void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {
   set_port(rtl.words_loop_minimum_i, word_of(in.words.loop.minimum, 26));
   set_port(rtl.words_loop_maximum_i, word_of(in.words.loop.maximum, 26));
   set_port(rtl.words_start_method_i, word_of(in.words.start.method, 1));
-  set_port(rtl.words_start_settle_i, word_of(in.words.start.settle, 12));
-  set_port(rtl.words_start_reset_i, word_of(in.words.start.reset, 12));
-  set_port(rtl.words_start_reset_duty_i, word_of(in.words.start.reset_duty, 16));
+  set_port(rtl.words_start_pre_align_i, word_of(in.words.start.pre_align, 12));
+  set_port(rtl.words_start_align_i, word_of(in.words.start.align, 12));
+  set_port(rtl.words_start_align_duty_i, word_of(in.words.start.align_duty, 16));
   set_port(rtl.words_start_start_duty_i, word_of(in.words.start.start_duty, 16));
   set_port(rtl.words_start_ramp_i, word_of(in.words.start.ramp, 20));
   set_port(rtl.words_start_look_i, word_of(in.words.start.look, 16));
@@ -59,11 +59,11 @@ void drive_ports([[maybe_unused]] Rtl& rtl, [[maybe_unused]] const In& in) {
   set_port(rtl.words_start_window_i, word_of(in.words.start.window, 16));
   set_port(rtl.words_start_good_crossings_i, word_of(in.words.start.good_crossings, 6));
   set_port(rtl.words_start_pull_in_i, word_of(in.words.start.pull_in, 12));
-  set_port(rtl.words_start_observe_i, word_of(in.words.start.observe, 12));
+  set_port(rtl.words_start_detect_spin_i, word_of(in.words.start.detect_spin, 12));
   set_port(rtl.words_start_slow_down_i, word_of(in.words.start.slow_down, 12));
   set_port(rtl.words_start_brake_i, word_of(in.words.start.brake, 12));
   set_port(rtl.words_start_brake_duty_i, word_of(in.words.start.brake_duty, 16));
-  set_port(rtl.words_start_rest_i, word_of(in.words.start.rest, 12));
+  set_port(rtl.words_start_retry_delay_i, word_of(in.words.start.retry_delay, 12));
   set_port(rtl.words_start_retries_i, word_of(in.words.start.retries, 4));
   set_port(rtl.words_speed_target_i, word_of(in.words.speed.target, 26));
   set_port(rtl.words_speed_slew_i, word_of(in.words.speed.slew, 20));
@@ -171,9 +171,9 @@ void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {
     constexpr unsigned long long values[] = {0, 1};
     set_number(in.words.start.method, values[stimulus.bits(1) % 2]);
   }
-  set_number(in.words.start.settle, stimulus.bits(12));
-  set_number(in.words.start.reset, stimulus.bits(12));
-  set_number(in.words.start.reset_duty, stimulus.bits(16));
+  set_number(in.words.start.pre_align, stimulus.bits(12));
+  set_number(in.words.start.align, stimulus.bits(12));
+  set_number(in.words.start.align_duty, stimulus.bits(16));
   set_number(in.words.start.start_duty, stimulus.bits(16));
   set_number(in.words.start.ramp, stimulus.bits(20));
   set_number(in.words.start.look, stimulus.bits(16));
@@ -183,11 +183,11 @@ void randomise([[maybe_unused]] In& in, [[maybe_unused]] Stimulus& stimulus) {
   set_number(in.words.start.window, stimulus.bits(16));
   set_number(in.words.start.good_crossings, stimulus.bits(6));
   set_number(in.words.start.pull_in, stimulus.bits(12));
-  set_number(in.words.start.observe, stimulus.bits(12));
+  set_number(in.words.start.detect_spin, stimulus.bits(12));
   set_number(in.words.start.slow_down, stimulus.bits(12));
   set_number(in.words.start.brake, stimulus.bits(12));
   set_number(in.words.start.brake_duty, stimulus.bits(16));
-  set_number(in.words.start.rest, stimulus.bits(12));
+  set_number(in.words.start.retry_delay, stimulus.bits(12));
   set_number(in.words.start.retries, stimulus.bits(4));
   set_number(in.words.speed.target, stimulus.bits(26));
   set_number(in.words.speed.slew, stimulus.bits(20));

@@ -1,5 +1,5 @@
 // six_step_fixed: the drive ceiling_fan without a host, at a clock of 12000000 Hz.
-// Printed by `steplock design ceiling_fan.toml --verilog`; ports: docs/blocks/six_step_bare.md.
+// Printed by `steplock design ceiling_fan.toml --verilog`; ports: docs/blocks/six_step_standalone.md.
 
 module six_step_fixed (
     input  logic clk,
@@ -26,7 +26,7 @@ module six_step_fixed (
     output logic fault_o,
     output logic turn_o
 );
-  six_step_bare #(.WITH_HALL_DECODER(1), .WITH_RAMP(0), .WITH_FOLLOWER(1)) drive (
+  six_step_standalone #(.WITH_HALL_DECODER(1), .WITH_RAMP(0), .WITH_FOLLOWER(1)) drive (
       .clk(clk),
       .rst(rst),
       .pins_comparator_u_i(pins_comparator_u_i),
@@ -76,9 +76,9 @@ module six_step_fixed (
       .words_loop_scale_i(26'd0),
       .words_loop_minimum_i(26'd3436),
       .words_loop_maximum_i(26'd143589),
-      .words_start_settle_i(12'd200),
-      .words_start_reset_i(12'd400),
-      .words_start_reset_duty_i(16'd31130),
+      .words_start_pre_align_i(12'd200),
+      .words_start_align_i(12'd400),
+      .words_start_align_duty_i(16'd31130),
       .words_start_start_duty_i(16'd17326),
       .words_start_ramp_i(20'd17),
       .words_start_hand_over_i(26'd13744),
@@ -87,8 +87,8 @@ module six_step_fixed (
       .words_start_retries_i(4'd3),
       .words_start_method_i(1'd1),
       .words_start_pull_in_i(12'd1000),
-      .words_start_rest_i(12'd50),
-      .words_start_observe_i(12'd500),
+      .words_start_retry_delay_i(12'd50),
+      .words_start_detect_spin_i(12'd500),
       .words_start_slow_down_i(12'd600),
       .words_start_brake_i(12'd184),
       .words_start_brake_duty_i(16'd40548),

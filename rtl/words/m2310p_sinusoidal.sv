@@ -1,5 +1,5 @@
 // sinusoidal_fixed: the drive m2310p_sinusoidal without a host, at a clock of 24000000 Hz.
-// Printed by `steplock design m2310p_sinusoidal.toml --verilog`; ports: docs/blocks/sinusoidal_bare.md.
+// Printed by `steplock design m2310p_sinusoidal.toml --verilog`; ports: docs/blocks/sinusoidal_standalone.md.
 
 module sinusoidal_fixed (
     input  logic clk,
@@ -23,7 +23,7 @@ module sinusoidal_fixed (
     output logic sclk_o,
     output logic mosi_o
 );
-  sinusoidal_bare drive (
+  sinusoidal_standalone drive (
       .clk(clk),
       .rst(rst),
       .pins_fault_i(pins_fault_i),
@@ -44,19 +44,19 @@ module sinusoidal_fixed (
       .cs_n_o(cs_n_o),
       .sclk_o(sclk_o),
       .mosi_o(mosi_o),
-      .converter_half_i(6'd1),
-      .converter_quiet_i(8'd8),
-      .converter_u_i(3'd0),
-      .converter_v_i(3'd1),
-      .converter_dc_i(3'd2),
-      .converter_twice_i(1'd0),
+      .adc_half_i(6'd1),
+      .adc_quiet_i(8'd8),
+      .adc_u_i(3'd0),
+      .adc_v_i(3'd1),
+      .adc_dc_i(3'd2),
+      .adc_twice_i(1'd0),
       .words_bridge_period_i(14'd1200),
       .words_bridge_compensate_i(1'd1),
-      .words_bridge_sine_i(1'd0),
+      .words_bridge_sine_pwm_i(1'd0),
       .words_bridge_minimum_i(14'd12),
       .words_bridge_dead_time_i(8'd12),
-      .words_bridge_lost_i(12'd201),
-      .words_bridge_inverse_i(15'd9321),
+      .words_bridge_dead_time_loss_i(12'd201),
+      .words_bridge_reciprocal_i(15'd9321),
       .words_estimator_voltage_i(1'd0),
       .words_estimator_average_i(1'd1),
       .words_estimator_decay_i(15'd3195),
@@ -79,7 +79,7 @@ module sinusoidal_fixed (
       .words_sequence_pattern_i(20'd580),
       .words_sequence_lock_i(20'd400),
       .words_sequence_give_up_i(20'd40000),
-      .words_sequence_rest_i(20'd6000),
+      .words_sequence_retry_delay_i(20'd6000),
       .words_sequence_brake_i(20'd4000),
       .words_pilot_short_periods_i(6'd0),
       .words_pilot_long_periods_i(6'd0),

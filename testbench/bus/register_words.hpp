@@ -1,7 +1,7 @@
 // The words of a drive as the C driver takes them: what `steplock design FILE --c-header` prints,
 // straight from the table of registers.
 //
-// Doc: docs/registers.md   Test: tests/testbench/host_driver_test.cpp
+// Doc: docs/six_step_registers.md   Test: tests/testbench/host_driver_test.cpp
 #pragma once
 
 #include <vector>

@@ -37,7 +37,7 @@ std::string name_of(const Arguments& arguments) {
 }
 
 // One part alone: the analog circuit, or the words for steplock_init() of rtl/host/steplock.h, or around
-// rtl/six_step_bare.sv or rtl/sinusoidal_bare.sv.
+// rtl/six_step_standalone.sv or rtl/sinusoidal_standalone.sv.
 int print_part(SixStepDrive, const DriveFile& file, const Arguments& arguments) {
   if (arguments.circuit) {
     fmt::print("{}", design::circuit_text(file.settings, design::circuit_of(file.settings)));
@@ -63,7 +63,7 @@ int print_part(SinusoidalDrive, const DriveFile& file, const Arguments& argument
     const SinusoidalWords words = sinusoidal::words_of(file.settings);
     fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
                      : arguments.mem    ? registers::words_mem(words, name, clock_hz)
-                                        : registers::words_verilog(words, sinusoidal::converter_words_of(file.settings),
+                                        : registers::words_verilog(words, sinusoidal::adc_words_of(file.settings),
                                                                    name, clock_hz));
   } catch (const std::invalid_argument& e) {
     throw BadInput(fmt::format("{}: {}", arguments.file, e.what()));
@@ -119,7 +119,7 @@ void add_design_command(CLI::App& app, int& exit_code) {
   command->add_flag("--c-header", arguments->c_header,
                     "print the words as C initialisers for rtl/host/steplock.h, nothing else");
   command->add_flag("--verilog", arguments->verilog,
-                    "print the words as constants around rtl/six_step_bare.sv or sinusoidal_bare.sv, nothing else");
+                    "print the words as constants around rtl/six_step_standalone.sv or sinusoidal_standalone.sv, nothing else");
   command->add_flag("--mem", arguments->mem,
                     "print the words as a list for $readmemh, offset and value of each register, nothing else");
   command->add_flag("--circuit", arguments->circuit,

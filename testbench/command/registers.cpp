@@ -22,7 +22,7 @@ void add_registers_command(CLI::App& app, int& exit_code) {
       if (*wanted) fmt::print("{}", print(*of_sinusoidal ? registers::sinusoidal() : registers::six_step()));
     });
   };
-  add("--markdown", "as a page: docs/registers.md", registers::markdown);
+  add("--markdown", "as a page: docs/six_step_registers.md", registers::markdown);
   add("--c-header", "for C: rtl/host/steplock_registers.h", registers::c_header);
   add("--systemrdl", "in SystemRDL 2.0: rtl/host/steplock.rdl", registers::systemrdl);
   add("--ip-xact", "in IP-XACT (IEEE 1685-2014), alone: tools/ip_xact puts bus, ports and files around it", registers::ip_xact);
@@ -31,7 +31,7 @@ void add_registers_command(CLI::App& app, int& exit_code) {
     for (const auto& print : *printers) print();
     exit_code = kWell;
   });
-  command->footer("Example: steplock registers --markdown > docs/registers.md");
+  command->footer("Example: steplock registers --markdown > docs/six_step_registers.md");
 }
 
 }  // namespace steplock

@@ -14,7 +14,7 @@ std::vector<DetectorInput> detector_corners(const LoopWords& w) {
   std::vector<DetectorInput> told;
   PhaseDetector block;
   const auto clock = [&](PhaseDetector::In in) {
-    in.watch = Evidence::kCrossings;
+    in.detector_source = DetectorSource::kCrossings;
     in.expected = w.expected, in.lead_error = w.lead_error;
     return block.tick(in);
   };
@@ -76,11 +76,11 @@ std::vector<SpeedInput> speed_corners(const Words& w) {
   std::vector<SpeedInput> told;
   std::mt19937 random(2);
   SpeedControlLaw law;
-  const auto tick = [&](SpeedMode mode, double f, double target, bool limited = false, bool hurries = false,
+  const auto tick = [&](SpeedMode mode, double f, double target, bool limited = false, bool masked_lead = false,
                         bool freewheels = false) {
     const auto part = [&](double x) { return Frequency::of(std::uint64_t(x * double(w.speed.target.raw()))); };
     SpeedInput u{.in = {.mode = mode, .fixed_duty = mode == SpeedMode::kFixed ? 0x3000 : 0, .frequency = part(f),
-                        .target = part(target), .limited = limited, .hurries = hurries, .freewheels = freewheels,
+                        .target = part(target), .limited = limited, .masked_lead = masked_lead, .freewheels = freewheels,
                         .period = w.pwm.period, .slip = w.protection.slip, .words = w.speed}};
     law.tick(u.in);
     u.after = law.duty;

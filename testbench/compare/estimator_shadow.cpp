@@ -166,11 +166,11 @@ StepError step_error(const design::Settings& s, const std::vector<Compared>& all
   }
   constexpr double kUniform = 0.29;                      // standard deviation, of its width
   const double sixteenth = 65536 * dc / (16 * bridge.period);  // of a clock, in places of 2^-16
-  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, bridge.lost / 64.0);
+  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, bridge.dead_time_loss / 64.0);
   const double moved = std::hypot(gain * std::hypot(legs, 2 * kUniform), kUniform * std::sqrt(6)) / 65536;
-  const double per_clock = bridge.inverse * dc;  // the whole number that the blocks have for the volts in a clock
-  const double moved_wrongly = gain * voltage * (rounded(q.rows, "estimator.gain") + rounded(q.rows, "bridge.inverse") + 0.5 / per_clock) +
-                               decay * current * rounded(q.rows, "estimator.decay");
+  const double per_clock = bridge.reciprocal * dc;  // the whole number that the blocks have for the volts in a clock
+  const double of_voltage = rounded(q.rows, "estimator.gain") + rounded(q.rows, "bridge.reciprocal") + 0.5 / per_clock;
+  const double moved_wrongly = gain * voltage * of_voltage + decay * current * rounded(q.rows, "estimator.decay");
   const double by_emf = w.voltage ? std::ldexp(w.k_emf, -15) : std::ldexp(w.k_speed, -17) / gain;
   return {moved_wrongly * (k_theta + by_emf) + turns * rounded(q.rows, w.voltage ? "estimator.k_emf" : "estimator.k_speed"),
           moved * (k_theta + by_emf)};

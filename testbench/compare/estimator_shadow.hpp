@@ -1,6 +1,6 @@
 // The sinusoidal blocks drive, their estimator in doubles looks over their shoulder, sample by sample.
 //
-// Both see the same converter codes and the pattern that the blocks put on the bridge, from the first sample of the start
+// Both see the same ADC codes and the pattern that the blocks put on the bridge, from the first sample of the start
 // on.  From the set speed to the end of the load the estimated angle and the step to the next sample are compared, beside
 // what word lengths allow, a bias and six standard deviations:
 //

@@ -135,7 +135,7 @@ class SpeedBeside {
     found.disturbed += u.disturbed;
     undisturbed_ = undisturbed_ && !u.disturbed;
     found.unlike += undisturbed_ && law_.duty != u.after;
-    reference_.tick(double(u.in.target.raw()) * hertz_, f, u.in.limited, u.in.hurries, u.in.freewheels);
+    reference_.tick(double(u.in.target.raw()) * hertz_, f, u.in.limited, u.in.masked_lead, u.in.freewheels);
     if (law_.reference < set_before) er_ += hertz_;  // upwards the slew is exact
     const double e = er_ + hertz_;
     ei_ += 0x1p-31 + p_.ki * tick_ * (parted_ ? std::abs(reference_.reference() - f) + e : e);

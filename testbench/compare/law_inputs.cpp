@@ -22,7 +22,7 @@ class ListeningEngine {
   }
   void tick() {
     const SkippingTop& top = fixed_.top();
-    const bool ticks = top.at_tick(), hurries = top.hurries(), freewheels = top.freewheels();
+    const bool ticks = top.at_tick(), masked_lead = top.masked_lead(), freewheels = top.freewheels();
     // A cut counts in control; and there, while pulling in, a step without a good crossing.
     const bool locked = fixed_.output().locked;
     if (controls(locked)) limited_ = limited_ || top.limited() || (top.without_crossing() && !locked);
@@ -31,11 +31,11 @@ class ListeningEngine {
     ++clock_;
     look();
     if (ticks) {
-      tell_speed(hurries, freewheels);
+      tell_speed(masked_lead, freewheels);
       told_at_ = clock_;
     } else if (asked_speed_ && clock_ - told_at_ <= kAtWork) {
       const SpeedControlLaw::In& in = told_.speed.back().in;
-      const bool same = fixed_.output().frequency == in.frequency && fixed_.top().hurries() == in.hurries &&
+      const bool same = fixed_.output().frequency == in.frequency && fixed_.top().masked_lead() == in.masked_lead &&
                         fixed_.top().freewheels() == in.freewheels && !fixed_.top().limited() &&
                         controls(fixed_.output().locked) == (in.mode == SpeedMode::kControl);
       told_.speed.back().disturbed |= !same;
@@ -107,7 +107,7 @@ class ListeningEngine {
     loop_at_ = clock_;
   }
 
-  void tell_speed(bool hurries, bool freewheels) {
+  void tell_speed(bool masked_lead, bool freewheels) {
     answer_speed();
     const Out& out = fixed_.output();
     if (words_.source == Source::kBemf && words_.loop.bandwidth == Bandwidth::kPerSecond &&
@@ -120,7 +120,7 @@ class ListeningEngine {
     told_.speed.push_back({.time = time(),
                            .in = {.mode = control ? SpeedMode::kControl : SpeedMode::kFixed, .frequency = out.frequency,
                                   .target = out.state == State::kSlowDown ? Frequency(0) : fixed_.words().speed.target,
-                                  .limited = limited_, .hurries = hurries,
+                                  .limited = limited_, .masked_lead = masked_lead,
                                   .freewheels = freewheels, .period = words_.pwm.period, .slip = words_.protection.slip,
                                   .words = words_.speed}});
     asked_speed_ = true;

@@ -12,6 +12,7 @@
 #include "model/design/believed.hpp"
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/quantity.hpp"
+#include "testbench/drive_file/renamed_keys.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
@@ -274,9 +275,11 @@ class Loader {
         }
         if (std::ranges::find(known->second, key.str()) != known->second.end()) continue;
         const std::string near = nearest(key.str(), known->second);
+        const std::string_view now = renamed_key(key.str(), known->second);
         say_at(static_cast<int>(key.source().begin.line),
-               fmt::format("{}.{} is an unknown key; {}", section.str(), key.str(),
-                           near.empty() ? "remove it" : fmt::format("did you mean {}?", near)));
+               !now.empty() ? fmt::format("{}.{} is called {} now; rename it", section.str(), key.str(), now)
+                            : fmt::format("{}.{} is an unknown key; {}", section.str(), key.str(),
+                                          near.empty() ? "remove it" : fmt::format("did you mean {}?", near)));
       }
     }
   }

@@ -35,7 +35,7 @@ class LockstepOf {
     fixed_.set_command(c);
     rtl_.set_command(c);
   }
-  // With converters only.
+  // With ADCs only.
   template <class State>
     requires requires(Fixed& fixed, const State& s) { fixed.set_reading(s); }
   void set_reading(const State& s) {

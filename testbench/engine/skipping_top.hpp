@@ -29,7 +29,7 @@ class SkippingTop : public SixStepTop {
   }
   auto slow() {
     return std::tie(rotor_, filter_, speed_, start_, detector_, protection_, telemetry_, still_, fast_, update_, good_,
-                    lags_, slow_, follow_, steady_, reverse_, crossing_, hurries_, freewheels_, lost_, fatal_, cause_);
+                    lags_, slow_, follow_, steady_, reverse_, crossing_, masked_lead_, freewheels_, lost_, fatal_, cause_);
   }
   template <class... Part>
   static std::tuple<Part...> copy(const std::tuple<Part&...>& parts) {
@@ -113,7 +113,7 @@ class SkippingTop : public SixStepTop {
   bool at_tick() const { return tick_; }
   bool limited() const { return limited_; }
   bool without_crossing() const { return update_ && !good_; }
-  bool hurries() const { return hurries_; }
+  bool masked_lead() const { return masked_lead_; }
   bool freewheels() const { return freewheels_; }
   bool operator==(const SkippingTop& other) const {
     SkippingTop one = *this, two = other;
@@ -237,8 +237,8 @@ class SkippingTop : public SixStepTop {
   }
   VcoCounter::In turning(const Out& last) const {
     const bool held = last.state == State::kIdle || last.state == State::kBrake ||
-                      last.state == State::kSettle || last.state == State::kReset ||
-                      last.state == State::kRest || last.state == State::kFault;
+                      last.state == State::kPreAlign || last.state == State::kAlign ||
+                      last.state == State::kRetryDelay || last.state == State::kFault;
     return {.enable = !held, .frequency = last.frequency};
   }
   BemfComparator::In sensed(const In& in, const Out& last) const {

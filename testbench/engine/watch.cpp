@@ -3,8 +3,8 @@
 namespace steplock {
 
 const char* name_of(State s) {
-  constexpr const char* kNames[] = {"idle",    "observe", "brake",     "settle", "reset", "accelerate",
-                                    "pull_in", "run",     "slow_down", "rest",   "fault"};
+  constexpr const char* kNames[] = {"idle",    "detect_spin", "brake",     "pre_align", "align", "accelerate",
+                                    "pull_in", "run",     "slow_down", "retry_delay",   "fault"};
   return kNames[static_cast<int>(s)];
 }
 

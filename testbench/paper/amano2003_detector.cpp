@@ -18,7 +18,7 @@ constexpr double kSpinning = 2200;  // r/min
 // From hand-over's speed on, as the drive file's currents start it.
 design::Settings once_per_turn(design::Settings s, double hand_over_rpm) {
   const design::Design d = design::design_drive(s);
-  s.start.reset_current_a = d.reset_current;
+  s.start.align_current_a = d.align_current;
   s.start.start_current_a = d.start_current;
   s.start.hand_over_rpm = hand_over_rpm;
   s.loop.detector = design::Detector::kOncePerTurn;

@@ -27,7 +27,7 @@ double shunt_crest(const Trial& t) {
 
 design::Settings limited(design::Settings s, double amps) {
   s.sensors.limit_a = amps;
-  s.start.reset_current_a = s.start.start_current_a = 0.8 * amps;
+  s.start.align_current_a = s.start.start_current_a = 0.8 * amps;
   return s;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // Printed in Sec. 5 and Table 1.
 constexpr double kGamma = 4.28, kXi = 83.3, kKappa = 0.7, kInertia = 2.7e-3, kBemf = 0.0383;
-constexpr double kResetTime = 0.622, kAccelerationTime = 0.108;
+constexpr double kAlignTime = 0.622, kAccelerationTime = 0.108;
 
 double entered(const Record& record, State state) {
   const auto it = std::ranges::find(record.changes, state, &StateChange::state);
@@ -28,7 +28,7 @@ PaperSection start_sequence(const design::Settings& drive, const PaperOptions& o
   const Trial t = run_trial(steady_run(drive, drive.scenario.speed_rpm, 4), options, options.engine,
                             "Fig. 5");
   const design::Design d = design::design_drive(t.settings);
-  const double reset = entered(t.record, State::kReset);
+  const double reset = entered(t.record, State::kAlign);
   const double accelerate = entered(t.record, State::kAccelerate);
   const double pull_in = entered(t.record, State::kPullIn);
   double back = 0;
@@ -44,10 +44,10 @@ PaperSection start_sequence(const design::Settings& drive, const PaperOptions& o
               "frequency, then the closed loop. The drive watches for a turning rotor before, and for "
               "consistent crossings before it hands over.",
       .claims = {
-          {"reset time t_r by Eq. (22), printed constants", "s", kResetTime, "",
-           design::reset_time(kKappa, kInertia, kGamma),
+          {"reset time t_r by Eq. (22), printed constants", "s", kAlignTime, "",
+           design::align_time(kKappa, kInertia, kGamma),
            "the paper contradicts itself: its gamma, J and kappa do not give its t_r"},
-          {"reset time as used", "s", kResetTime, "", accelerate - reset,
+          {"reset time as used", "s", kAlignTime, "", accelerate - reset,
            "the printed value is an input", Verdict::kInput},
           {"K_v that Eq. (23) needs for the printed t_a", "", {}, "not printed",
            kAccelerationTime * kBemf / (kXi * kInertia), "Eq. (23) solved for K_v"},

@@ -40,7 +40,7 @@ design::Settings without_fan(design::Settings s) {
   s.load = {};
   const design::StartSection start = s.start;
   s.start = {};
-  s.start.reset_current_a = start.reset_current_a;
+  s.start.align_current_a = start.align_current_a;
   s.start.start_current_a = start.start_current_a;
   s.speed = {};
   return s;

@@ -62,7 +62,7 @@ PaperPage matsui1996_page(const design::Settings& drive, const design::Settings&
                                   "when this page is stale. Motor: "
                                   "[matsui1996.toml](../../drives/matsui1996.toml), which says how "
                                   "the paper's units are read. Sampled every 200 us with the "
-                                  "paper's converters, and half a step of noise. Speeds and angles "
+                                  "paper's ADCs, and half a step of noise. Speeds and angles "
                                   "are the plant's. The paper's figures are traces; "
                                   "numbers are from its text.",
                                   name_of(options.engine)),

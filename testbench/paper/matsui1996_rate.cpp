@@ -13,7 +13,7 @@ PaperSection loop_rates(const design::Settings& drive, const PaperOptions& optio
   PaperSection s{
       .title = "Faster than the paper",
       .text = fmt::format(
-          "The same motor and converters with a dead time of {:g} us, which at 50 kHz leaves room "
+          "The same motor and ADCs with a dead time of {:g} us, which at 50 kHz leaves room "
           "for pulses. A sample and its program are those of 5 kHz: at 50 kHz a new one begins "
           "almost as soon as the last is done. Torque 0, 100, -100 %, 0.8 A of gamma current; engine "
           "`fixed`, and `{}` where it says so.",

@@ -100,7 +100,7 @@ Claim refused(const design::Settings& believed, const design::Settings& real,
     bench.run_until(kLongEnough);
     const sinusoidal::Record record = bench.take();
     const auto is = [](State state) { return [=](const auto& c) { return c.state == state; }; };
-    const auto end = std::ranges::find_if(record.changes, is(State::kRest));
+    const auto end = std::ranges::find_if(record.changes, is(State::kRetryDelay));
     said += end != record.changes.end() && end->reason == reason &&
             std::ranges::none_of(record.changes, is(State::kStarting));
   }
@@ -152,7 +152,7 @@ PaperSection initial_position(const design::Settings& salient, const PaperOption
       .title = "Figs. 9 and 10: initial position from pilot pulses",
       .text = fmt::format(
           "The 2.2 kW salient motor of [ipm_2k2.toml](../../drives/ipm_2k2.toml) at standstill, "
-          "12-bit converters with noise, engine `{}` and the reference in doubles. The paper "
+          "12-bit ADCs with noise, engine `{}` and the reference in doubles. The paper "
           "pulses each winding once; here each pulse is also given reversed, which cancels what "
           "iron adds, and the position comes by halving instead of (24)'s quotient "
           "([pilot_pulses](../blocks/pilot_pulses.md)). Aim: 3 degrees, polarity always right. "
@@ -171,7 +171,7 @@ PaperSection initial_position(const design::Settings& salient, const PaperOption
            fmt::format("electrical; the design's bound is {:.2g}",
                        pilot.turned * 180 / std::numbers::pi)},
           {"found after", "ms", {}, "not shown", 1e3 * drive.seconds,
-           "from the command on, with 16 samples for the converters' offsets"},
+           "from the command on, with 16 samples for the ADCs' offsets"},
           no_polarity,
           no_saliency,
           {"short pulse: Delta I_o / I_o", "%", {}, "Fig. 9(b)", 100 * shorts.swing / shorts.mean,

@@ -15,7 +15,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-// A field whose prose counts its values, "0 idle, 1 observe": an enum of them, and their names in order.
+// A field whose prose counts its values, "0 idle, 1 detect spin": an enum of them, and their names in order.
 std::string values_of(const Map& map, const Field& field) {
   const std::string name = map.prefix + upper(field.name), prose = field.prose;
   std::string values, names;

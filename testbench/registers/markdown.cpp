@@ -49,7 +49,7 @@ std::string sinusoidal_head() {
       "stale. The same table makes the decoder in `rtl/`,\n"
       "`rtl/host/steplock_sinusoidal_registers.h`, `rtl/host/steplock_sinusoidal.rdl` (SystemRDL) and "
       "`rtl/host/steplock_sinusoidal.xml` (IP-XACT).\n\n"
-      "Up to 0x2c, and at `SPEED_TARGET`, this is the map of [the six-step drive](registers.md), so that one driver serves both; "
+      "Up to 0x2c, and at `SPEED_TARGET`, this is the map of [the six-step drive](six_step_registers.md), so that one driver serves both; "
       "states and reasons\nare this drive's own, and so are telemetry and words. A tick of the watchdog is 16 PWM periods.\n\n";
 }
 

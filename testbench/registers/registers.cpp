@@ -47,7 +47,7 @@ std::vector<Register> registers(const Map& map) {
 }
 
 std::string page_of(const Map& map) {
-  return map.fields.data() == kFields.data() ? "docs/registers.md" : "docs/sinusoidal_registers.md";
+  return map.fields.data() == kFields.data() ? "docs/six_step_registers.md" : "docs/sinusoidal_registers.md";
 }
 
 const char* access_name(Access a) {

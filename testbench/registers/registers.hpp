@@ -2,12 +2,12 @@
 // read C++.
 //
 //                 six_step()                           sinusoidal()
-//     markdown    docs/registers.md                    docs/sinusoidal_registers.md
+//     markdown    docs/six_step_registers.md                    docs/sinusoidal_registers.md
 //     c_header    rtl/host/steplock_registers.h        rtl/host/steplock_sinusoidal_registers.h
 //     systemrdl   rtl/host/steplock.rdl                rtl/host/steplock_sinusoidal.rdl
 //     ip_xact     the registers of rtl/host/steplock.xml and steplock_sinusoidal.xml (IEEE 1685-2014; tools/ip_xact)
 //
-// Doc: docs/registers.md   Test: tests/testbench/registers_test.cpp
+// Doc: docs/six_step_registers.md   Test: tests/testbench/registers_test.cpp
 #pragma once
 
 #include <cstdint>
@@ -70,9 +70,9 @@ std::string words_c_header(const SinusoidalWords&, const std::string& name, doub
 // The same as a list for $readmemh, a register a line: 64 bits, its offset in the upper ones, its value in the lower ones.
 std::string words_mem(const Words&, const std::string& name, double clock_hz);
 std::string words_mem(const SinusoidalWords&, const std::string& name, double clock_hz);
-// The same words as constants: a module six_step_fixed, which is six_step_bare with all words tied.
+// The same words as constants: a module six_step_fixed, which is six_step_standalone with all words tied.
 std::string words_verilog(const Words&, const std::string& name, double clock_hz);
-// Likewise sinusoidal_fixed around sinusoidal_bare and its converter.
+// Likewise sinusoidal_fixed around sinusoidal_standalone and its ADC.
 std::string words_verilog(const SinusoidalWords&, const SpiAdcWords&, const std::string& name,
                           double clock_hz);
 

@@ -1,4 +1,4 @@
-// Modules around six_step_bare and sinusoidal_bare (docs/blocks/) whose words are constants.
+// Modules around six_step_standalone and sinusoidal_standalone (docs/blocks/) whose words are constants.
 #include <fmt/format.h>
 
 #include <string_view>
@@ -56,13 +56,13 @@ class FixedModule {
     for (const char* gate : kGates) port("output", "", fmt::format("gates_{}_o", gate));
     for (const char* shown : kShown) port("output", "", fmt::format("{}_o", shown));
   }
-  // `kind`_fixed around `kind`_bare.
+  // `kind`_fixed around `kind`_standalone.
   std::string text(const char* kind, const std::string& name, double clock_hz) const {
     return fmt::format(
         "// {0}_fixed: the drive {1} without a host, at a clock of {2:.0f} Hz.\n"
-        "// Printed by `steplock design {1}.toml --verilog`; ports: docs/blocks/{0}_bare.md.\n\n"
+        "// Printed by `steplock design {1}.toml --verilog`; ports: docs/blocks/{0}_standalone.md.\n\n"
         "module {0}_fixed (\n    input  logic clk,\n    input  logic rst{3}\n);\n"
-        "  {0}_bare {5}drive (\n      .clk(clk),\n      .rst(rst){4}\n  );\nendmodule\n",
+        "  {0}_standalone {5}drive (\n      .clk(clk),\n      .rst(rst){4}\n  );\nendmodule\n",
         kind, name, clock_hz, ports_, wires_, parts_.empty() ? "" : fmt::format("#({}) ", parts_));
   }
 
@@ -88,7 +88,7 @@ std::string words_verilog(const Words& words, const std::string& name, double cl
   for (const char* pin : kPins) module.port("input ", "", fmt::format("pins_{}_i", pin));
   module.controls_and_gates();
   // Without Hall sensors, and without a look for a rotor that turns, nothing asks the decoder.
-  module.part("WITH_HALL_DECODER", words.source == Source::kHall || words.start.observe != Ticks(0));
+  module.part("WITH_HALL_DECODER", words.source == Source::kHall || words.start.detect_spin != Ticks(0));
   const bool follows = words.start.method == Method::kFollow;
   module.part("WITH_RAMP", !follows);
   module.part("WITH_FOLLOWER", follows);
@@ -96,7 +96,7 @@ std::string words_verilog(const Words& words, const std::string& name, double cl
   return module.text("six_step", name, clock_hz);
 }
 
-std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& converter,
+std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& adc_words,
                           const std::string& name, double clock_hz) {
   FixedModule module;
   module.port("input ", "", "pins_fault_i");
@@ -104,12 +104,12 @@ std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& conve
   module.controls_and_gates();
   for (const char* pin : kConverterPins) module.port("output", "", fmt::format("{}_o", pin));
   const auto number = [](auto word) { return static_cast<std::uint64_t>(word.raw()); };
-  module.tie("converter_half_i", 6, number(converter.half));
-  module.tie("converter_quiet_i", 8, number(converter.quiet));
-  module.tie("converter_u_i", 3, number(converter.u));
-  module.tie("converter_v_i", 3, number(converter.v));
-  module.tie("converter_dc_i", 3, number(converter.dc));
-  module.tie("converter_twice_i", 1, converter.twice ? 1 : 0);
+  module.tie("adc_half_i", 6, number(adc_words.half));
+  module.tie("adc_quiet_i", 8, number(adc_words.quiet));
+  module.tie("adc_u_i", 3, number(adc_words.u));
+  module.tie("adc_v_i", 3, number(adc_words.v));
+  module.tie("adc_dc_i", 3, number(adc_words.dc));
+  module.tie("adc_twice_i", 1, adc_words.twice ? 1 : 0);
   tie_words<Sinusoidal>(module, words);
   return module.text("sinusoidal", name, clock_hz);
 }

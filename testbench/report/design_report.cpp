@@ -75,14 +75,14 @@ std::vector<Group> groups(const design::Settings& s, const design::Design& d) {
                     {"start_current", d.start_current, "A", "beyond the limit, which therefore rules"}}});
   } else {
     all.push_back({"start", "start: Eqs. (18)-(23)",
-                   {{"kappa", d.kappa, "N m/rad", "stiffness at the reset position"},
-                    {"reset_time_formula", d.reset_time_formula, "s", "Eq. (22)"},
-                    {"reset_time", d.parameters.start.reset, "s", "as used"},
-                    {"settle_time", d.parameters.start.settle, "s", "as used"},
+                   {{"kappa", d.kappa, "N m/rad", "stiffness at the aligned position"},
+                    {"align_time_formula", d.align_time_formula, "s", "Eq. (22)"},
+                    {"align_time", d.parameters.start.align, "s", "as used"},
+                    {"pre_align_time", d.parameters.start.pre_align, "s", "as used"},
                     {"acceleration_time", d.acceleration_time, "s", "to hand-over"},
                     {"hand_over_rpm", d.hand_over_rpm, "rpm", ""},
                     {"ramp_rpm_s", d.ramp_rpm_s, "rpm/s", ""},
-                    {"reset_current", d.reset_current, "A", ""},
+                    {"align_current", d.align_current, "A", ""},
                     {"start_current", d.start_current, "A", ""}}});
   }
   all.push_back({"speed", "speed control",

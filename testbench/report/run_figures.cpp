@@ -95,8 +95,8 @@ Figure whole_run(const design::Settings& s, const Record& record) {
                                   }), 1.4, true}},
                       .weight = 1.2,
                       .range = {{-0.5, 10.5}},
-                      .ticks = {{0, "idle"}, {1, "observe"}, {2, "brake"}, {3, "settle"}, {4, "reset"}, {5, "accelerate"},
-                                {6, "pull in"}, {7, "run"}, {8, "slow down"}, {9, "rest"}, {10, "fault"}}});
+                      .ticks = {{0, "idle"}, {1, "detect spin"}, {2, "brake"}, {3, "pre-align"}, {4, "align"}, {5, "accelerate"},
+                                {6, "pull in"}, {7, "run"}, {8, "slow down"}, {9, "retry delay"}, {10, "fault"}}});
   for (const Event& e : timeline(s).events) {
     if (e.clock > 0) {
       f.marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});

@@ -9,7 +9,7 @@
 //
 //     void set_pins(const plant::Pins&);  void set_command(const HostCommand&);
 //     void tick();                        Watch watch() const;     DriveView view() const;
-//     void set_reading(const plant::State&);    with converters only: at the clock of a sample strobe
+//     void set_reading(const plant::State&);    with ADCs only: at the clock of a sample strobe
 //
 // and may be able to take many clocks at once (run/advance.hpp).  What it is watched by is its own
 // (engine/watch.hpp, sinusoidal/watch.hpp).

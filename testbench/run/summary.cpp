@@ -104,9 +104,9 @@ void judge_locks(Summary& sum, const design::Settings& s, const Record& record) 
   State was = State::kIdle;
   for (const StateChange& c : record.changes) {
     const bool stopping = s.scenario.stop_s && c.time >= *s.scenario.stop_s;
-    const bool failed = c.state == State::kRest || c.state == State::kFault;
+    const bool failed = c.state == State::kRetryDelay || c.state == State::kFault;
     if (claims_lock(was) && failed && !stopping) ++sum.lost_locks;
-    if (failed && was != State::kRest) sum.reasons.push_back(name_of(c.reason));
+    if (failed && was != State::kRetryDelay) sum.reasons.push_back(name_of(c.reason));
     if (c.state == State::kFault) sum.fault = name_of(c.reason);
     if (c.state == State::kRun && !sum.lock_time_s) sum.lock_time_s = c.time;
     was = c.state;

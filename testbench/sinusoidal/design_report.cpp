@@ -20,7 +20,7 @@ std::vector<DesignRow> design_rows(const design::Settings& s) {
           {"no-load speed", "rpm", d.no_load_rpm},
           {"slowest speed", "rpm", d.slowest_rpm},
           {"saliency", "", d.saliency},
-          {"converter's step", "A", d.current_step},
+          {"ADC's step", "A", d.current_step},
           {"K_E", "V s/rad", p.motor.k_e},
           {"sampling period", "s", p.pwm.period},
           {"K_e", "V/A", p.current_model.k_e},

@@ -1,4 +1,4 @@
-// The sinusoidal blocks, compiled natively, behind the engines' interface, with their converters:
+// The sinusoidal blocks, compiled natively, behind the engines' interface, with their ADCs:
 // the same calls as FloatEngine.
 //
 // Test: tests/testbench/sinusoidal_engines_test.cpp
@@ -46,7 +46,7 @@ struct Showing {
   }
 };
 
-// What every engine with registers shares: inputs, and the converters behind them.
+// What every engine with registers shares: inputs, and the ADCs behind them.
 class Inputs {
  public:
   Inputs(const design::Settings& s, const plant::AdcParameters& adc) : settings_(s), adc_(adc) {

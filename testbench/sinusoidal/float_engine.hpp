@@ -1,5 +1,5 @@
 // The floating-point reference of the sinusoidal drive behind the engines' interface, with its
-// converters: whoever runs the co-simulation calls set_reading() with the plant's state at the clock
+// ADCs: whoever runs the co-simulation calls set_reading() with the plant's state at the clock
 // of a `sample` strobe.  An engine of fixed point or RTL offers the same calls.
 //
 // Test: tests/testbench/sinusoidal_run_test.cpp

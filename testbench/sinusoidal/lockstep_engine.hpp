@@ -1,4 +1,4 @@
-// The blocks of the sinusoidal drive and their RTL side by side, with the converters of both.
+// The blocks of the sinusoidal drive and their RTL side by side, with the ADCs of both.
 //
 // Test: tests/testbench/sinusoidal_engines_test.cpp
 #pragma once

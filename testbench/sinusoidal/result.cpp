@@ -101,7 +101,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
     if (c.state == State::kStarting && s.sinusoidal_start.by == design::StartBy::kPilot) {
       r.position_error_deg = std::remainder(c.drive.pilot_deg - c.angle_deg, 360);
     }
-    if (c.state == State::kRest || c.state == State::kFault) r.reasons.push_back(name_of(c.reason));
+    if (c.state == State::kRetryDelay || c.state == State::kFault) r.reasons.push_back(name_of(c.reason));
     if (c.state == State::kFault) r.fault = name_of(c.reason);
     if (c.state == State::kIdle) r.fault = "none";
   }

@@ -1,5 +1,5 @@
 // The generated SystemVerilog of the sinusoidal drive, compiled by Verilator, behind the engines'
-// interface, with its converters.
+// interface, with its ADCs.
 //
 // What the module shows between two edges is the output of that clock.  tick() gives the edge that ends
 // the last clock, with the inputs of that clock, and then puts the new ones there.

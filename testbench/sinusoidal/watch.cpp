@@ -4,7 +4,7 @@ namespace steplock::sinusoidal {
 
 const char* name_of(State s) {
   constexpr const char* kNames[] = {"idle", "calibrate", "pilot", "pattern", "starting",
-                                    "run",  "slow_down", "brake", "rest",    "fault"};
+                                    "run",  "slow_down", "brake", "retry_delay",    "fault"};
   return kNames[static_cast<int>(s)];
 }
 

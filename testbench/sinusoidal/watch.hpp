@@ -4,7 +4,7 @@
 //     bits     0-5    6-9    10-13   14       15
 //     signal   gates  state  reason  sample   locked
 //
-// `sample` is a strobe of one clock: at its clock the converters hold what the plant shows.
+// `sample` is a strobe of one clock: at its clock the ADCs hold what the plant shows.
 //
 // Test: tests/testbench/sinusoidal_run_test.cpp
 #pragma once

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hls/sinusoidal/sinusoidal_bare.hpp"
+#include "hls/sinusoidal/sinusoidal_standalone.hpp"
 #include "testbench/sinusoidal/watch.hpp"
 
 namespace steplock::sinusoidal {
@@ -23,9 +23,9 @@ static_assert(int(Reason::kNoPolarity) == int(SinusoidalReason::kNoPolarity));
 
 SinusoidalWords hls_words(const design::sinusoidal::Words& d) {
   return {.bridge = {.period = d.bridge.period, .minimum = d.bridge.minimum,
-                     .dead_time = d.bridge.dead_time, .lost = d.bridge.lost,
-                     .compensate = d.bridge.compensate, .sine = d.bridge.sine,
-                     .inverse = d.bridge.inverse},
+                     .dead_time = d.bridge.dead_time, .dead_time_loss = d.bridge.dead_time_loss,
+                     .compensate = d.bridge.compensate, .sine_pwm = d.bridge.sine_pwm,
+                     .reciprocal = d.bridge.reciprocal},
           .estimator = {.voltage = d.estimator.voltage, .average = d.estimator.average,
                         .decay = d.estimator.decay, .gain = d.estimator.gain,
                         .k_theta = d.estimator.k_theta, .k_e = d.estimator.k_e,
@@ -43,7 +43,7 @@ SinusoidalWords hls_words(const design::sinusoidal::Words& d) {
                        .pilot = d.sequence.pilot,
                        .hold_voltage = d.sequence.hold_voltage, .pattern = d.sequence.pattern,
                        .lock = d.sequence.lock, .give_up = d.sequence.give_up,
-                       .brake = d.sequence.brake, .rest = d.sequence.rest,
+                       .brake = d.sequence.brake, .retry_delay = d.sequence.retry_delay,
                        .retries = d.sequence.retries},
           .pilot = {.short_periods = d.pilot.short_periods,
                     .long_periods = d.pilot.long_periods, .rounds = d.pilot.rounds,
@@ -62,12 +62,12 @@ SinusoidalWords words_of(const design::Settings& s) {
   return hls_words(q.words);
 }
 
-SpiAdcWords converter_words_of(const design::Settings& s) {
+SpiAdcWords adc_words_of(const design::Settings& s) {
   constexpr double kFastest = 20e6, kAcquire = 300e-9;  // Hz, s: data sheet of the AD7928
   const double clock_hz = s.control.clock_hz;
   const auto clocks = [](double wanted) { return static_cast<int>(std::ceil(wanted - 1e-6)); };
   const int half = clocks(clock_hz / 2 / kFastest), quiet = clocks(kAcquire * clock_hz);
-  const int needed = SinusoidalBare::clocks_of_a_sample(half, quiet);
+  const int needed = SinusoidalStandalone::clocks_of_a_sample(half, quiet);
   const int period = static_cast<int>(std::lround(clock_hz / s.control.pwm_hz));
   if (needed > period) {
     throw std::invalid_argument(

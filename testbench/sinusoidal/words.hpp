@@ -16,8 +16,8 @@ SinusoidalWords hls_words(const design::sinusoidal::Words&);
 SinusoidalWords words_of(const design::Settings&);
 
 // Of an AD7928 whose inputs 0, 1 and 2 are u, v and the dc voltage, at the drive's clock: SCLK as fast as
-// 20 MHz allows, 300 ns to acquire an input.  Throws likewise where a sample of sinusoidal_bare, from the
-// period's begin over that converter to the end of the arithmetic, takes longer than a period.
-SpiAdcWords converter_words_of(const design::Settings&);
+// 20 MHz allows, 300 ns to acquire an input.  Throws likewise where a sample of sinusoidal_standalone, from the
+// period's begin over that ADC to the end of the arithmetic, takes longer than a period.
+SpiAdcWords adc_words_of(const design::Settings&);
 
 }  // namespace steplock::sinusoidal

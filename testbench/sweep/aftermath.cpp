@@ -50,7 +50,7 @@ void Aftermath::changed(const plant::State& s, Watch was, Watch now, const Drive
   findings_.slips = judge_.step_outs();
   claims_ = claims_ && claims_lock(now.state());
   if (now.state() == was.state()) return;
-  if (now.state() == State::kRest || now.state() == State::kFault) {
+  if (now.state() == State::kRetryDelay || now.state() == State::kFault) {
     ++findings_.retries;
     findings_.lost_locks += claims_lock(was.state());
     findings_.reason = now.reason();

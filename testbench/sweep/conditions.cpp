@@ -36,7 +36,7 @@ Quantity what_leaves(const design::Settings& s, const Draw& draw) {
   return kLeaves[draw.below(kWhatBeyond, kLeaves.size() - spared)];
 }
 
-// Of a current converter, to which the envelope's factor applies: part of its range.
+// Of a current ADC, to which the envelope's factor applies: part of its range.
 constexpr double kConverterOffset = 0.01;
 
 class Drawing {
@@ -166,7 +166,7 @@ design::Settings settings_under(const design::Settings& file, const Conditions& 
   s.sensors.comparator_noise_v = c.noise_v;
   s.sensors.comparator_delay_s = c.delay_s;
   if (sinusoidal(file)) {
-    // The converters' ranges are the drive's, whatever bus and motor it meets.
+    // The ADCs' ranges are the drive's, whatever bus and motor it meets.
     s.adc.current_a = design::sinusoidal::current_range(file);
     s.adc.voltage_v = design::sinusoidal::voltage_range(file);
     s.adc.current_offset_a = {c.offset_u_a, c.offset_v_a, c.offset_w_a};

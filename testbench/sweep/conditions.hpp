@@ -1,4 +1,4 @@
-// What one run of a sweep meets: motor, load, bus, comparators or converters, and rotor, drawn from the
+// What one run of a sweep meets: motor, load, bus, comparators or ADCs, and rotor, drawn from the
 // drive file's envelope by the run's seed alone.  The drive's words stay those of the file: it does not know.
 //
 // Outside the envelope one quantity, drawn too, lies beyond its range by the factors of kBeyond; the
@@ -19,7 +19,7 @@ struct Conditions {
   double inertia = 1, bus = 1, resistance = 1, inductance = 1, flux = 1;  // factors
   double offset_u_v = 0, offset_v_v = 0, offset_w_v = 0;                  // of the comparators
   double noise_v = 0, delay_s = 0;                                        // of all three
-  double offset_u_a = 0, offset_v_a = 0, offset_w_a = 0, noise_a = 0;     // of the current converters
+  double offset_u_a = 0, offset_v_a = 0, offset_w_a = 0, noise_a = 0;     // of the current ADCs
   double speed = 0;           // of the rotor at t = 0, part of the set speed
 };
 

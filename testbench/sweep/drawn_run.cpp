@@ -34,12 +34,12 @@ double longest(const design::Settings& s, const design::Parameters& p) {
   const auto& t = p.start;
   double tries = t.method == design::Method::kFollow ? 4 * 4096 * p.pwm.tick() : 0;  // StartCounters
   for (int k = 0; k <= t.retries; ++k) {
-    const int gentle = std::min(k, 3);  // as StartSequence makes them: reset twice as long, the ramp a quarter as steep
-    tries += t.observe + t.pull_in + t.rest;
+    const int backoff = std::min(k, 3);  // as StartSequence makes them: reset twice as long, the ramp a quarter as steep
+    tries += t.detect_spin + t.pull_in + t.retry_delay;
     if (t.method == design::Method::kFollow) continue;
-    tries += std::ldexp(t.settle + t.reset, gentle) + std::ldexp(2 * t.hand_over / t.ramp, 2 * gentle);
+    tries += std::ldexp(t.pre_align + t.align, backoff) + std::ldexp(2 * t.hand_over / t.ramp, 2 * backoff);
   }
-  const double brakes = t.slow_down + 20 * (t.brake + t.observe);
+  const double brakes = t.slow_down + 20 * (t.brake + t.detect_spin);
   return s.scenario.run_s + 2 * (tries + brakes + 10 * p.speed.target / p.speed.slew);
 }
 

@@ -46,11 +46,11 @@ double longest_start(const design::Settings& s) {
                       : t.by == design::StartBy::kPattern ? t.pattern_s
                                                           : 0;
   const double notice = p.protection.saturated_s + p.protection.slow_s + p.protection.emf_s;
-  const double once = find + t.give_up_s + p.speed.target / p.speed.slew + notice + t.rest_s;
+  const double once = find + t.give_up_s + p.speed.target / p.speed.slew + notice + t.retry_delay_s;
   return s.scenario.run_s + 2 * (1 + t.retries) * once;
 }
 
-// The engine is the file's; converters belong to the plant, and are drawn.
+// The engine is the file's; ADCs belong to the plant, and are drawn.
 DrawnResult simulate_start(const DrawnRun& run, const SimulateOptions& options) {
   const plant::AdcParameters adc = adc_parameters(run.settings);
   if (options.rtl_beside) {

@@ -38,7 +38,7 @@ double Witness::next_sample() const {
 
 void Witness::entered(const plant::State& s, State was, Watch now, const View& view) {
   const State is = now.state();
-  if (is == State::kRest || is == State::kFault) {
+  if (is == State::kRetryDelay || is == State::kFault) {
     start_.failed(claims_lock(was), is == State::kFault, s.time);
     start_.caused(s, claims_lock(was), false, way_ * view.speed_rpm);
     start_.findings().sinusoidal_reason = now.reason();

@@ -46,7 +46,7 @@ void Witness::pins_changed(double time, const plant::Pins& pins) {
 
 void Witness::entered(const plant::State& s, State was, Watch now, const DriveView& view) {
   const State is = now.state();
-  if (is == State::kRest || is == State::kFault) {
+  if (is == State::kRetryDelay || is == State::kFault) {
     start_.failed(claims_lock(was), is == State::kFault, s.time);
     start_.caused(s, claims_lock(was), was == State::kPullIn, rpm_of_steps(view.steps_per_second, pole_pairs_));
     start_.findings().reason = now.reason();

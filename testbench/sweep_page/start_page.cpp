@@ -172,7 +172,7 @@ std::string sinusoidal_head(const SweepSetup& setup) {
   std::string t = head(setup, "Starts of the sinusoidal drives", "tools/starts --sinusoidal", "drives/*.toml --kind sinusoidal",
                        "docs/sinusoidal_starts.md", "the_page_of_sinusoidal_starts_is_current");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
-       "resistance, inductance, flux, and the current converters' offsets and noise. The drive's words stay those of the file. "
+       "resistance, inductance, flux, and the current ADCs' offsets and noise. The drive's words stay those of the file. "
        "*Started* is in lock by the rotor's true angle, the estimate never 90 electrical degrees from it, for 24 electrical "
        "turns, a fifth of the runs for 200 and a second at least, at the set speed; *rough* is that, but with more current, kick, "
        "speed or time than the drive's "

@@ -34,7 +34,7 @@ jq --arg top "$top" "$change" "$out/$top.json" >"$netlist"
 # Only the names of flip-flops of the RTL, and of ports, are compared: between them synthesis does as it likes.
 cat >"$work/make.ys" <<YS
 read_verilog -lib +/ice40/cells_sim.v
-read_verilog -sv $(tr '\n' ' ' <rtl/six_step_bare.f) $out/six_step_fixed.sv constraints/power_on_reset.sv constraints/$board/$top.sv
+read_verilog -sv $(tr '\n' ' ' <rtl/six_step_standalone.f) $out/six_step_fixed.sv constraints/power_on_reset.sv constraints/$board/$top.sv
 hierarchy -top $top
 proc; flatten; async2sync; dffunmap; opt_clean
 rename -hide w:* t:\$dff %co1:+[Q] %d

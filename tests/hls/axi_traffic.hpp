@@ -78,7 +78,7 @@ void random_axi_traffic(int clocks, std::uint64_t seed, std::optional<int> lie_a
     if (!in.awvalid && chance(30)) {
       in.awvalid = true;
       in.awaddr = address();
-      if (Behind<Map>::bites(int(in.awaddr.raw()) & ~3)) in.awaddr = kLock;
+      if (Behind<Map>::expires(int(in.awaddr.raw()) & ~3)) in.awaddr = kLock;
     }
     if (!in.wvalid && chance(30)) {
       in.wvalid = true;

@@ -69,7 +69,7 @@ void random_bus_traffic(int transfers, std::uint64_t seed, int lie = -1) {
     const int home = t.address & ~3;
     // Run stays low: this is the traffic of an idle drive.
     if (runs(home)) t.data &= ~2U;
-    if (Behind<typename Bus::Map>::bites(home)) t.write = false;
+    if (Behind<typename Bus::Map>::expires(home)) t.write = false;
     int clocks = 0;
     Answer answer = transfer<Bus>(top, in, out, t, [] {}, &clocks);
     if (i == lie) answer.error = !answer.error;

@@ -134,7 +134,7 @@ TEST(ClosedLoop, StartsFromStandstillLocksAndHoldsItsSpeed) {
     Rig rig(angle);
     rig.run_for(0.5);
     EXPECT_EQ(rig.out.state, State::kRun) << angle;
-    EXPECT_FALSE(rig.was(State::kRest)) << angle;
+    EXPECT_FALSE(rig.was(State::kRetryDelay)) << angle;
     EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm()) << angle;
     // A commutation further off than 30 degrees would belong to another step.
     EXPECT_LT(rig.worst_late, 30) << angle;
@@ -152,7 +152,7 @@ TEST(ClosedLoop, TakesALoadStepAndLeavesItAgain) {
   rig.run_for(0.4);
   EXPECT_NEAR(rig.mean_rpm(0.1), set_rpm(), 0.005 * set_rpm());
   EXPECT_EQ(rig.out.state, State::kRun);
-  EXPECT_FALSE(rig.was(State::kRest));
+  EXPECT_FALSE(rig.was(State::kRetryDelay));
   EXPECT_LT(rig.worst_late, 30);
 }
 
@@ -183,7 +183,7 @@ TEST(ClosedLoop, CatchesARotorThatAlreadyTurnsTheWantedWay) {
     rig.in.command.reverse = reverse;
     rig.run_for(0.3);
     EXPECT_EQ(rig.out.state, State::kRun);
-    EXPECT_FALSE(rig.was(State::kSettle)) << "caught, not started";
+    EXPECT_FALSE(rig.was(State::kPreAlign)) << "caught, not started";
     // The first step is entered in its middle, 30 degrees after its ideal beginning.
     EXPECT_LT(rig.worst_late, 31);
   }
@@ -225,7 +225,7 @@ TEST(ClosedLoop, RunsOnHallSensorsToo) {
     rig.in.command.reverse = reverse;
     rig.run_for(1.0);
     EXPECT_EQ(rig.out.state, State::kRun);
-    EXPECT_FALSE(rig.was(State::kRest));
+    EXPECT_FALSE(rig.was(State::kRetryDelay));
     EXPECT_NEAR(rig.mean_rpm(0.1), reverse ? -set_rpm() : set_rpm(), 0.005 * set_rpm());
   }
 }
@@ -299,7 +299,7 @@ TEST(ClosedLoop, ASetSpeedOfNothingStopsAndTheNextOneStarts) {
   rig.in.words.speed.target = 0;
   rig.run_for(0.8);
   EXPECT_EQ(rig.out.state, State::kIdle);
-  EXPECT_FALSE(rig.was(State::kRest)) << "no lock was lost on the way";
+  EXPECT_FALSE(rig.was(State::kRetryDelay)) << "no lock was lost on the way";
   EXPECT_NEAR(rig.rpm(), 0, 0.01 * set_rpm());
   rig.in.words.speed.target = target;
   rig.run_for(0.5);

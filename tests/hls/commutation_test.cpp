@@ -39,7 +39,7 @@ TEST(Commutation, SettleIsStepOneWhateverTheStep) {
   for (int k = 0; k < 8; ++k) {
     for (const bool chop : {false, true}) {
       for (const bool complementary : {false, true}) {
-        EXPECT_EQ(request(Pattern::kSettle, k, chop, complementary),
+        EXPECT_EQ(request(Pattern::kPreAlign, k, chop, complementary),
                   request(Pattern::kDrive, 1, chop, complementary));
       }
     }
@@ -48,9 +48,9 @@ TEST(Commutation, SettleIsStepOneWhateverTheStep) {
 
 TEST(Commutation, ResetHoldsWithTwoHighAndOneLow) {
   for (int k = 0; k < 8; ++k) {
-    EXPECT_EQ(request(Pattern::kReset, k, true), "HHL");
-    EXPECT_EQ(request(Pattern::kReset, k, false), "--L");
-    EXPECT_EQ(request(Pattern::kReset, k, false, true), "LLL");
+    EXPECT_EQ(request(Pattern::kAlign, k, true), "HHL");
+    EXPECT_EQ(request(Pattern::kAlign, k, false), "--L");
+    EXPECT_EQ(request(Pattern::kAlign, k, false, true), "LLL");
   }
 }
 
@@ -77,7 +77,7 @@ TEST(Commutation, StepsThatDoNotExistRequestNothing) {
 
 TEST(Commutation, NeverRequestsBothGatesOfALeg) {
   for (const Pattern pattern :
-       {Pattern::kOff, Pattern::kDrive, Pattern::kSettle, Pattern::kReset, Pattern::kBrake}) {
+       {Pattern::kOff, Pattern::kDrive, Pattern::kPreAlign, Pattern::kAlign, Pattern::kBrake}) {
     for (int bits = 0; bits < 32; ++bits) {
       const auto seen = request(pattern, bits >> 2, (bits & 1) != 0, (bits & 2) != 0);
       EXPECT_EQ(seen.find('X'), std::string::npos) << seen;

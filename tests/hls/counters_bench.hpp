@@ -14,14 +14,14 @@ struct CountersBench {
   StartCounters::Out out;  // of the last clock
 
   CountersBench() {
-    in.words = {.settle = 3,
-                .reset = 5,
+    in.words = {.pre_align = 3,
+                .align = 5,
                 .good_crossings = 4,
                 .pull_in = 20,
-                .observe = 10,
+                .detect_spin = 10,
                 .slow_down = 30,
                 .brake = 7,
-                .rest = 6,
+                .retry_delay = 6,
                 .retries = 2};
   }
 
@@ -41,9 +41,9 @@ struct CountersBench {
   bool tick() {
     in.tick = true;
     clock();
-    const bool over = out.over;
+    const bool timed_out = out.timed_out;
     clocks(4);
-    return over;
+    return timed_out;
   }
   // Ticks up to the one with which it is, 0 if there is none such in `most`.
   int ticks_of(State state, int most = 100'000) {
@@ -63,17 +63,17 @@ struct CountersBench {
     in.good = good;
     in.turns_reverse = turns_reverse;
     clock();
-    EXPECT_FALSE(out.enough);
+    EXPECT_FALSE(out.count_reached);
     clock();
-    const bool enough = out.enough;
+    const bool count_reached = out.count_reached;
     clock();
-    EXPECT_FALSE(out.enough);
-    return enough;
+    EXPECT_FALSE(out.count_reached);
+    return count_reached;
   }
   bool crossings(int n, bool good, bool turns_reverse = false) {
-    bool enough = false;
-    for (int i = 0; i < n; ++i) enough = crossing(good, turns_reverse);
-    return enough;
+    bool count_reached = false;
+    for (int i = 0; i < n; ++i) count_reached = crossing(good, turns_reverse);
+    return count_reached;
   }
 };
 

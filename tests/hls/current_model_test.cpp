@@ -27,7 +27,7 @@ exact::CurrentModelEstimator estimator() {
 }
 
 // `inverse` and the rounded word per clock are off by 3e-5 and 4e-5 of up to 0.4: one place.  Four
-// cuts of 1/16 clock, 0.4 places each; within a converter's step of zero the mean current is cut by
+// cuts of 1/16 clock, 0.4 places each; within an ADC's step of zero the mean current is cut by
 // half a place of 16: another 6/16 clocks, in each leg at worst; rounding, and v_dc's own half
 // place.
 TEST(AppliedVoltage, IsTheReferenceWithinItsRounding) {

@@ -143,7 +143,7 @@ TYPED_TEST(DriveRegistersOf, InterruptsFollowTheirEvents) {
   bench.enter(TypeParam::State::kRun, true);
   EXPECT_EQ(bench.read(kInterrupt), 0x14u) << "lock, started";
   bench.write(kInterrupt, 0x14);
-  bench.enter(TypeParam::State::kRest, false, TypeParam::Reason::kOverCurrent);
+  bench.enter(TypeParam::State::kRetryDelay, false, TypeParam::Reason::kOverCurrent);
   EXPECT_EQ(bench.read(kInterrupt), 0x08u) << "lost";
   bench.enter(TypeParam::State::kRun, true);
   EXPECT_EQ(bench.read(kInterrupt), 0x0cu) << "lock again, but not another start";

@@ -14,7 +14,7 @@ namespace {
 
 using In = LoopFilter::In;
 
-constexpr Loop kLoops[] = {Loop::kRamp, Loop::kTrack, Loop::kCatch, Loop::kHall, Loop::kFollow};
+constexpr Loop kLoops[] = {Loop::kRamp, Loop::kTrack, Loop::kCatchSpin, Loop::kHall, Loop::kFollow};
 
 class Words : public RandomWords {
  public:
@@ -28,7 +28,7 @@ class Words : public RandomWords {
   In in(Loop loop) {
     In in{.loop = loop, .error = error()};
     in.ramp = word<20>();
-    in.gentle = word<2>();
+    in.backoff = word<2>();
     in.bandwidth = one_in(2) ? Bandwidth::kPerStep : Bandwidth::kPerSecond;
     in.delay = word<10>();
     in.ki = word<16>(), in.kp = word<16>();
@@ -120,7 +120,7 @@ TEST(LoopFilterLaw, IsItsEquations) {
     law.update(in);
     return static_cast<int>(law.frequency().raw()) - kF;
   };
-  EXPECT_EQ(moved({.loop = Loop::kCatch}), 1 << 20) << "Newton";
+  EXPECT_EQ(moved({.loop = Loop::kCatchSpin}), 1 << 20) << "Newton";
   EXPECT_EQ(moved({.loop = Loop::kHall}), 1 << 18) << "a quarter of it";
   EXPECT_EQ(moved({.loop = Loop::kTrack, .ki = 0x2000, .pole = 0x8000}), 1 << 19) << "ki = 1/2";
   EXPECT_EQ(moved({.loop = Loop::kTrack, .kp = 0x4000, .pole = 0x4000}), 1 << 19) << "kp = 1, half of it by the pole";

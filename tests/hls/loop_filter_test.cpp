@@ -190,13 +190,13 @@ TEST(LoopFilter, ARampGrowsPerTickFromStandstillBelowTheMinimum) {
 }
 
 TEST(LoopFilter, AGentleRampIsQuarteredThreeTimes) {
-  for (int gentle = 0; gentle < 4; ++gentle) {
+  for (int backoff = 0; backoff < 4; ++backoff) {
     LoopFilter dut;
-    const In in = {.loop = Loop::kRamp, .ramp = 1234, .gentle = gentle, .maximum = Frequency::max()};
+    const In in = {.loop = Loop::kRamp, .ramp = 1234, .backoff = backoff, .maximum = Frequency::max()};
     // Four bits more than the frequency shows: at the last quarter two are lost, once per tick.
     for (int n = 1; n <= 20; ++n) {
-      const double wanted = 1234.0 * n / (1 << 2 * gentle);
-      const double lost = gentle == 3 ? n / 16.0 : 0;
+      const double wanted = 1234.0 * n / (1 << 2 * backoff);
+      const double lost = backoff == 3 ? n / 16.0 : 0;
       const auto is = static_cast<double>(update(dut, in).raw());
       EXPECT_LE(is, wanted);
       EXPECT_GT(is, wanted - 1 - lost);
@@ -239,7 +239,7 @@ TEST(LoopFilter, SaysWhenItTurnsSlowerThanAStallAndWhenAsFastAsHandOver) {
 // rotor slower than the minimum never shows a small error.
 TEST(LoopFilter, CatchesFromStandstillButNothingSlowerThanTheMinimum) {
   LoopFilter dut;
-  In in = {.loop = Loop::kCatch, .minimum = 1 << 19, .maximum = Frequency::max()};
+  In in = {.loop = Loop::kCatchSpin, .minimum = 1 << 19, .maximum = Frequency::max()};
   in.error = PhaseError::max();
   EXPECT_EQ(update(dut, in), Frequency(1 << 19));
   // 3/2 but for the last bit of the largest error.
@@ -256,7 +256,7 @@ RC_GTEST_PROP(LoopFilter, CatchingConvergesToOneOverTheInterval, ()) {
   auto dut = at(f);
   for (int change = 0; change < 8; ++change) {
     const double e = std::clamp(1 - f * interval, -0.5, 0.49998);
-    const In in = {.loop = Loop::kCatch,
+    const In in = {.loop = Loop::kCatchSpin,
                    .error = PhaseError(std::int32_t(std::floor(e * 65536))),
                    .pole = 0x8000,
                    .maximum = Frequency::max()};
@@ -283,7 +283,7 @@ TEST(LoopFilter, FollowingBeginsAtHandOverAndThenIsCatching) {
 
 // However soon after a result the next update comes, it takes the same clocks to the same frequency.
 TEST(LoopFilter, AnUpdateMayComeInAnyClockAfterAResult) {
-  for (const Loop loop : {Loop::kTrack, Loop::kCatch}) {
+  for (const Loop loop : {Loop::kTrack, Loop::kCatchSpin}) {
     LoopFilter::In in{.loop = loop, .error = 0x800, .ki = 0x400, .kp = 0x1000, .minimum = 1000, .maximum = Frequency::max()};
     LoopFilter settled;
     const auto update = [&in](LoopFilter& dut) {

@@ -34,7 +34,7 @@ constexpr bool kSamePlaces =
 static_assert(kSamePlaces<Sinusoidal>);
 
 // What a test of a bus has to know of the drive behind it: words that move its gates, `kMoves` clocks
-// after `run` at the latest; a tick of its watchdog; and its pins, of which a converter gives no current.
+// after `run` at the latest; a tick of its watchdog; and its pins, of which an ADC gives no current.
 template <class Map>
 struct Behind;
 template <>
@@ -43,14 +43,14 @@ struct Behind<SixStep> {
   // A reset pattern that lasts, half of the time on.
   static std::vector<std::pair<int, std::uint32_t>> words() {
     return {{kPwm, 1u << 24 | kPeriod},
-            {address_of(index_of("START_RESET")), 4095u << 16},
+            {address_of(index_of("START_ALIGN")), 4095u << 16},
             {address_of(index_of("START_DUTY")), 0x4000},
             {address_of(index_of("SPEED_TARGET")), 0x1000},
             {address_of(index_of("SPEED_DUTY")), 0x8000u << 16},
             {address_of(index_of("SPEED_DUTY_SLEW")), 0xfff}};
   }
   // Registers whose random contents would end the idleness of a drive: its watchdog's period.
-  static bool bites(int address) { return address == address_of(index_of("WATCHDOG")); }
+  static bool expires(int address) { return address == address_of(index_of("WATCHDOG")); }
   template <class In, class Out>
   static void pins(In& in, const Out&, bool fault) { in.pins.fault = fault; }
 };
@@ -60,14 +60,14 @@ struct Behind<Sinusoidal> {
   // A pattern that lasts, a quarter of the voltage; 16 samples are calibrated before.
   static std::vector<std::pair<int, std::uint32_t>> words() {
     return {{kPwm, kPeriod},
-            {address_of(index_of<Sinusoidal>("PWM_INVERSE")), (1u << 25) / (3 * kPeriod)},
+            {address_of(index_of<Sinusoidal>("PWM_RECIPROCAL")), (1u << 25) / (3 * kPeriod)},
             {address_of(index_of<Sinusoidal>("START")), 0x1000u << 16},
             {address_of(index_of<Sinusoidal>("SPEED_TARGET")), 1u << 20},
             {address_of(index_of<Sinusoidal>("START_PATTERN")), 0xfffff}};
   }
   // And how many samples may be lost, of which none comes in a test of the bus alone.
-  static bool bites(int address) {
-    return Behind<SixStep>::bites(address) || address == address_of(index_of<Sinusoidal>("PROTECTION"));
+  static bool expires(int address) {
+    return Behind<SixStep>::expires(address) || address == address_of(index_of<Sinusoidal>("PROTECTION"));
   }
   // Codes come in the clock after the strobe.
   template <class In, class Out>

@@ -7,13 +7,13 @@
 namespace steplock {
 namespace {
 
-constexpr State kStates[] = {State::kIdle,       State::kObserve, State::kBrake, State::kSettle,
-                             State::kReset,      State::kAccelerate, State::kPullIn, State::kRun,
-                             State::kSlowDown,   State::kRest,    State::kFault};
+constexpr State kStates[] = {State::kIdle,       State::kDetectSpin, State::kBrake, State::kPreAlign,
+                             State::kAlign,      State::kAccelerate, State::kPullIn, State::kRun,
+                             State::kSlowDown,   State::kRetryDelay,    State::kFault};
 
 struct Bench {
   OpenLoopDuty dut;
-  OpenLoopDuty::In in{.reset_duty = 1000, .start_duty = 3200, .brake_duty = 500};
+  OpenLoopDuty::In in{.align_duty = 1000, .start_duty = 3200, .brake_duty = 500};
 
   // The duty that follows a clock with the present inputs.
   Duty clock() {
@@ -43,7 +43,7 @@ TEST(OpenLoopDuty, EachStateHasItsDuty) {
   Bench bench;
   for (const State state : kStates) {
     if (state == State::kPullIn) continue;
-    const Duty wanted = state == State::kSettle || state == State::kReset ? Duty(1000)
+    const Duty wanted = state == State::kPreAlign || state == State::kAlign ? Duty(1000)
                         : state == State::kAccelerate                     ? Duty(3200)
                         : state == State::kBrake                          ? Duty(500)
                                                                           : Duty(0);
@@ -61,12 +61,12 @@ TEST(OpenLoopDuty, ComesOneClockAfterItsState) {
 TEST(OpenLoopDuty, StrongDoublesResetAndStartUpToTheWholeAndNothingElse) {
   Bench bench;
   bench.in.strong = true;
-  EXPECT_EQ(bench.in_state(State::kSettle), Duty(2000));
-  EXPECT_EQ(bench.in_state(State::kReset), Duty(2000));
+  EXPECT_EQ(bench.in_state(State::kPreAlign), Duty(2000));
+  EXPECT_EQ(bench.in_state(State::kAlign), Duty(2000));
   EXPECT_EQ(bench.in_state(State::kAccelerate), Duty(6400));
   EXPECT_EQ(bench.in_state(State::kBrake), Duty(500));
-  bench.in.reset_duty = 0x3fff;
-  EXPECT_EQ(bench.in_state(State::kReset), Duty(0x7ffe));
+  bench.in.align_duty = 0x3fff;
+  EXPECT_EQ(bench.in_state(State::kAlign), Duty(0x7ffe));
   for (const std::uint64_t start : {0x4000, 0x4001, 0x7fff, 0x8000, 0xc000, 0xffff}) {
     bench.in.start_duty = Duty::of(start);
     EXPECT_EQ(bench.in_state(State::kAccelerate), Duty(0x8000)) << start;
@@ -116,7 +116,7 @@ TEST(OpenLoopDuty, ALagBeforeAnythingFadedAddsNothing) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(bench.step(true), Duty(3200));
 }
 
-// A rotor that is followed: found with reset_duty, then the start's, and a sixteenth once it has hand-over's frequency.
+// A rotor that is followed: found with align_duty, then the start's, and a sixteenth once it has hand-over's frequency.
 TEST(OpenLoopDuty, FollowingFindsWithTheResetsDutyAcceleratesWithTheStartsAndWaitsWithASixteenth) {
   Bench bench;
   bench.in.follows = true;
@@ -187,7 +187,7 @@ TEST(OpenLoopDuty, TheQuarterLastsUntilTheNextStart) {
   bench.clock();
   bench.pull_in();
   EXPECT_EQ(bench.clock(), Duty(800));
-  bench.in_state(State::kRest);
+  bench.in_state(State::kRetryDelay);
   bench.in_state(State::kAccelerate);
   EXPECT_EQ(bench.clock(), Duty(200));
   bench.pull_in();

@@ -12,7 +12,7 @@ using In = PhaseDetector::In;
 
 // Begins a step, so that the next commutation has one to end.
 In begin(PhaseDetector& dut, In in = {}) {
-  in.watch = Evidence::kCrossings;
+  in.detector_source = DetectorSource::kCrossings;
   dut.tick(in);
   in.commutate = true;
   dut.tick(in);
@@ -22,7 +22,7 @@ In begin(PhaseDetector& dut, In in = {}) {
 
 PhaseDetector::Out after(PhaseDetector& dut, const In& in) {
   dut.tick(in);
-  return dut.tick({.watch = in.watch, .window = in.window});
+  return dut.tick({.detector_source = in.detector_source, .window = in.window});
 }
 
 int error_of(int expected, int crossing) {
@@ -73,7 +73,7 @@ TEST(PhaseDetector, TwoStepsThatNeverShowedTheLevelBeforeShowALeadingRotor) {
     in.commutate = true;
     const auto out = after(dut, in);
     EXPECT_TRUE(out.missed);
-    EXPECT_EQ(out.hurries, error != 0);
+    EXPECT_EQ(out.masked_lead, error != 0);
     EXPECT_EQ(out.error, PhaseError(error));
   }
   in.commutate = false;
@@ -89,25 +89,25 @@ TEST(PhaseDetector, TwoStepsThatNeverShowedTheLevelBeforeShowALeadingRotor) {
 TEST(PhaseDetector, AHiddenCrossingTellsWhatTheOneBeforeItTold) {
   struct Case {
     int lead;       // of the crossing in the step before, s0.16
-    bool hurries;   // from 1/16
+    bool masked_lead;   // from 1/16
     int error;      // lead_error from 1/8
   };
-  for (const auto& [lead, hurries, error] : {Case{-0x4000, false, 0}, Case{0xFFF, false, 0},
+  for (const auto& [lead, masked_lead, error] : {Case{-0x4000, false, 0}, Case{0xFFF, false, 0},
                                              Case{0x1000, true, 0}, Case{0x1FFF, true, 0},
                                              Case{0x2000, true, 0x3000}}) {
     PhaseDetector dut;
     auto in = begin(dut, {.lead_error = 0x3000});
     in.crossing = true;
     in.crossing_phase = 0x8000 - lead;
-    EXPECT_FALSE(after(dut, in).hurries);
+    EXPECT_FALSE(after(dut, in).masked_lead);
     in.crossing = false;
     in.commutate = true;
     dut.tick(in);
     const auto out = after(dut, in);
     EXPECT_TRUE(out.missed) << lead;
-    EXPECT_EQ(out.hurries, hurries) << lead;
+    EXPECT_EQ(out.masked_lead, masked_lead) << lead;
     EXPECT_EQ(out.error, PhaseError(error)) << lead;
-    EXPECT_TRUE(after(dut, in).hurries) << lead;  // a second one in a row always
+    EXPECT_TRUE(after(dut, in).masked_lead) << lead;  // a second one in a row always
   }
 }
 
@@ -135,14 +135,14 @@ TEST(PhaseDetector, AFoundCrossingIsNoMissAtTheEndOfTheStep) {
 
 TEST(PhaseDetector, TheFirstStepWatchedIsNoMiss) {
   PhaseDetector dut;
-  EXPECT_FALSE(after(dut, {.watch = Evidence::kCrossings, .commutate = true}).missed);
+  EXPECT_FALSE(after(dut, {.detector_source = DetectorSource::kCrossings, .commutate = true}).missed);
 }
 
 // In the paper's form only U rising counts: step 5, or 2 in reverse, once per electrical turn.
 TEST(PhaseDetector, OncePerTurnOnlyPhaseURisingCounts) {
   for (const bool reverse : {false, true}) {
     PhaseDetector dut;
-    In in = {.watch = Evidence::kCrossings, .reverse = reverse, .detector = Detector::kOncePerTurn};
+    In in = {.detector_source = DetectorSource::kCrossings, .reverse = reverse, .detector = Detector::kOncePerTurn};
     dut.tick(in);
     int updates = 0;
     int counted_step = -1;
@@ -169,7 +169,7 @@ TEST(PhaseDetector, WatchingNothingTheErrorHolds) {
   in.crossing = true;
   in.crossing_phase = 0x7000;
   after(dut, in);
-  in.watch = Evidence::kNothing;
+  in.detector_source = DetectorSource::kNone;
   in.crossing_phase = 0;
   const auto out = after(dut, in);
   EXPECT_FALSE(out.update);
@@ -178,8 +178,8 @@ TEST(PhaseDetector, WatchingNothingTheErrorHolds) {
 
 PhaseDetector::Out change_after(double turns) {
   PhaseDetector dut;
-  for (int i = 1; i <= int(turns); ++i) dut.tick({.watch = Evidence::kSectors, .elapsed = true});
-  return after(dut, {.watch = Evidence::kSectors,
+  for (int i = 1; i <= int(turns); ++i) dut.tick({.detector_source = DetectorSource::kSectors, .elapsed = true});
+  return after(dut, {.detector_source = DetectorSource::kSectors,
                      .changed = true,
                      .phase = int((turns - int(turns)) * 65536)});
 }
@@ -203,36 +203,36 @@ TEST(PhaseDetector, FollowingIsGoodWithinAnEighth) {
 
 TEST(PhaseDetector, ANewStepBeginsTheTurnsAnew) {
   PhaseDetector dut;
-  dut.tick({.watch = Evidence::kSectors, .elapsed = true});
-  dut.tick({.watch = Evidence::kSectors, .commutate = true});
-  EXPECT_EQ(after(dut, {.watch = Evidence::kSectors, .changed = true, .phase = 0xC000}).error, PhaseError(0x4000));
+  dut.tick({.detector_source = DetectorSource::kSectors, .elapsed = true});
+  dut.tick({.detector_source = DetectorSource::kSectors, .commutate = true});
+  EXPECT_EQ(after(dut, {.detector_source = DetectorSource::kSectors, .changed = true, .phase = 0xC000}).error, PhaseError(0x4000));
 }
 
 TEST(PhaseDetector, TurnsThatNobodyFollowsDoNotCount) {
   PhaseDetector dut;
-  dut.tick({.watch = Evidence::kSectors, .elapsed = true});
-  dut.tick({.watch = Evidence::kCrossings});
-  EXPECT_EQ(after(dut, {.watch = Evidence::kSectors, .changed = true, .phase = 0xC000}).error, PhaseError(0x4000));
+  dut.tick({.detector_source = DetectorSource::kSectors, .elapsed = true});
+  dut.tick({.detector_source = DetectorSource::kCrossings});
+  EXPECT_EQ(after(dut, {.detector_source = DetectorSource::kSectors, .changed = true, .phase = 0xC000}).error, PhaseError(0x4000));
 }
 
 // In lock the turn ends when the sector changes, and sooner or later in the same clock.
 TEST(PhaseDetector, AChangeInTheClockThatEndsTheTurnIsOneTurnLate) {
   PhaseDetector dut;
   const auto out =
-      after(dut, {.watch = Evidence::kSectors, .changed = true, .elapsed = true, .phase = 0});
+      after(dut, {.detector_source = DetectorSource::kSectors, .changed = true, .elapsed = true, .phase = 0});
   EXPECT_EQ(out.error, PhaseError(0));
   EXPECT_TRUE(out.good);
 
   PhaseDetector slow;
-  after(slow, {.watch = Evidence::kSectors, .elapsed = true});
-  EXPECT_EQ(after(slow, {.watch = Evidence::kSectors, .changed = true, .elapsed = true}).error,
+  after(slow, {.detector_source = DetectorSource::kSectors, .elapsed = true});
+  EXPECT_EQ(after(slow, {.detector_source = DetectorSource::kSectors, .changed = true, .elapsed = true}).error,
             PhaseError::min());
 }
 
 TEST(PhaseDetector, TwoTurnsWithoutAChangeAreAMissWithTheVcoTooFast) {
   PhaseDetector dut;
-  EXPECT_FALSE(after(dut, {.watch = Evidence::kSectors, .elapsed = true}).missed);
-  const auto out = after(dut, {.watch = Evidence::kSectors, .elapsed = true});
+  EXPECT_FALSE(after(dut, {.detector_source = DetectorSource::kSectors, .elapsed = true}).missed);
+  const auto out = after(dut, {.detector_source = DetectorSource::kSectors, .elapsed = true});
   EXPECT_TRUE(out.missed);
   EXPECT_EQ(out.error, PhaseError::min());
 }

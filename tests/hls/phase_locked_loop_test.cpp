@@ -21,7 +21,7 @@ struct Loop6 {
   DivideByN divider;
   PhaseDetector detector;
   LoopFilter filter;
-  PhaseDetector::In detect{.watch = Evidence::kCrossings, .window = 0x1000};
+  PhaseDetector::In detect{.detector_source = DetectorSource::kCrossings, .window = 0x1000};
   LoopFilter::In tune{.loop = Loop::kTrack, .pole = 0x8000, .maximum = Frequency::max()};
   int divide = 0;
 

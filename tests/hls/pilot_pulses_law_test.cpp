@@ -16,7 +16,7 @@ using R = SinusoidalReason;
 using Pulse = PilotPulsesLaw::Pulse;
 using Seen = PilotPulsesLaw::Seen;
 
-// What stands for the converters and the current control: any currents, but the same for the same question.
+// What stands for the ADCs and the current control: any currents, but the same for the same question.
 class Currents {
  public:
   Currents(std::uint32_t seed, const PilotWords& words) : seed_(seed), words_(words) {}

@@ -120,7 +120,7 @@ TEST(RegisterFields, ANegativeWordIsItsBits) {
 
 TEST(RegisterFields, ResetsAreThoseOfTheWords) {
   EXPECT_EQ(reset_of("PWM"), 1u << 24);
-  EXPECT_EQ(reset_of("LOOP_PLACE"), 0x40008000u);
+  EXPECT_EQ(reset_of("LOOP_PHASE"), 0x40008000u);
   EXPECT_EQ(reset_of("LOOP"), 3u);  // every step, per step
 }
 

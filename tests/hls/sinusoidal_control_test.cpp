@@ -23,8 +23,8 @@ class Source {
     in.initial = 123456;
     in.locked = samples_ / 40 % 2 != 0;
     in.reverse = samples_ / 80 % 2 != 0;
-    in.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-                 .inverse = 9321};
+    in.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
+                 .reciprocal = 9321};
     in.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     in.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
                 .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
@@ -45,8 +45,8 @@ Estimator::In estimator_in(const SinusoidalControl::In& in) {
   return {.enable = in.estimate, .edge = in.locked ? 0 : in.reverse ? lock : -lock, .initial = in.initial, .i_u = in.i_u, .i_v = in.i_v,
           .v_dc = in.v_dc,
           .pattern = {.on_u = in.ended.on_u, .on_v = in.ended.on_v, .on_w = in.ended.on_w,
-                      .period = in.bridge.period, .dead = in.bridge.lost,
-                      .inverse = in.bridge.inverse},
+                      .period = in.bridge.period, .dead = in.bridge.dead_time_loss,
+                      .inverse = in.bridge.reciprocal},
           .words = in.estimator};
 }
 

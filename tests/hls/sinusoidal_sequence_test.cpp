@@ -18,7 +18,7 @@ class Started {
   SinusoidalSequence::In in{
       .command = {.configured = true, .run = true},
       .measured = true,
-      .words = {.pattern = 10, .lock = 5, .give_up = 50, .brake = 7, .rest = 9, .retries = 2}};
+      .words = {.pattern = 10, .lock = 5, .give_up = 50, .brake = 7, .retry_delay = 9, .retries = 2}};
 
   // A PWM period of eight clocks: its start, then a sample worked through.
   SinusoidalSequence::Out period() {
@@ -112,7 +112,7 @@ TEST(SinusoidalSequence, PilotPulsesThatFindNothingAreAFailedTry) {
     s.in.words.pilot = true;
     s.until(S::kPilot);
     if (reason != R::kNoDecay) s.in.failed = reason;
-    s.until(S::kRest);
+    s.until(S::kRetryDelay);
     EXPECT_EQ(s.period().reason, reason);
     EXPECT_LT(s.until(S::kFault), 1000);
     EXPECT_EQ(s.period().reason, reason);
@@ -136,7 +136,7 @@ TEST(SinusoidalSequence, WithoutLockItTriesAgainAndThenGivesUp) {
   EXPECT_LT(s.until(S::kFault), 1000);
   EXPECT_EQ(s.period().reason, R::kNoLock);
   int tries = 0, rests = 0;
-  for (const S state : s.entered) tries += state == S::kStarting, rests += state == S::kRest;
+  for (const S state : s.entered) tries += state == S::kStarting, rests += state == S::kRetryDelay;
   EXPECT_EQ(tries, 3);
   EXPECT_EQ(rests, 2);
   EXPECT_EQ(s.period().state, S::kFault) << "latched";
@@ -202,11 +202,11 @@ TEST(SinusoidalSequence, AReversalBrakesAndStartsTheOtherWay) {
 
 // The guard turns the bridge off at once; what went on would have it turn again when it is configured again.
 TEST(SinusoidalSequence, WhatIsNoLongerConfiguredIsIdle) {
-  for (const S state : {S::kCalibrate, S::kPattern, S::kStarting, S::kRun, S::kSlowDown, S::kBrake, S::kRest}) {
+  for (const S state : {S::kCalibrate, S::kPattern, S::kStarting, S::kRun, S::kSlowDown, S::kBrake, S::kRetryDelay}) {
     Started s;
     s.in.fast = s.in.plausible = state == S::kRun || state == S::kSlowDown || state == S::kBrake;
     if (state == S::kCalibrate) s.in.measured = false;
-    if (state == S::kRest) s.until(S::kStarting), s.in.failed = R::kEmf;
+    if (state == S::kRetryDelay) s.until(S::kStarting), s.in.failed = R::kEmf;
     if (state == S::kSlowDown || state == S::kBrake) {
       s.until(S::kRun);
       s.in.command = {.configured = true, .brake_to_stop = true};

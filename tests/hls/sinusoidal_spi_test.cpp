@@ -31,7 +31,7 @@ TEST(SinusoidalSpi, TheCDriverReadsTheTelemetryOfOneInstantOverIt) {
   b.gates_move();
   steplock_sinusoidal_telemetry telemetry;
   ASSERT_EQ(steplock_sinusoidal_get_telemetry(&bus, &telemetry), STEPLOCK_OK);
-  EXPECT_EQ(telemetry.v_dc, 2700) << "as the converter says";
+  EXPECT_EQ(telemetry.v_dc, 2700) << "as the ADC says";
   EXPECT_TRUE(telemetry.on_u == 0 && telemetry.on_v == 0 && telemetry.on_w > 0) << "the pattern begins with leg w";
 }
 

@@ -17,15 +17,15 @@ class Bench {
 
   Bench() {
     auto& w = in.words;
-    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-                .inverse = 9321};
+    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
+                .reciprocal = 9321};
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
                .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
                .emf_high = 20480};
     w.control = {.k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
     w.sequence = {.hold_voltage = 2000, .pattern = 20, .lock = 400, .give_up = 1000, .brake = 10,
-                  .rest = 10, .retries = 1};
+                  .retry_delay = 10, .retries = 1};
     w.fault = {.over_current = 30000, .saturated = 0, .lost_samples = 3};
     in.command.configured = in.command.run = true;
   }
@@ -92,7 +92,7 @@ TEST(SinusoidalTop, PilotPulsesChopTheirLegsAgainstTheOthersWithAllGatesOffBetwe
       }
     }
   }
-  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kRest; });
+  b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kRetryDelay; });
   EXPECT_EQ(b.out.reason, SinusoidalReason::kNoSaliency);
 }
 
@@ -146,7 +146,7 @@ TEST(SinusoidalTop, OnTimesAreNew235ClocksAfterTheSampleAndAllIsDoneAfter480) {
   EXPECT_GT(changed, 0);
 }
 
-// A converter that gives codes more often than it is asked to: between the first of a period and the sample's
+// An ADC that gives codes more often than it is asked to: between the first of a period and the sample's
 // end nothing sees them, afterwards they are a sample of their own.
 TEST(SinusoidalTop, CodesThatComeWhileASampleIsUnderWayAreNotTaken) {
   std::mt19937 any(2);

@@ -75,7 +75,7 @@ class Bench {
   void start(int axis, int period) {
     const int base = 0x100 * axis;
     write(base + kPwm, 1u << 24 | unsigned(period));
-    write(base + address_of(index_of("START_RESET")), 4095u << 16);
+    write(base + address_of(index_of("START_ALIGN")), 4095u << 16);
     write(base + address_of(index_of("START_DUTY")), 0x4000);
     write(base + address_of(index_of("SPEED_TARGET")), 0x1000);
     write(base + address_of(index_of("SPEED_DUTY")), 0x8000u << 16);

@@ -15,9 +15,9 @@ inline Words quick_words() {
   w.limit = {.blanking = 10, .off_time = 50};
   w.bemf = {.blanking = 5, .sample_every = 3, .samples = 2};
   w.loop = {.ki = 655, .kp = 6554, .minimum = 1 << 16, .maximum = 1 << 25};
-  w.start = {.settle = 2, .reset = 3, .reset_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xFFFFF,
+  w.start = {.pre_align = 2, .align = 3, .align_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xFFFFF,
              .look = 2, .probe = 20, .still = 6, .hand_over = 1 << 22, .window = 0x4000, .good_crossings = 2, .pull_in = 20,
-             .observe = 4, .slow_down = 4, .brake = 3, .brake_duty = 0x4000, .rest = 2,
+             .detect_spin = 4, .slow_down = 4, .brake = 3, .brake_duty = 0x4000, .retry_delay = 2,
              .retries = 15};
   w.speed = {.target = 1 << 23, .slew = 0xFFFFF, .shift = 9, .kp = 4096, .ki = 1000, .bemf = 0x2000,
              .minimum = 0x1000, .maximum = 0x8000, .duty_slew = 0x400};

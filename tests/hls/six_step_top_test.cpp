@@ -101,7 +101,7 @@ TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
   SixStepTop top;
   SixStepTop::In in;
   in.words = quick_words();
-  in.words.start.observe = 0;
+  in.words.start.detect_spin = 0;
   in.words.pwm.complementary = false;
   in.command = {.configured = true, .run = true};
   // In the reset pattern U and V are chopped: find a pulse past its blanking.
@@ -134,7 +134,7 @@ TEST(SixStepTop, ACutOfARotorThatRunsTurnsAllGatesOffForAQuarterOfTheOffTime) {
     if (runs && since_hit > kOffTime && same_step > kGuard && low) ++paused_low;
     if (runs && since_hit > kGuard && (out.gates.uh || out.gates.vh || out.gates.wh)) soonest = std::min(soonest, since_hit);
     // The pattern of a rotor at rest chops U and V, whatever the step.
-    if (out.state == State::kReset && since_hit > kOffTime / 2 && since_hit < kOffTime - kGuard && out.gates.ul) ++low_in_a_cut_at_rest;
+    if (out.state == State::kAlign && since_hit > kOffTime / 2 && since_hit < kOffTime - kGuard && out.gates.ul) ++low_in_a_cut_at_rest;
     last = out;
   }
   EXPECT_EQ(on_in_a_cut, 0);
@@ -147,19 +147,19 @@ TEST(SixStepTop, ACutOfARotorThatRunsTurnsAllGatesOffForAQuarterOfTheOffTime) {
 // Without a decoder no start looks for a rotor that turns; all else stays, clock by clock.
 TEST(SixStepTop, WithoutTheHallDecoderItIsTheDriveThatDoesNotObserve) {
   Chaos chaos;
-  chaos.in.words.start.observe = 0;
+  chaos.in.words.start.detect_spin = 0;
   SixStepTop without;
   unsigned states = 0;
   for (int i = 0; i < 1000000; ++i) {
     const auto with = chaos.clock_of(Source::kBemf);
     auto in = chaos.in;
     in.with.hall_decoder = false;
-    in.words.start.observe = 4;
+    in.words.start.detect_spin = 4;
     const auto out = without.tick(in);
     ASSERT_EQ(out, with) << i;
     states |= 1u << unsigned(out.state);
   }
-  EXPECT_EQ(states & 0x3FF, 0x3FDu) << "every state but observing";
+  EXPECT_EQ(states & 0x3FF, 0x3FDu) << "every state but kDetectSpin";
 }
 
 TEST(SixStepTop, WithoutTheHallDecoderWordsOfHallSensorsLeaveItIdle) {

@@ -45,7 +45,7 @@ reference::Vector long_as_power(const SpaceVector::In& in) {
 
 // 1 / v_dc is right to 2 places of 2^-12, of 1 to 8: 5e-4 of up to 600 clocks at the least; the
 // products cut one place of 2^-15 each and a 16th of a clock; dead time is cut to a 16th, and s_k's
-// 16 places are one converter's step: all that and half a clock of rounding is less than one clock.
+// 16 places are one ADC's step: all that and half a clock of rounding is less than one clock.
 TEST(SpaceVector, IsTheReferenceWithinAClock) {
   std::mt19937 any(1);
   const auto draw = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(any); };

@@ -49,7 +49,7 @@ class Words : public RandomWords {
     in.frequency = one_in(3) ? in.frequency : one_in(2) ? word<26>() : Frequency::of(std::uint64_t(near < 0 ? 0 : near & 0x3ffffff));
     // A rotor that hardly turns, whose duty is next to the slip: a last bit of that decides.
     if (one_in(20)) in.slip = duty_now, in.frequency = Frequency::of(below(4));
-    in.hurries = one_in(6);
+    in.masked_lead = one_in(6);
     in.freewheels = one_in(3);
     in.limited = one_in(3);
   }
@@ -162,7 +162,7 @@ TEST(SpeedControlLaw, ADifferenceOfOneBitIsFound) {
   EXPECT_TRUE(found([](In& in) { in.words.minimum = in.words.minimum ^ Duty(1); }));
   EXPECT_TRUE(found([](In& in) { in.words.maximum = in.words.maximum ^ Duty(1); }));
   EXPECT_TRUE(found([](In& in) { in.words.duty_slew = in.words.duty_slew ^ UInt<12>(1); }));
-  EXPECT_TRUE(found([](In& in) { in.hurries = false; }));
+  EXPECT_TRUE(found([](In& in) { in.masked_lead = false; }));
   EXPECT_TRUE(found([](In& in) { in.freewheels = false; }));
   EXPECT_TRUE(found([](In& in) { in.limited = false; }));
 }

@@ -244,15 +244,15 @@ TEST(SpeedControl, KeepsItsLawWhereFreewheelingIsLongAndNoMoreIsAskedFor) {
 TEST(SpeedControl, LowersTheDutyByItsSlewWhileFreewheelingHidesCrossings) {
   SpeedControl dut;
   auto in = accelerating(dut);
-  in.hurries = true;
+  in.masked_lead = true;
   const int duty = falls(dut, in, 10000, 1);
-  in.hurries = false;  // a crossing showed
+  in.masked_lead = false;  // a crossing showed
   EXPECT_EQ(duty_of(update(dut, in)), duty + 50);
 }
 
 // The least duty goes before the slew: freewheeling that hides crossings takes no duty below it, and a higher one counts at once.
 TEST(SpeedControl, KeepsItsLeastDutyWhereItYields) {
-  for (const bool hurries : {true, false}) {
+  for (const bool masked_lead : {true, false}) {
     SpeedControl dut;
     auto in = reference_as_duty();
     in.words.minimum = 3000;
@@ -262,12 +262,12 @@ TEST(SpeedControl, KeepsItsLeastDutyWhereItYields) {
     update(dut, in);
     in.mode = SpeedMode::kControl;
     in.target = 20000 << 4;
-    in.hurries = hurries;
-    in.freewheels = in.limited = !hurries;
-    for (int i = 0; i < 5; ++i) EXPECT_GE(duty_of(update(dut, in)), 3000) << hurries << i;
-    EXPECT_EQ(duty_of(update(dut, in)), 3000) << hurries;
+    in.masked_lead = masked_lead;
+    in.freewheels = in.limited = !masked_lead;
+    for (int i = 0; i < 5; ++i) EXPECT_GE(duty_of(update(dut, in)), 3000) << masked_lead << i;
+    EXPECT_EQ(duty_of(update(dut, in)), 3000) << masked_lead;
     in.words.minimum = 5000;
-    EXPECT_EQ(duty_of(update(dut, in)), 5000) << hurries;
+    EXPECT_EQ(duty_of(update(dut, in)), 5000) << masked_lead;
   }
 }
 

@@ -1,12 +1,12 @@
-// Against a converter that answers bit by bit as the AD7928's data sheet says: every code, the times, any delay
-// of the line, and what a converter out of step does.
+// Against an ADC that answers bit by bit as the AD7928's data sheet says: every code, the times, any delay
+// of the line, and what an ADC out of step does.
 
 #include "hls/sinusoidal/spi_adc.hpp"
 
 #include <gtest/gtest.h>
 
 #include "hls/sinusoidal/sinusoidal_top.hpp"
-#include "tests/hls/spi_converter.hpp"
+#include "tests/hls/spi_adc_model.hpp"
 
 namespace steplock {
 namespace {
@@ -45,7 +45,7 @@ struct Bench {
   SpiAdc dut;
   SpiAdc::In in;
   SpiAdc::Out out;
-  SpiConverter adc;
+  SpiAdcModel adc;
   CurrentSense::Codes codes;
   std::function<bool(bool)> broken;
   int errors = 0, missed = 0;
@@ -169,7 +169,7 @@ TEST(SpiAdc, TheDriveGetsASampleInEveryPeriod) {
   SinusoidalTop drive;
   SinusoidalTop::In in;
   in.words.bridge.period = 1000;
-  in.words.bridge.inverse = 11185;  // 2^25 / (3 * 1000)
+  in.words.bridge.reciprocal = 11185;  // 2^25 / (3 * 1000)
   int strobes = 0, done = 0;
   bool sample = false;
   for (int clock = 0; clock < 50'000; ++clock) {
@@ -180,7 +180,7 @@ TEST(SpiAdc, TheDriveGetsASampleInEveryPeriod) {
     done += out.done;
   }
   EXPECT_EQ(strobes, 50);
-  EXPECT_EQ(b.missed, 1) << "the converter wakes";
+  EXPECT_EQ(b.missed, 1) << "the ADC wakes";
   EXPECT_EQ(done, strobes - b.missed);
 }
 

@@ -38,9 +38,9 @@ void random_frames(int frames, std::uint64_t seed, int lie = -1) {
     const int home = address & ~3;
     const double half = 4 + 0.01 * double(random() % 300);
     std::uint32_t data = chance(30) ? kLockKey : std::uint32_t(random());
-    // Run stays low and nothing bites: this is the traffic of an idle drive.
+    // Run stays low and no watchdog expires: this is the traffic of an idle drive.
     if (runs(home)) data &= ~2U;
-    const bool write = chance(50) && !Behind<Map>::bites(home);
+    const bool write = chance(50) && !Behind<Map>::expires(home);
     if (chance(20)) {
       spi_frame(line, half, address | (write ? 0x8000 : 0), data, int(random() % 48));
       continue;

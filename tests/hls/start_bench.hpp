@@ -17,20 +17,20 @@ struct StartBench {
   StartBench() {
     in.tick = true;
     in.command.configured = true;
-    in.words = {.settle = 3,
-                .reset = 5,
-                .reset_duty = 1000,
+    in.words = {.pre_align = 3,
+                .align = 5,
+                .align_duty = 1000,
                 .start_duty = 2000,
                 .ramp = 100,
                 .hand_over = 1000,
                 .window = 0x4000,
                 .good_crossings = 4,
                 .pull_in = 20,
-                .observe = 10,
+                .detect_spin = 10,
                 .slow_down = 30,
                 .brake = 5,
                 .brake_duty = 500,
-                .rest = 6,
+                .retry_delay = 6,
                 .retries = 2};
   }
 

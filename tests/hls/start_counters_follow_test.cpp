@@ -46,7 +46,7 @@ TEST(StartCountersFollow, AllTriesThatFollowShareTheirTicks) {
       // What comes between takes none of them, and what gave hope is not forgotten.
       bench.in.hopeful = false;
       bench.fail();
-      for (const State state : {State::kRest, State::kObserve, State::kBrake, State::kPullIn}) bench.ticks_of(state);
+      for (const State state : {State::kRetryDelay, State::kDetectSpin, State::kBrake, State::kPullIn}) bench.ticks_of(state);
       bench.enter(State::kRun);
       for (int i = 0; i < 900; ++i) bench.tick();
       return false;
@@ -55,11 +55,11 @@ TEST(StartCountersFollow, AllTriesThatFollowShareTheirTicks) {
     while (!follow(997)) ++tries;
     EXPECT_EQ(ticks, hopeful ? kMost : kVerdict);
     EXPECT_EQ(tries, ticks / 997 + 1);
-    EXPECT_TRUE(bench.out.tried);
+    EXPECT_TRUE(bench.out.retries_exhausted);
     // A long run, like standstill, forgets them.
     bench.ticks_of(State::kRun);
     EXPECT_FALSE(follow(997));
-    EXPECT_FALSE(bench.out.tried);
+    EXPECT_FALSE(bench.out.retries_exhausted);
   }
 }
 
@@ -105,7 +105,7 @@ TEST(StartCountersFollow, ARotorThatIsShakenIsNot) {
       bench.in.hopeful = i % (moment + 1) != 0;
       ASSERT_FALSE(bench.tick()) << i;
     }
-    EXPECT_TRUE(bench.out.tried);
+    EXPECT_TRUE(bench.out.retries_exhausted);
     EXPECT_TRUE(bench.tick());
   }
 }
@@ -122,13 +122,13 @@ TEST(StartCountersFollow, ATryThatFollowsUntilNoTicksAreLeftIsTheLast) {
       for (int i = 0; i < ticks; ++i) {
         ASSERT_FALSE(bench.tick());
         if (i < ticks - 1) {
-          EXPECT_FALSE(bench.out.tried);
+          EXPECT_FALSE(bench.out.retries_exhausted);
         }
       }
-      EXPECT_EQ(bench.out.tried, method == Method::kFollow);
+      EXPECT_EQ(bench.out.retries_exhausted, method == Method::kFollow);
       EXPECT_TRUE(bench.tick());
-      bench.enter(State::kRest);
-      EXPECT_FALSE(bench.out.tried);
+      bench.enter(State::kRetryDelay);
+      EXPECT_FALSE(bench.out.retries_exhausted);
     }
   }
 }

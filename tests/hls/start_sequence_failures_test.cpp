@@ -10,9 +10,9 @@ TEST(StartSequence, EachFailedTryMakesTheRampGentlerThreeTimes) {
   Bench bench;
   bench.in.words.retries = 6;
   bench.in.command.run = true;
-  for (const int gentle : {0, 1, 2, 3, 3, 3, 3}) {
+  for (const int backoff : {0, 1, 2, 3, 3, 3, 3}) {
     bench.in.fast = false;
-    EXPECT_EQ(bench.until(State::kAccelerate).gentle, UInt<2>(gentle));
+    EXPECT_EQ(bench.until(State::kAccelerate).backoff, UInt<2>(backoff));
     bench.in.fast = true;
     bench.until(State::kPullIn);
     bench.clocks(20);  // no crossing comes in time
@@ -28,9 +28,9 @@ TEST(StartSequence, EachFailedTryDoublesSettleAndResetThreeTimes) {
   for (const int factor : {1, 2, 4, 8, 8}) {
     int settle = 0, reset = 0;
     bench.in.fast = false;
-    bench.until(State::kSettle);
-    for (State s = State::kSettle; s != State::kAccelerate; s = bench.clock().state) {
-      (s == State::kSettle ? settle : reset) += 1;
+    bench.until(State::kPreAlign);
+    for (State s = State::kPreAlign; s != State::kAccelerate; s = bench.clock().state) {
+      (s == State::kPreAlign ? settle : reset) += 1;
     }
     EXPECT_EQ(settle, 3 * factor + 1);
     EXPECT_EQ(reset, 5 * factor + 1);
@@ -43,13 +43,13 @@ TEST(StartSequence, EachFailedTryDoublesSettleAndResetThreeTimes) {
 TEST(StartSequence, FromTheThirdTryOnTheStartHasTwiceTheDutyUpToTheWhole) {
   Bench bench;
   bench.in.words.retries = 6;
-  bench.in.words.reset_duty = 0x1800;
+  bench.in.words.align_duty = 0x1800;
   bench.in.words.start_duty = 0x7000;  // twice as much is more than the whole
   bench.in.command.run = true;
   for (const bool twice : {false, false, true, true, true}) {
     bench.in.fast = false;
-    EXPECT_EQ(bench.until(State::kSettle).duty, Duty(twice ? 0x3000 : 0x1800));
-    EXPECT_EQ(bench.until(State::kReset).duty, Duty(twice ? 0x3000 : 0x1800));
+    EXPECT_EQ(bench.until(State::kPreAlign).duty, Duty(twice ? 0x3000 : 0x1800));
+    EXPECT_EQ(bench.until(State::kAlign).duty, Duty(twice ? 0x3000 : 0x1800));
     bench.until(State::kAccelerate);
     EXPECT_EQ(bench.clock().duty, Duty(twice ? 0x8000 : 0x7000));
     bench.in.fast = true;
@@ -61,12 +61,12 @@ TEST(StartSequence, FromTheThirdTryOnTheStartHasTwiceTheDutyUpToTheWhole) {
 TEST(StartSequence, TheLongestResetCanBeDoubledThreeTimes) {
   Bench bench;
   bench.in.words.retries = 6;
-  bench.in.words.reset = Ticks::max();
+  bench.in.words.align = Ticks::max();
   bench.in.command.run = true;
   for (const int factor : {1, 2, 4, 8}) {
     bench.in.fast = false;
-    bench.until(State::kReset);
-    EXPECT_EQ(bench.clocks(factor * int(Ticks::max().raw())).state, State::kReset);
+    bench.until(State::kAlign);
+    EXPECT_EQ(bench.clocks(factor * int(Ticks::max().raw())).state, State::kAlign);
     EXPECT_EQ(bench.clock().state, State::kAccelerate);
     bench.in.fast = true;
     bench.until(State::kPullIn);
@@ -78,19 +78,19 @@ TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {
   Bench bench;
   bench.in.command.run = true;
   bench.until(State::kAccelerate);
-  EXPECT_EQ(bench.until(State::kRest).reason, Reason::kNoLock);
+  EXPECT_EQ(bench.until(State::kRetryDelay).reason, Reason::kNoLock);
 }
 
 TEST(StartSequence, ARotorThatNeverStopsIsAFaultInTheEnd) {
   Bench bench;
   bench.in.command.run = true;
-  bench.in.words.observe = 100;
+  bench.in.words.detect_spin = 100;
   for (int brakes = 0; brakes < 255; ++brakes) {
-    bench.until(State::kObserve);
+    bench.until(State::kDetectSpin);
     for (int i = 0; i < 5; ++i) bench.move(true, 1);
     ASSERT_EQ(bench.visited.back(), State::kBrake);
   }
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
   for (int i = 0; i < 5; ++i) bench.move(true, 1);
   const auto out = bench.clock();
   EXPECT_EQ(out.state, State::kFault);
@@ -118,11 +118,11 @@ TEST(StartSequence, ALostLockRestsAndStartsAgain) {
   bench.run();
   bench.in.lost = true;
   bench.in.cause = Reason::kStepOut;
-  auto out = bench.until(State::kRest);
+  auto out = bench.until(State::kRetryDelay);
   EXPECT_FALSE(out.enable);
   EXPECT_EQ(out.reason, Reason::kStepOut);
   bench.in.lost = false;
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
 }
 
 TEST(StartSequence, ALongLockForgivesEarlierFailures) {
@@ -132,7 +132,7 @@ TEST(StartSequence, ALongLockForgivesEarlierFailures) {
     bench.run();
     bench.clocks(1100);
     bench.in.lost = true;
-    bench.until(State::kRest);
+    bench.until(State::kRetryDelay);
     bench.in.lost = false;
   }
   bench.run();  // and a short one does not

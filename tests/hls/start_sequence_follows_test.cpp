@@ -26,12 +26,12 @@ TEST(StartSequenceFollows, NeitherSettlesNorResets) {
   bench.until(State::kPullIn);
   for (int i = 0; i < 4; ++i) bench.crossing(true);
   bench.clock();
-  EXPECT_EQ(bench.visited, (std::vector{State::kObserve, State::kAccelerate, State::kPullIn, State::kRun}));
+  EXPECT_EQ(bench.visited, (std::vector{State::kDetectSpin, State::kAccelerate, State::kPullIn, State::kRun}));
 }
 
 TEST(StartSequenceFollows, WithoutALookForARotorThatTurnsItBeginsAtOnce) {
   Bench bench;
-  bench.in.words.observe = 0;
+  bench.in.words.detect_spin = 0;
   bench.until(State::kAccelerate);
   EXPECT_EQ(bench.visited, (std::vector{State::kAccelerate}));
 }
@@ -56,11 +56,11 @@ TEST(StartSequenceFollows, TheLoopStopsForAClockAndThenFollows) {
   StartSequence::Out out;
   while (out.state != State::kAccelerate) out = dut.tick(in);
   EXPECT_EQ(out.loop, Loop::kStop);
-  EXPECT_EQ(out.watch, Evidence::kNothing);
+  EXPECT_EQ(out.detector_source, DetectorSource::kNone);
   for (int i = 0; i < 3; ++i) {
     out = dut.tick(in);
     EXPECT_EQ(out.loop, Loop::kFollow);
-    EXPECT_EQ(out.watch, Evidence::kSectors);
+    EXPECT_EQ(out.detector_source, DetectorSource::kSectors);
   }
 }
 
@@ -82,7 +82,7 @@ TEST(StartSequenceFollows, ARotorThatIsHandedOverIsControlledFromTheSecondTickOn
     EXPECT_EQ(bench.caught(4).mode, SpeedMode::kAboveBemf);
     EXPECT_EQ(bench.clock().mode, SpeedMode::kAboveBemf);
     EXPECT_EQ(bench.clock().mode, SpeedMode::kControl);
-    bench.until(State::kRest);
+    bench.until(State::kRetryDelay);
     EXPECT_NE(bench.until(State::kAccelerate).mode, SpeedMode::kControl);
   }
 }
@@ -113,14 +113,14 @@ TEST(StartSequenceFollows, ABlockedRotorFailsTheTryAtOnceAndIsTheReason) {
     bench.clock();
     bench.in.blocked = false;
     const auto out = bench.clock();
-    EXPECT_EQ(out.state, tries < 2 ? State::kRest : State::kFault);
+    EXPECT_EQ(out.state, tries < 2 ? State::kRetryDelay : State::kFault);
     EXPECT_EQ(out.reason, Reason::kBlocked);
   }
 }
 
 // The word may change in any clock; there is a state for whatever it says.
 TEST(StartSequenceFollows, AMethodThatChangesDuringTheAlignmentIsTaken) {
-  for (const State state : {State::kSettle, State::kReset}) {
+  for (const State state : {State::kPreAlign, State::kAlign}) {
     Bench bench;
     bench.in.words.method = Method::kRamp;
     bench.until(state);

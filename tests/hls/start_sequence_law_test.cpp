@@ -21,8 +21,8 @@ class Stimulus : public RandomWords {
   StartWords words() {
     StartWords w;
     w.method = one_in(2) ? Method::kFollow : Method::kRamp;
-    w.settle = below(4), w.reset = below(4), w.observe = one_in(4) ? 0 : 1 + below(8), w.pull_in = below(8), w.slow_down = below(8);
-    w.brake = below(4), w.rest = below(4), w.retries = below(3), w.good_crossings = 1 + below(3);
+    w.pre_align = below(4), w.align = below(4), w.detect_spin = one_in(4) ? 0 : 1 + below(8), w.pull_in = below(8), w.slow_down = below(8);
+    w.brake = below(4), w.retry_delay = below(4), w.retries = below(3), w.good_crossings = 1 + below(3);
     return w;
   }
   // Each input for some clocks, most of them as in a start that gets somewhere.
@@ -44,12 +44,12 @@ class Stimulus : public RandomWords {
 
 // Clocks in which machine and law differ; `seen` counts what was taken: from, to.
 using Arrows = std::map<std::pair<State, State>, int>;
-int differences(Stimulus any, int clocks, bool observes, Arrows* seen = nullptr, const std::function<void(In&)>& spoil = [](In&) {}) {
+int differences(Stimulus any, int clocks, bool detects_spin, Arrows* seen = nullptr, const std::function<void(In&)>& spoil = [](In&) {}) {
   StartSequence dut;
   StartSequenceLaw law;
   StartCounters counters;
   In in;
-  in.observes = observes;
+  in.detects_spin = detects_spin;
   in.words = any.words();
   in.command.configured = true;
   int differ = 0, same = 0;
@@ -94,16 +94,18 @@ TEST(StartSequenceLaw, IsWhatTheMachineDoesByEveryArrow) {
   }
   using S = State;
   const std::pair<S, S> arrows[] = {
-      {S::kIdle, S::kObserve}, {S::kIdle, S::kRun}, {S::kIdle, S::kSettle}, {S::kIdle, S::kAccelerate}, {S::kIdle, S::kFault},
-      {S::kObserve, S::kRun}, {S::kObserve, S::kBrake}, {S::kObserve, S::kSettle}, {S::kObserve, S::kAccelerate},
-      {S::kObserve, S::kIdle}, {S::kObserve, S::kFault}, {S::kBrake, S::kObserve}, {S::kBrake, S::kAccelerate}, {S::kBrake, S::kSettle},
-      {S::kBrake, S::kRun}, {S::kBrake, S::kIdle}, {S::kBrake, S::kFault}, {S::kSettle, S::kReset}, {S::kSettle, S::kAccelerate},
-      {S::kSettle, S::kIdle}, {S::kSettle, S::kFault}, {S::kReset, S::kAccelerate}, {S::kReset, S::kIdle}, {S::kReset, S::kFault},
-      {S::kAccelerate, S::kPullIn}, {S::kAccelerate, S::kRest}, {S::kAccelerate, S::kIdle}, {S::kAccelerate, S::kFault},
-      {S::kPullIn, S::kRun}, {S::kPullIn, S::kRest}, {S::kPullIn, S::kIdle}, {S::kPullIn, S::kFault}, {S::kRun, S::kSlowDown},
-      {S::kRun, S::kRest}, {S::kRun, S::kIdle}, {S::kRun, S::kFault}, {S::kSlowDown, S::kRun}, {S::kSlowDown, S::kBrake},
-      {S::kSlowDown, S::kRest}, {S::kSlowDown, S::kIdle}, {S::kSlowDown, S::kFault}, {S::kRest, S::kObserve}, {S::kRest, S::kRun},
-      {S::kRest, S::kSettle}, {S::kRest, S::kAccelerate}, {S::kRest, S::kIdle}, {S::kRest, S::kFault}, {S::kFault, S::kIdle}};
+      {S::kIdle, S::kDetectSpin}, {S::kIdle, S::kRun}, {S::kIdle, S::kPreAlign}, {S::kIdle, S::kAccelerate},
+      {S::kIdle, S::kFault}, {S::kDetectSpin, S::kRun}, {S::kDetectSpin, S::kBrake}, {S::kDetectSpin, S::kPreAlign},
+      {S::kDetectSpin, S::kAccelerate}, {S::kDetectSpin, S::kIdle}, {S::kDetectSpin, S::kFault}, {S::kBrake, S::kDetectSpin},
+      {S::kBrake, S::kAccelerate}, {S::kBrake, S::kPreAlign}, {S::kBrake, S::kRun}, {S::kBrake, S::kIdle},
+      {S::kBrake, S::kFault}, {S::kPreAlign, S::kAlign}, {S::kPreAlign, S::kAccelerate}, {S::kPreAlign, S::kIdle},
+      {S::kPreAlign, S::kFault}, {S::kAlign, S::kAccelerate}, {S::kAlign, S::kIdle}, {S::kAlign, S::kFault},
+      {S::kAccelerate, S::kPullIn}, {S::kAccelerate, S::kRetryDelay}, {S::kAccelerate, S::kIdle}, {S::kAccelerate, S::kFault},
+      {S::kPullIn, S::kRun}, {S::kPullIn, S::kRetryDelay}, {S::kPullIn, S::kIdle}, {S::kPullIn, S::kFault},
+      {S::kRun, S::kSlowDown}, {S::kRun, S::kRetryDelay}, {S::kRun, S::kIdle}, {S::kRun, S::kFault}, {S::kSlowDown, S::kRun},
+      {S::kSlowDown, S::kBrake}, {S::kSlowDown, S::kRetryDelay}, {S::kSlowDown, S::kIdle}, {S::kSlowDown, S::kFault},
+      {S::kRetryDelay, S::kDetectSpin}, {S::kRetryDelay, S::kRun}, {S::kRetryDelay, S::kPreAlign},
+      {S::kRetryDelay, S::kAccelerate}, {S::kRetryDelay, S::kIdle}, {S::kRetryDelay, S::kFault}, {S::kFault, S::kIdle}};
   for (const auto& arrow : arrows) EXPECT_GT(seen[arrow], 0) << int(arrow.first) << " to " << int(arrow.second);
   int moves = 0;
   for (const auto& [arrow, count] : seen) moves += count > 0 && arrow.first != arrow.second;

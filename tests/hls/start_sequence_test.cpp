@@ -25,7 +25,7 @@ TEST(StartSequence, WordsThatBecomeValidUnderARunThatIsUpStartNothing) {
   bench.in.command.run = false;
   bench.clock();
   bench.in.command.run = true;
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
 }
 
 // Both in one clock is a wish to start.
@@ -34,7 +34,7 @@ TEST(StartSequence, ARunThatRisesWithItsWordsStarts) {
   bench.in.command.configured = false;
   bench.clock();
   bench.in.command.configured = bench.in.command.run = true;
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
 }
 
 TEST(StartSequence, ASetSpeedOfNothingIsABrakedStopAndStartsNothing) {
@@ -46,27 +46,27 @@ TEST(StartSequence, ASetSpeedOfNothingIsABrakedStopAndStartsNothing) {
   bench.in.still = true;
   bench.until(State::kSlowDown);
   bench.until(State::kBrake);
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
   bench.until(State::kIdle);
   bench.in.still = false;
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
 }
 
 TEST(StartSequence, StartsThroughAllItsStates) {
   Bench bench;
   bench.run();
   EXPECT_EQ(bench.visited,
-            (std::vector{State::kObserve, State::kSettle, State::kReset, State::kAccelerate,
+            (std::vector{State::kDetectSpin, State::kPreAlign, State::kAlign, State::kAccelerate,
                          State::kPullIn, State::kRun}));
 }
 
 TEST(StartSequence, KeepsTheGatesOffWhileItObserves) {
   Bench bench;
   bench.in.command.run = true;
-  const auto out = bench.until(State::kObserve);
+  const auto out = bench.until(State::kDetectSpin);
   EXPECT_FALSE(out.enable);
   EXPECT_EQ(out.pattern, Pattern::kOff);
-  EXPECT_EQ(out.loop, Loop::kCatch);
+  EXPECT_EQ(out.loop, Loop::kCatchSpin);
 }
 
 TEST(StartSequence, LeavesTheResetPositionByTheStepOfFullTorque) {
@@ -85,7 +85,7 @@ TEST(StartSequence, LeavesTheResetPositionByTheStepOfFullTorque) {
 TEST(StartSequence, RampsFromStandstillAndClosesTheLoopAtHandOver) {
   Bench bench;
   bench.in.command.run = true;
-  EXPECT_EQ(bench.until(State::kReset).loop, Loop::kStop);
+  EXPECT_EQ(bench.until(State::kAlign).loop, Loop::kStop);
   auto out = bench.until(State::kAccelerate);
   EXPECT_EQ(out.loop, Loop::kRamp);
   EXPECT_EQ(bench.clocks(100).state, State::kAccelerate);
@@ -146,8 +146,8 @@ TEST(StartSequence, CatchesARotorThatTurnsTheWantedWay) {
     Bench bench;
     bench.in.command.run = true;
     bench.in.command.reverse = reverse;
-    bench.in.words.observe = 100;
-    bench.until(State::kObserve);
+    bench.in.words.detect_spin = 100;
+    bench.until(State::kDetectSpin);
     StartSequence::Out out;
     for (int i = 0; i < 5 && out.state != State::kRun; ++i) out = bench.move(reverse, 2);
     EXPECT_EQ(out.state, State::kRun);
@@ -163,11 +163,11 @@ TEST(StartSequence, StartsARotorThatTurnsTheWantedWaySlowerThanItMayRun) {
     Bench bench;
     bench.in.command.run = true;
     bench.in.slow = true;
-    bench.in.words.observe = 100;
-    bench.until(State::kObserve);
+    bench.in.words.detect_spin = 100;
+    bench.until(State::kDetectSpin);
     for (int i = 0; i < 8; ++i) bench.move(backward, i % 6);
-    EXPECT_EQ(bench.clock().state, backward ? State::kBrake : State::kObserve);
-    if (!backward) bench.until(State::kSettle);
+    EXPECT_EQ(bench.clock().state, backward ? State::kBrake : State::kDetectSpin);
+    if (!backward) bench.until(State::kPreAlign);
     EXPECT_TRUE(std::ranges::find(bench.visited, State::kRun) == bench.visited.end());
   }
 }
@@ -175,17 +175,17 @@ TEST(StartSequence, StartsARotorThatTurnsTheWantedWaySlowerThanItMayRun) {
 TEST(StartSequence, BrakesARotorThatTurnsTheOtherWayAndLooksAgain) {
   Bench bench;
   bench.in.command.run = true;
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
   for (int i = 0; i < 5; ++i) bench.move(true, 5 - i);
   const auto out = bench.clock();
   EXPECT_EQ(out.state, State::kBrake);
   EXPECT_EQ(out.pattern, Pattern::kBrake);
   EXPECT_EQ(out.duty, Duty(500));
   EXPECT_EQ(out.mode, SpeedMode::kBelowBemf);
-  EXPECT_EQ(out.loop, Loop::kCatch) << "the frequency found is kept: the brake's duty is less that of the back-EMF";
-  EXPECT_EQ(out.watch, Evidence::kNothing);
-  bench.until(State::kObserve);
-  bench.until(State::kSettle);
+  EXPECT_EQ(out.loop, Loop::kCatchSpin) << "the frequency found is kept: the brake's duty is less that of the back-EMF";
+  EXPECT_EQ(out.detector_source, DetectorSource::kNone);
+  bench.until(State::kDetectSpin);
+  bench.until(State::kPreAlign);
 }
 
 // A follower turns it round with the limit's current; a brake of one duty hardly slows what is slow already.
@@ -195,14 +195,14 @@ TEST(StartSequence, AFollowerTurnsRoundWhatIsSlowerThanHandOverUnlessItIsToStop)
     Bench bench;
     bench.in.command.run = true;
     bench.in.words.method = Method::kFollow;
-    bench.in.words.observe = 100;
-    bench.until(State::kObserve);
+    bench.in.words.detect_spin = 100;
+    bench.until(State::kDetectSpin);
     bench.in.command.brake_to_stop = what == kToStop;
     bench.in.command.run = what != kToStop;
     bench.in.still = what == kNoSetSpeed;
     bench.in.fast = what == kFast;
     for (int i = 0; i < 5; ++i) bench.move(true, 5 - i);
-    EXPECT_EQ(bench.clock().state, what == kSlow ? State::kObserve : State::kBrake) << what;
+    EXPECT_EQ(bench.clock().state, what == kSlow ? State::kDetectSpin : State::kBrake) << what;
     if (what == kSlow) {
       bench.until(State::kAccelerate);
       EXPECT_TRUE(std::ranges::find(bench.visited, State::kBrake) == bench.visited.end());
@@ -221,7 +221,7 @@ TEST(StartSequence, ReversesThroughSlowingBrakingAndLooking) {
   EXPECT_EQ(bench.clocks(20).state, State::kSlowDown);
   bench.in.fast = false;
   bench.until(State::kBrake);
-  bench.until(State::kObserve);
+  bench.until(State::kDetectSpin);
   out = bench.until(State::kAccelerate);
   EXPECT_TRUE(out.reverse);
 }
@@ -240,7 +240,7 @@ TEST(StartSequence, RunLowCoastsAtOnceOrBrakesToAStop) {
   brake.in.command.run = false;
   brake.until(State::kSlowDown);
   brake.until(State::kBrake);
-  brake.until(State::kObserve);
+  brake.until(State::kDetectSpin);
   brake.until(State::kIdle);
 }
 

@@ -38,7 +38,7 @@ inline design::sinusoidal::Motor motor() {
 inline Vector clarke(const exact::Phases& p) { return std::sqrt(2.0 / 3) * exact::clarke(p); }
 
 // A motor that turns at a constant speed, with its current held near a set one; currents as the
-// converters of both estimators show them.
+// ADCs of both estimators show them.
 class Turning {
  public:
   Turning(double angle, double turns, double i_delta, DeadClocks dead)

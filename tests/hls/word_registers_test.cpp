@@ -89,7 +89,7 @@ TEST(WordRegisters, AnAnswerStaysUntilTheNextRead) {
 
 // A register whose first write is of some bytes: the others keep their reset values.
 TEST(WordRegisters, BytesThatWereNeverWrittenReadTheirReset) {
-  const int bemf = index_of("BEMF"), place = index_of("LOOP_PLACE");
+  const int bemf = index_of("BEMF"), place = index_of("LOOP_PHASE");
   for (int strobes = 0; strobes < 16; ++strobes) {
     Bench<> bench;
     const auto mask = std::uint32_t(byte_mask(UInt<4>(strobes)).raw());

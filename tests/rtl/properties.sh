@@ -6,7 +6,7 @@
 #   properties.sh [--sinusoidal] --map WORK          the registers that they take for keyed or read-only are those of the register map's page
 #   properties.sh [--sinusoidal] --bound WORK         bound, as docs/integration.md says, to the drive of another bench, which has a flaw: they notice
 set -euo pipefail
-kind= core=six_step_axi bench=random_traffic words=rtl/words/m2310p_servo.mem page=docs/registers.md fault_pin=pins_fault_i driven=first_start
+kind= core=six_step_axi bench=random_traffic words=rtl/words/m2310p_servo.mem page=docs/six_step_registers.md fault_pin=pins_fault_i driven=first_start
 if [ "$1" = --sinusoidal ]; then
   kind=_sinusoidal core=sinusoidal_axi bench=random_sinusoidal_traffic words=rtl/words/m2310p_sinusoidal.mem page=docs/sinusoidal_registers.md fault_pin=fault_i driven=turning_sinusoidal
   shift

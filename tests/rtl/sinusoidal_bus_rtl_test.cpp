@@ -1,5 +1,5 @@
 // The sinusoidal drive behind each bus, generated, against its C++: every output of every clock of a life with a
-// host that writes, reads, starts and stops at random, converters that show anything, and faults.
+// host that writes, reads, starts and stops at random, ADCs that show anything, and faults.
 //
 // The stimulus of rtl_test.cpp would not do: a sample takes its words over many clocks, and they have to stand
 // still.  While the drive runs the registers see to that; while it is stopped the host does, and writes words
@@ -86,11 +86,11 @@ constexpr int kPeriod = 1200, kSample = SinusoidalLoop::kClocks + 10;  // clocks
 // Words under which it starts at once, regulates and locks on anything.
 SinusoidalWords lenient_words() {
   SinusoidalWords w;
-  w.bridge = {.period = kPeriod, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true, .inverse = 9321};
+  w.bridge = {.period = kPeriod, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true, .reciprocal = 9321};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288, .emf_high = 32767};
   w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
-  w.sequence = {.arbitrary = true, .hold_voltage = 2000, .pattern = 3, .lock = 3, .give_up = 100, .brake = 2, .rest = 2,
+  w.sequence = {.arbitrary = true, .hold_voltage = 2000, .pattern = 3, .lock = 3, .give_up = 100, .brake = 2, .retry_delay = 2,
                 .retries = 3};
   w.fault = {.over_current = 30000};
   return w;

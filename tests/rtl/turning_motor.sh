@@ -34,15 +34,15 @@ fi
 tools/bench "${options[@]}" icarus turning_motor | tee "$work/log"
 locked=$(sed -n 's/^locked after \([0-9.]*\) ms .*/\1/p' "$work/log")
 
-# Without what the bench does not have; one tick of observing is the least that the file takes.
+# Without what the bench does not have; one tick of looking for a spin is the least that the file takes.
 sed -e 's/^comparator_offset_v.*/comparator_offset_v = [0, 0, 0]/' -e 's/^comparator_noise_v.*/comparator_noise_v = 0/' \
-  -e 's/^duration_s.*/duration_s = 0.2/' -e '/^\(load_step\|load_off\|reverse\|stop\)_s/d' -e 's/^\[start\]/[start]\nobserve_s = 0.001/' \
+  -e 's/^duration_s.*/duration_s = 0.2/' -e '/^\(load_step\|load_off\|reverse\|stop\)_s/d' -e 's/^\[start\]/[start]\ndetect_spin_s = 0.001/' \
   "drives/$name.toml" >"$work/$name.toml"
 "$steplock" run "$work/$name.toml" --engine fixed --out "$work/run" >/dev/null || true  # it is not at its set speed yet
 "$steplock" design "$work/$name.toml" --json >"$work/design.json"
 jq -n --argjson bench "$locked" --slurpfile run "$work/run/summary.json" --slurpfile design "$work/design.json" -r '
-  ($design[0].words[] | select(.name == "start.observe") | .meant) as $observed |
-  (($run[0].lock_time_s - $observed) * 1e3) as $model |
+  ($design[0].words[] | select(.name == "start.detect_spin") | .meant) as $looked |
+  (($run[0].lock_time_s - $looked) * 1e3) as $model |
   ($design[0].start | (4 * .look + .probe) * 1e3) as $tolerance |
   "bench \($bench) ms, co-simulation \($model * 100 | round / 100) ms, four looks and a probe \($tolerance * 100 | round / 100) ms: " +
   (if ($bench - $model | fabs) <= $tolerance then "they agree" else "they differ" end)'

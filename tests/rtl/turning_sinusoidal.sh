@@ -3,8 +3,8 @@
 #   turning_sinusoidal.sh [--icarus | --backwards | --mirrored] STEPLOCK WORK
 #     --icarus      the first 4 ms, in Icarus
 #     --backwards   a motor whose current turns it the wrong way: it must not lock
-#     --mirrored    likewise a converter of phase U that shows its current with the other sign
-# The converters of the bench have no noise; so have the file's.  How far apart the locks may be is how far the co-simulation's own moves
+#     --mirrored    likewise an ADC of phase U that shows its current with the other sign
+# The ADCs of the bench have no noise; so have the file's.  How far apart the locks may be is how far the co-simulation's own moves
 # from 1 % less resistance to 1 % more: the bench's Euler steps and its diodes without resistance are less than that.
 set -euo pipefail
 mode=verilator

@@ -84,7 +84,7 @@ TEST(Aftermath, RecoveryLastsUntilTheLastTurnThatWasSlow) {
 TEST(Aftermath, ALockGivenUpAndTakenAgainIsARecoveryWithARetry) {
   Story story;
   story.step(3, 0);
-  story.enter(State::kRest, Reason::kStepOut);
+  story.enter(State::kRetryDelay, Reason::kStepOut);
   story.step(9, 0);
   story.enter(State::kRun);
   story.step(300);

@@ -1,8 +1,11 @@
 #include "testbench/drive_file/drive_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "testbench/drive_file/renamed_keys.hpp"
 
 namespace steplock {
 namespace {
@@ -62,6 +65,15 @@ TEST(DriveFile, AQuantityWithAUnitIsConverted) {
 TEST(DriveFile, AnUnknownKeyIsNamedWithItsLineAndTheNearestKey) {
   EXPECT_EQ(refusal(with("pole_pairs = 4", "pole_pairs = 4\npole_pair = 4")),
             "x.toml:9: motor.pole_pair is an unknown key; did you mean pole_pairs?");
+}
+
+TEST(DriveFile, AKeyThatHadAnotherNameIsRefusedWithTheNewOne) {
+  EXPECT_EQ(refusal(kMinimal + "[start]\nreset_s = 0.3\n"), "x.toml:19: start.reset_s is called align_s now; rename it");
+  for (const RenamedKey& key : kRenamedKeys) {
+    EXPECT_EQ(refusal(fmt::format("{}[start]\n{} = 0.3\n", kMinimal, key.was)),
+              fmt::format("x.toml:19: start.{} is called {} now; rename it", key.was, key.is));
+    EXPECT_NO_THROW(parse_drive_file(fmt::format("{}[start]\n{} = 0.3\n", kMinimal, key.is), "x.toml"));
+  }
 }
 
 TEST(DriveFile, AKeyWithAnotherUnitInItsNameIsPointedToTheRightOne) {

@@ -108,7 +108,7 @@ TYPED_TEST(EitherDrive, IsHeldInLockstepOnEveryClock) {
 }
 
 // Under load, where the ripple is small beside it: the rotor's q current is the drive's delta current, but for
-// the estimate's error (below 3 degrees here) and the converter's step.  Its noise is taken away.
+// the estimate's error (below 3 degrees here) and the ADC's step.  Its noise is taken away.
 TEST(SinusoidalDrive, TheRotorsAxesAreTheDrivesWhereTheEstimateIsRight) {
   design::Settings s = scenario<SinusoidalDrive>();
   s.adc.current_noise_a = 0;

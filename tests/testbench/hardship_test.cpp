@@ -162,7 +162,7 @@ TEST_P(Blocked, EndsAfterTheTicksOfOneTry) {
     ++runs;
     const DrawnRun run = drawn_run(s, hard_seed(k));
     const auto& start = run.parameters.start;
-    const double tick = run.parameters.pwm.tick(), between = start.observe + start.rest + 2 * tick;
+    const double tick = run.parameters.pwm.tick(), between = start.detect_spin + start.retry_delay + 2 * tick;
     const DrawnResult result = simulate(run);
     EXPECT_EQ(result.findings.outcome, Outcome::kLatched) << k;
     EXPECT_LT(result.findings.end_s, run.settings.scenario.run_s + 4097 * tick + (start.retries + 1) * between) << name_of(kind) << k;

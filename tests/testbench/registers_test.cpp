@@ -113,7 +113,7 @@ TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
 
 // Every word that the design library names is tied to the port of that name; the tests of boards tell
 // whether the module is a whole one.
-TEST(Registers, TheConstantsAroundTheBareDriveAreItsWords) {
+TEST(Registers, TheConstantsAroundTheStandaloneDriveAreItsWords) {
   const design::Settings s = short_drive();
   const double clock_hz = s.control.clock_hz;
   const auto quantised = design::quantise(design::design_drive(s).parameters, clock_hz);
@@ -133,24 +133,24 @@ TEST(Registers, TheConstantsAroundTheBareDriveAreItsWords) {
   EXPECT_NE(text.find("12000000 Hz"), std::string::npos);
 }
 
-TEST(Registers, ABareDriveThatNeverAsksTheHallDecoderIsPrintedWithoutIt) {
+TEST(Registers, AStandaloneDriveThatNeverAsksTheHallDecoderIsPrintedWithoutIt) {
   Words words;
   const auto printed = [&] { return words_verilog(words, "drive", 12e6); };
   EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(0), .WITH_RAMP(1), .WITH_FOLLOWER(0)) drive ("), std::string::npos);
   words.start.method = Method::kFollow;
   EXPECT_NE(printed().find(".WITH_RAMP(0), .WITH_FOLLOWER(1)) drive ("), std::string::npos) << "one start alone";
-  words.start.observe = 1;
+  words.start.detect_spin = 1;
   EXPECT_NE(printed().find(".WITH_HALL_DECODER(1)"), std::string::npos) << "it looks for a rotor that turns";
-  words.start.observe = 0;
+  words.start.detect_spin = 0;
   words.source = Source::kHall;
   EXPECT_NE(printed().find(".WITH_HALL_DECODER(1)"), std::string::npos) << "it has Hall sensors";
 }
 
-TEST(Registers, TheConstantsAroundTheSinusoidalBareDriveAreItsWords) {
+TEST(Registers, TheConstantsAroundTheSinusoidalStandaloneDriveAreItsWords) {
   const design::Settings s = open_drive_file(STEPLOCK_DRIVES "/ipm_2k2.toml").settings;
   const auto quantised = design::sinusoidal::quantise(s);
   const std::string text = words_verilog(sinusoidal::hls_words(quantised.words),
-                                         sinusoidal::converter_words_of(s), "ipm", 24e6);
+                                         sinusoidal::adc_words_of(s), "ipm", 24e6);
   for (const auto& row : quantised.rows) {
     std::string port = "words_" + row.name + "_i";
     std::ranges::replace(port, '.', '_');
@@ -163,7 +163,7 @@ TEST(Registers, TheConstantsAroundTheSinusoidalBareDriveAreItsWords) {
   EXPECT_NE(text.find(".words_sequence_pilot_i(1'd1)"), text.npos);
   EXPECT_NE(text.find(".words_sequence_arbitrary_i(1'd0)"), text.npos);
   // Every port is passed through or tied.
-  const std::string rtl = committed("rtl/sinusoidal_bare.sv");
+  const std::string rtl = committed("rtl/sinusoidal_standalone.sv");
   const std::string ports = rtl.substr(0, rtl.find(");"));
   EXPECT_EQ(count(text, "      ."), count(ports, "put  logic") + count(ports, "put logic"));
 }
@@ -173,7 +173,7 @@ TEST(Registers, TheConvertersWordsFollowTheClock) {
   design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
   const auto words = [&](double clock_hz) {
     s.control.clock_hz = clock_hz;
-    return sinusoidal::converter_words_of(s);
+    return sinusoidal::adc_words_of(s);
   };
   EXPECT_EQ(words(24e6).half, 1);
   EXPECT_EQ(words(24e6).quiet, 8);

@@ -32,7 +32,7 @@ Found find(const design::Settings& believed, const design::Settings& real, doubl
     } else if (watch.state() == State::kStarting) {
       found.error_deg = std::remainder(bench.engine().view().pilot_deg - now, 360);
       return found;
-    } else if (watch.state() == State::kRest || watch.state() == State::kFault) {
+    } else if (watch.state() == State::kRetryDelay || watch.state() == State::kFault) {
       found.reason = watch.reason();
       return found;
     }
@@ -40,7 +40,7 @@ Found find(const design::Settings& believed, const design::Settings& real, doubl
   return found;
 }
 
-// A converter's step and one of noise on 1.8 A, of which 0.3 A tell the angle: 0.4 degrees standard
+// An ADC's step and one of noise on 1.8 A, of which 0.3 A tell the angle: 0.4 degrees standard
 // deviation (docs/blocks/pilot_pulses.md), 3 are the aim.
 TEST(SalientStart, TheFixedDriveFindsTheRotorWithin3DegreesAndDoesNotTurnIt) {
   const design::Settings s = salient();

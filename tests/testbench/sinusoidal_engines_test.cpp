@@ -47,7 +47,7 @@ TEST(SinusoidalEngines, TheFixedDriveRunsMatsuisMotorUpTo1500AtRatedTorque) {
   }
 }
 
-// Both see a rotor of their own; their angles part by noise of the converters alone.
+// Both see a rotor of their own; their angles part by noise of the ADCs alone.
 TEST(SinusoidalEngines, FixedAndFloatAgreeWithinTheConvertersNoise) {
   const design::Settings s = drive("m2310p_sinusoidal");
   const Result fixed = result_of(s, EngineKind::kFixed, 40);
@@ -74,7 +74,7 @@ TEST(SinusoidalEngines, TheFixedDriveRunsWithTheVoltageModelToo) {
   runs("matsui1996", 8);
 }
 
-// Phase currents are within two steps of the converter, so that dead time's way hangs on the currents that
+// Phase currents are within two steps of the ADC, so that dead time's way hangs on the currents that
 // are wanted.  By the signs of the measured ones the rotor hunts, or, with no noise, stands while the drive
 // claims to run.  What remains of hunting turns the rotor to and fro by some 5 electrical degrees; at both
 // ends of 1.7 s, 1500 degrees, that is 1 % of the mean speed.
@@ -162,7 +162,7 @@ TEST(SinusoidalEngines, ASetSpeedOfZeroStopsTheFixedDriveAndAnotherOneStartsItAg
   bench.engine().set_target_rpm(s.scenario.speed_rpm);
   bench.run_until(1.6);
   EXPECT_EQ(bench.engine().watch().state(), State::kRun);
-  for (const StateChange& c : bench.take().changes) EXPECT_NE(c.state, State::kRest);
+  for (const StateChange& c : bench.take().changes) EXPECT_NE(c.state, State::kRetryDelay);
 }
 
 // Offsets, both halves of the pattern, the closed loop to set speed: 4.8 million clocks.

@@ -1,5 +1,5 @@
 // The C driver of rtl/host turns a motor with sinusoidal currents: every access goes through AXI4-Lite into the RTL of
-// sinusoidal_axi, whose converters and pins are the plant's; the bus and the motor share every clock.
+// sinusoidal_axi, whose ADCs and pins are the plant's; the bus and the motor share every clock.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kConversion = 48;  // clocks from the strobe to the codes
 
-// Motor, inverter, converters, drive and bus, clock by clock.
+// Motor, inverter, ADCs, drive and bus, clock by clock.
 class Bench {
  public:
   Bench()

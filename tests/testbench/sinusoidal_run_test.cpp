@@ -111,7 +111,7 @@ TEST(SinusoidalRun, ASetSpeedOfZeroStopsItAndAnotherOneStartsItAgain) {
   bench.engine().set_target_rpm(s.scenario.speed_rpm);
   bench.run_until(3.0);
   EXPECT_EQ(bench.engine().watch().state(), State::kRun);
-  for (const StateChange& c : bench.take().changes) EXPECT_NE(c.state, State::kRest);
+  for (const StateChange& c : bench.take().changes) EXPECT_NE(c.state, State::kRetryDelay);
 }
 
 // The reason of the first try that failed.

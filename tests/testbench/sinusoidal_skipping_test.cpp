@@ -11,22 +11,22 @@ namespace {
 
 SinusoidalWords words() {
   SinusoidalWords w;
-  w.bridge = {.period = 2400, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-              .inverse = 4660};
+  w.bridge = {.period = 2400, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
+              .reciprocal = 4660};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
              .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
              .emf_high = 20480};
   w.control = {.k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
   w.sequence = {.hold_voltage = 2000, .pattern = 5, .lock = 20, .give_up = 30, .brake = 10,
-                .rest = 10, .retries = 1};
+                .retry_delay = 10, .retries = 1};
   w.pilot = {.short_periods = 2, .rounds = 2, .decayed = 30000, .saliency = 100};
   w.fault = {.over_current = 30000, .saturated = 0, .lost_samples = 3};
   return w;
 }
 
 // Advancing over quiet clocks shows in every clock what ticking through them shows, whatever the
-// converters give, whenever they give it, and whatever is commanded meanwhile; and it is mostly
+// ADCs give, whenever they give it, and whatever is commanded meanwhile; and it is mostly
 // advancing.
 TEST(SkippingSinusoidalTop, AdvancingEqualsTickingInEveryClock) {
   std::mt19937_64 random(1);
@@ -39,7 +39,7 @@ TEST(SkippingSinusoidalTop, AdvancingEqualsTickingInEveryClock) {
   SinusoidalTop::Out advanced, ticked;
   std::set<SinusoidalState> states;
   std::uint64_t clocks = 0, calls = 0;
-  int late = 0;  // clocks until the converters give their codes, beside the one after the strobe
+  int late = 0;  // clocks until the ADCs give their codes, beside the one after the strobe
   while (clocks < 10'000'000) {
     std::uint64_t hold = 1 + random() % 3000;
     while (hold > 0) {

@@ -83,7 +83,7 @@ TEST(SinusoidalWitness, ALossThatTheDriveNoticesIsATryThatFailed) {
   Story story;
   story.enter(State::kRun);
   story.turn(0.2, 600, 100);
-  story.enter(State::kRest, Reason::kEmf);
+  story.enter(State::kRetryDelay, Reason::kEmf);
   story.turn(0.3, 0);
   story.enter(State::kStarting);
   story.turn(0.2, 600, 170);  // no claim, so no slip

@@ -35,7 +35,7 @@ struct Pattern {
 
 constexpr Gates kOff = {}, kUV = {.uh = true, .vl = true}, kUW = {.uh = true, .wl = true}, kV = {.vl = true}, kW = {.wl = true},
                 kUlV = {.ul = true, .vl = true}, kShort = {.ul = true, .vl = true, .wl = true},
-                kReset = {.uh = true, .vh = true, .wl = true};
+                kAlign = {.uh = true, .vh = true, .wl = true};
 
 // `on` for `high`, `off` for the rest of each of so many periods; `dead` between two.
 void chop(Pattern& p, Gates on, Gates off, double high, double period, int times, double dead = 0, Gates between = {}) {
@@ -64,7 +64,7 @@ std::vector<Pattern> patterns() {
   add("regeneration", 0.7, 60, [](Pattern& p) { chop(p, kUV, kUlV, 8e-6, 33e-6, 8, 1e-6, kV); });
   add("a chopped brake, backwards", -0.5, 20, [](Pattern& p) { chop(p, kShort, kOff, 20e-6, 33e-6, 8); });
   add("rectifying above the bus", 1.3, 10, [](Pattern& p) { then(p, kOff, 250e-6); });
-  add("reset from rest", 0, 80, [](Pattern& p) { chop(p, kReset, kW, 15e-6, 33e-6, 10), p.frictionless = true; });
+  add("reset from rest", 0, 80, [](Pattern& p) { chop(p, kAlign, kW, 15e-6, 33e-6, 10), p.frictionless = true; });
   return all;
 }
 

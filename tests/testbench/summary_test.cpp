@@ -133,7 +133,7 @@ TEST(Summary, ASpeedErrorBeyondHalfAPercentInReverseFails) {
 
 TEST(Summary, ALostLockAndALatchedFaultFail) {
   Record r = record_at(3000);
-  r.changes.push_back({0.5, State::kRest, Reason::kStepOut});
+  r.changes.push_back({0.5, State::kRetryDelay, Reason::kStepOut});
   r.changes.push_back({0.6, State::kFault, Reason::kStepOut});
   const Summary s = summarise(steady_only(), {}, r);
   EXPECT_EQ(s.lost_locks, 1);

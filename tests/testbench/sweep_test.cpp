@@ -152,7 +152,7 @@ TEST_F(Sweep, GivesEachDriveItsShare) {
 // Negative controls of the outcomes: drives that cannot work are counted as what they are.
 TEST_F(Sweep, ADriveWithoutTorqueIsLatchedAndCounted) {
   DrawnRun run = drawn_run(files_[0].settings, {8});
-  run.words.start.start_duty = run.words.start.reset_duty = 0;
+  run.words.start.start_duty = run.words.start.align_duty = 0;
   run.words.speed.bemf = 0;
   const DrawnResult result = simulate(run);
   EXPECT_EQ(result.findings.outcome, Outcome::kLatched);

@@ -46,7 +46,7 @@ TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
     TraceWriter writer(path, SixStepRecording::wave(), 4);
     const SixStepRecording recording(RecorderSettings{});
     Sample s;
-    s.watch.bits = static_cast<std::uint32_t>(State::kReset) << Watch::kState | 1u;  // uh on
+    s.watch.bits = static_cast<std::uint32_t>(State::kAlign) << Watch::kState | 1u;  // uh on
     recording.trace_logic(writer, s);
     s.time = 2e-6;
     s.watch.bits = static_cast<std::uint32_t>(State::kRun) << Watch::kState | 5u << Watch::kStep;
@@ -60,7 +60,7 @@ TEST(TraceWriter, EveryChangeIsInTheWaveAtItsTime) {
   using Changes = std::vector<std::pair<std::uint64_t, std::string>>;
   EXPECT_EQ(wave.changes[wave.signals.at("uh")], (Changes{{0, "1"}, {2000000, "0"}}));
   EXPECT_EQ(wave.changes[wave.signals.at("step")].back(), (Changes::value_type{2000000, "101"}));
-  EXPECT_EQ(wave.changes[wave.signals.at("state")], (Changes{{0, "reset"}, {2000000, "run"}}));
+  EXPECT_EQ(wave.changes[wave.signals.at("state")], (Changes{{0, "align"}, {2000000, "run"}}));
   EXPECT_EQ(wave.changes[wave.signals.at("comparator_v")].back(),
             (Changes::value_type{4000000, "1"}));
   const auto& current = wave.changes[wave.signals.at("iu_a")];

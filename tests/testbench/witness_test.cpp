@@ -177,7 +177,7 @@ TEST(Witness, ASlipThatTheDriveNoticesIsATryThatFailed) {
   Story story;
   story.enter(State::kRun);
   story.step(12, 0);
-  story.enter(State::kRest, Reason::kStepOut);
+  story.enter(State::kRetryDelay, Reason::kStepOut);
   story.step(6, 0);
   story.enter(State::kPullIn);
   story.step(6);
@@ -209,7 +209,7 @@ TEST(Witness, ARunThatDecidesNothingIsUnfinished) {
 
 TEST(Witness, TheKickIsTheFarthestWayBackFromRest) {
   Story story;
-  story.enter(State::kReset);
+  story.enter(State::kAlign);
   story.turn_back(47);
   story.step(1, 0);
   story.step(30);
@@ -225,7 +225,7 @@ TEST(Witness, EachFailedTryHasTheCauseThatTheRotorsMotionTells) {
     Story story;
     story.enter(state);
     story.speed(rad_per_s);
-    story.enter(State::kRest, Reason::kNoLock);
+    story.enter(State::kRetryDelay, Reason::kNoLock);
     return story.findings().causes;
   };
   EXPECT_EQ(cause(62.8, State::kRun), "lock_lost");
@@ -236,7 +236,7 @@ TEST(Witness, EachFailedTryHasTheCauseThatTheRotorsMotionTells) {
   EXPECT_EQ(cause(1.2, State::kAccelerate), "too_weak");
   EXPECT_EQ(cause(1.3, State::kAccelerate), "not_followed");
   Story story;
-  for (const State state : {State::kPullIn, State::kRest, State::kAccelerate, State::kFault}) story.enter(state);
+  for (const State state : {State::kPullIn, State::kRetryDelay, State::kAccelerate, State::kFault}) story.enter(state);
   EXPECT_EQ(story.findings().causes, "outrun+too_weak");
 }
 

@@ -35,6 +35,7 @@ after "a comment of the design"         model/design/speed_rules.cpp 's,^void ,/
 after "a line of the design's code"     model/design/speed_rules.cpp '$a int more();' stays
 after "a bound of a start"              model/design/bounds.cpp '$a int more();' changes
 after "a name of the judge"             testbench/sweep/start_judge.hpp 's/kCreeps/kRises/' changes
+after "a name that was another one"     testbench/sweep/witness.cpp 's/kRetryDelay/kRest/' stays
 after "what reads a drive file"         testbench/drive_file/drive_file.cpp '$a int more();' stays
 after "how a motor is drawn"            testbench/drive_file/drawn_motor.cpp '$a int more();' changes
 after "a drive file's comment"          drives/bly172s.toml '1s/$/ with more to say/' stays

@@ -34,7 +34,7 @@ MODULE
   vvp -n list.vvp >of_list
   cmp -s of_c of_list || { echo "$name: C header and list differ:"; diff of_c of_list || true; bad=1; }
   top=$(sed -n 's/^module \([a-z_]*\)_fixed .*/\1/p' "$words/$name.sv")
-  (cd "$root" && verilator --lint-only -Wall -Wno-UNUSED -Wno-DECLFILENAME --top-module "${top}_fixed" -f "rtl/${top}_bare.f" "$words/$name.sv") ||
+  (cd "$root" && verilator --lint-only -Wall -Wno-UNUSED -Wno-DECLFILENAME --top-module "${top}_fixed" -f "rtl/${top}_standalone.f" "$words/$name.sv") ||
     { echo "$name: the constants are not clean"; bad=1; }
 done
 exit $bad

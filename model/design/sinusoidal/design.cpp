@@ -141,7 +141,7 @@ void set_start(const Settings& s, Design& d) {
   p.speed.start_current = z.start_current_a ? kRoot * *z.start_current_a : std::min({follows, ahead, p.speed.limit});
   t.give_up_s = z.give_up_s;
   t.brake_s = z.brake_s;
-  t.rest_s = z.rest_s;
+  t.retry_delay_s = z.retry_delay_s;
   t.retries = z.retries;
 
   const double mean = 2 / (1 / p.motor.inductance_d + 1 / p.motor.inductance_q);

@@ -12,7 +12,7 @@
 //               bandwidth: the angle's error that a fifth of L_q makes under a current moves with that
 //               current, and so the speed seen; what comes back through kp and filter is half at most
 //     lock      above the speed that a fifth of R at the current's limit looks like at rest, by a tenth
-//     slowest   K_E w T / L_q = half a step of the converter: one radian of error just shows
+//     slowest   K_E w T / L_q = half a step of the ADC: one radian of error just shows
 //
 // Doc: docs/sinusoidal.md   Test: tests/model/design/sinusoidal_rules_test.cpp
 #pragma once
@@ -27,7 +27,7 @@ namespace steplock::design::sinusoidal {
 struct Design {
   Parameters parameters;
   double emf_bandwidth = 0, current_bandwidth = 0, speed_bandwidth = 0;  // rad/s
-  double current_step = 0;      // A, of the converter
+  double current_step = 0;      // A, of the ADC
   double rated_torque = 0;      // N m
   double no_load_rpm = 0;       // at the end of the modulator's linear range
   double slowest_rpm = 0;       // the rule above
@@ -36,7 +36,7 @@ struct Design {
 
 Design design_drive(const Settings&);
 
-// Full scale of the converters, A and V: the drive file's, or four times the rated current and half
+// Full scale of the ADCs, A and V: the drive file's, or four times the rated current and half
 // again the bus.
 double current_range(const Settings&);
 // A, phase peak that the speed regulator may ask for.

@@ -73,13 +73,13 @@ struct Pilot {
 
 struct Start {
   StartBy by = StartBy::kPattern;
-  int offset_samples = 16;                       // with gates off, for the converters' offsets
+  int offset_samples = 16;                       // with gates off, for the ADCs' offsets
   double pattern_s = 0, pattern_current = 0;     // s; A, phase peak
   double lock_speed = 0;                         // rad/s, above it the estimator is trusted
   double lock_s = 0;                             // for so long
-  double give_up_s = 0;                          // no lock in this time is a failed try
+  double give_up_s = 0;                          // no lock in this time is a failed attempt
   double stop_speed = 0;                         // rad/s, below it the drive lets go
-  double brake_s = 0, rest_s = 0;                // s
+  double brake_s = 0, retry_delay_s = 0;                // s
   int retries = 0;
 };
 

@@ -46,7 +46,7 @@ class ScaledQuantiser {
 BridgeWords bridge_words(ScaledQuantiser& word, const Parameters& p, const Settings& s,
                          const Scales& f) {
   BridgeWords w{.compensate = p.applied.compensate,
-                .sine = p.pwm.modulation == Modulation::kSine};
+                .sine_pwm = p.pwm.modulation == Modulation::kSine};
   w.period = word("bridge.period", "s", p.pwm.period, f.clock, 0, 14);
   // The guard's floor is dead time that is really there.
   const double dead = std::max(p.pwm.dead_time, kDeadTimeFloor * f.clock);
@@ -54,8 +54,8 @@ BridgeWords bridge_words(ScaledQuantiser& word, const Parameters& p, const Setti
   // A pulse shorter than its dead time would be none.
   w.minimum = word("bridge.minimum", "s", std::max(p.pwm.minimum, dead), f.clock, 0, 14);
   const double lost = dead * (1 + 2 * p.applied.diode_drop / s.inverter.bus_v);
-  w.lost = word("bridge.lost", "s", lost, f.clock, 4, 12);
-  w.inverse = word("bridge.inverse", "1/clocks", 1 / (3.0 * w.period), 1, 25, 15);
+  w.dead_time_loss = word("bridge.dead_time_loss", "s", lost, f.clock, 4, 12);
+  w.reciprocal = word("bridge.reciprocal", "1/clocks", 1 / (3.0 * w.period), 1, 25, 15);
   return w;
 }
 
@@ -155,7 +155,7 @@ SequenceWords sequence_words(ScaledQuantiser& word, const Parameters& p, const S
           .lock = word.periods("sequence.lock", t.lock_s, f),
           .give_up = word.periods("sequence.give_up", t.give_up_s, f),
           .brake = word.periods("sequence.brake", t.brake_s, f),
-          .rest = word.periods("sequence.rest", t.rest_s, f),
+          .retry_delay = word.periods("sequence.retry_delay", t.retry_delay_s, f),
           .retries = word("sequence.retries", "", t.retries, 1, 0, 4)};
 }
 
@@ -179,7 +179,7 @@ void refuse_pilot(std::vector<std::string>& lines, const Settings& s, const Desi
   const double most = 0.75 * current_range(s);
   if (o.repeats * once > most) {
     add("sinusoidal_start.pilot_repeats is ", o.repeats, "; must be at most ",
-        2 * int(most / once / 2), " for this engine, whose sum has the converter's range");
+        2 * int(most / once / 2), " for this engine, whose sum has the ADC's range");
   }
 }
 

@@ -5,8 +5,8 @@
 // include each other; the bench copies member by member).  Each word is the nearest one; WordRow
 // keeps what was wanted and what the word means.
 //
-//     full scales   current  range I of the converter, of a phase's peak: sqrt(3/2) I of a vector
-//                   voltage  range U of the converter, likewise
+//     full scales   current  range I of the ADC, of a phase's peak: sqrt(3/2) I of a vector
+//                   voltage  range U of the ADC, likewise
 //                   speed    W = 2 pi / (16 T) electrical rad/s: 1/16 turn per sample
 //     times         PWM periods
 //
@@ -19,9 +19,9 @@
 namespace steplock::design::sinusoidal {
 
 struct BridgeWords {
-  Word period = 0, minimum = 0, dead_time = 0, lost = 0;
-  bool compensate = false, sine = false;
-  Word inverse = 0;
+  Word period = 0, minimum = 0, dead_time = 0, dead_time_loss = 0;
+  bool compensate = false, sine_pwm = false;
+  Word reciprocal = 0;
 };
 struct EstimatorWords {
   bool voltage = false, average = false;
@@ -36,7 +36,7 @@ struct ControlWords {
 };
 struct SequenceWords {
   bool arbitrary = false, pilot = false;
-  Word hold_voltage = 0, pattern = 0, lock = 0, give_up = 0, brake = 0, rest = 0, retries = 0;
+  Word hold_voltage = 0, pattern = 0, lock = 0, give_up = 0, brake = 0, retry_delay = 0, retries = 0;
 };
 struct PilotWords {
   Word short_periods = 0, long_periods = 0, rounds = 0, decayed = 0, saliency = 0, polarity = 0;

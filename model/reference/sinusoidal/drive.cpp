@@ -191,7 +191,7 @@ void Drive::begin_start(double t) {
 
 void Drive::fail(double t, Reason reason) {
   reason_ = reason;
-  enter(t, ++tries_ > p_.start.retries ? State::kFault : State::kRest);
+  enter(t, ++tries_ > p_.start.retries ? State::kFault : State::kRetryDelay);
 }
 
 void Drive::sequence(double t, const Command& command) {
@@ -262,9 +262,9 @@ void Drive::sequence(double t, const Command& command) {
       if (since < p_.start.brake_s) break;
       enter(t, State::kIdle);
       break;
-    case State::kRest:
+    case State::kRetryDelay:
       if (!run) return enter(t, State::kIdle);
-      if (since >= p_.start.rest_s) enter(t, State::kCalibrate);
+      if (since >= p_.start.retry_delay_s) enter(t, State::kCalibrate);
       break;
     case State::kFault:
       if (command.clear_fault && !command.run) enter(t, State::kIdle);

@@ -1,8 +1,8 @@
-// What ends a run, or a try: once per sample.
+// What ends a run, or an attempt: once per sample.
 //
 //     over-current   any phase beyond over_current                        fault at once
 //     lost sample    so many periods in a row without a reading            fault at once
-//     saturated      a regulator at its limit for saturated_s             the try has failed
+//     saturated      a regulator at its limit for saturated_s             the attempt has failed
 //     EMF            beyond emf_low .. emf_high times K_E speed for emf_s, above emf_speed
 //     too slow       below slow_speed for slow_s longer than above, in a lock     "
 //

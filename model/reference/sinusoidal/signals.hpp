@@ -11,7 +11,7 @@
 namespace steplock::reference::sinusoidal {
 
 struct Reading {
-  Phases current = {};  // A, as the converters say
+  Phases current = {};  // A, as the ADCs say
   double v_dc = 0;      // V
 };
 
@@ -22,14 +22,14 @@ struct Pins {
 
 enum class State {
   kIdle,
-  kCalibrate,  // gates off: the converters' offsets
+  kCalibrate,  // gates off: the ADCs' offsets
   kPilot,      // pulses: where does the rotor stand
   kPattern,    // a held pattern turns it where it should stand
   kStarting,   // the loop is closed, not yet trusted
   kRun,
   kSlowDown,
   kBrake,
-  kRest,
+  kRetryDelay,
   kFault
 };
 

@@ -85,8 +85,8 @@ TEST(DesignRules, StepsAndRpmAreInverse) {
 TEST(DesignRules, TakesWhatTheFileNames) {
   const auto d = design_drive(settings_of("amano2003"));
   EXPECT_DOUBLE_EQ(d.components.c1, 1.291e-6);
-  EXPECT_DOUBLE_EQ(d.parameters.start.reset, 0.622);  // printed, although Eq. (22) says less
-  EXPECT_LT(d.reset_time_formula, 0.4);
+  EXPECT_DOUBLE_EQ(d.parameters.start.align, 0.622);  // printed, although Eq. (22) says less
+  EXPECT_LT(d.align_time_formula, 0.4);
   EXPECT_NEAR(d.continuous.phase_deg, 54.9, 0.05);
   EXPECT_NEAR(d.parameters.loop.proportional, 68, 0.1);
 }
@@ -296,7 +296,7 @@ TEST(DesignRules, WhatCannotTurnIsToldInFiveSeconds) {
     Settings s = settings_of(name);
     const auto p = design_drive(s).parameters.start;
     const double look = p.look + p.probe, attempts = 1 + p.retries;
-    EXPECT_LE(attempts * (p.observe + p.rest + 3 * p.still * look), 4.5) << name;
+    EXPECT_LE(attempts * (p.detect_spin + p.retry_delay + 3 * p.still * look), 4.5) << name;
     s.start.retries = 0;
     EXPECT_GE(design_drive(s).parameters.start.still, p.still) << name << ": patience is what the attempts leave";
   }

@@ -87,14 +87,14 @@ TEST(Settings, AbsurdValuesAreNamedByTheirKey) {
   EXPECT_TRUE(
       names(only_problem([](S s) {
                       s.start.start_current_a = 0.05;
-                      s.start.reset_current_a = 2;
+                      s.start.align_current_a = 2;
                     }),
                     "start.start_current_a"));
   EXPECT_TRUE(
       names(only_problem([](S s) {
                       s.start.method = Method::kRamp;  // the follower's current is the limit's
                       s.start.start_current_a = 20;
-                      s.start.reset_current_a = 2;
+                      s.start.align_current_a = 2;
                     }),
                     "start.start_current_a"));
   EXPECT_TRUE(names(only_problem([](S s) { s.scenario.stop_s = 7; }), "scenario.stop_s"));

@@ -30,7 +30,7 @@ TEST(SinusoidalWords, EveryDriveHasWordsNearToWhatItWants) {
 TEST(SinusoidalWords, TheWordsOfTheServoMotorAreThoseOfItsData) {
   const Words w = quantise(drive("m2310p_sinusoidal")).words;
   EXPECT_EQ(w.bridge.period, 1200u);
-  EXPECT_EQ(w.bridge.inverse, 9321u);                                  // 2^25 / 3600
+  EXPECT_EQ(w.bridge.reciprocal, 9321u);                                  // 2^25 / 3600
   EXPECT_EQ(w.estimator.decay, std::lround((0.38 + 0.01) * 0.25 * 32768));
   EXPECT_EQ(w.estimator.gain, std::lround(0.25 * 36 / 20 * 8192));
   EXPECT_NEAR(w.estimator.k_speed, 50e-6 * 36 / (2 * 3.14159265 * 6.37e-3) * 131072, 1);
@@ -60,7 +60,7 @@ TEST(SinusoidalWords, PilotPulsesThatTheBlocksCannotGiveAreRefused) {
   EXPECT_EQ(refusal([](auto& t) { t.pilot_repeats = 3; }),
             "sinusoidal_start.pilot_repeats is 3; must be even for this engine");
   EXPECT_EQ(refusal([](auto& t) { t.pilot_repeats = 30; }),
-            "sinusoidal_start.pilot_repeats is 30; must be at most 14 for this engine, whose sum has the converter's range");
+            "sinusoidal_start.pilot_repeats is 30; must be at most 14 for this engine, whose sum has the ADC's range");
   EXPECT_EQ(refusal([](auto& t) { t.pilot_short_s = 3e-6; }),
             "sinusoidal_start.pilot_short_s is 3e-06 s; must be at least 4e-06 s, twice the dead time and the shortest pulse");
 }
@@ -70,7 +70,7 @@ TEST(SinusoidalWords, DeadTimeIsNeverBelowTheGuardsFloorAndPulsesNeverShorter) {
   Words w = quantise(s).words;
   EXPECT_EQ(w.bridge.dead_time, 12u);
   EXPECT_GE(w.bridge.minimum, w.bridge.dead_time);
-  EXPECT_GE(w.bridge.lost, 12u * 16) << "what is lost is the dead time that is really there";
+  EXPECT_GE(w.bridge.dead_time_loss, 12u * 16) << "what is lost is the dead time that is really there";
   s.inverter.dead_time_s = 1e-6;
   EXPECT_EQ(quantise(s).words.bridge.dead_time, 24u);
 }

@@ -9,11 +9,11 @@ namespace {
 constexpr double kInertia = 2.7e-3, kKappa = 0.7, kGamma = 4.28;
 
 TEST(StartTimes, Equation22GivesLessThanThePrintedResetTime) {
-  EXPECT_NEAR(reset_time(kKappa, kInertia, kGamma), 0.266, 0.0005);  // printed: 0.622 s
+  EXPECT_NEAR(align_time(kKappa, kInertia, kGamma), 0.266, 0.0005);  // printed: 0.622 s
 }
 
 TEST(StartTimes, ResetTimeIsTheInverseOfTheResonance) {
-  EXPECT_NEAR(reset_time(kKappa, kInertia, kGamma) * reset_resonance(kKappa, kInertia, kGamma), 1,
+  EXPECT_NEAR(align_time(kKappa, kInertia, kGamma) * align_resonance(kKappa, kInertia, kGamma), 1,
               1e-12);
 }
 
@@ -36,7 +36,7 @@ TEST(StartTimes, StiffnessIsTheSlopeOfTheResetTorque) {
   const double step = 1e-5;
   EXPECT_NEAR(torque(0), 0, 1e-12);
   EXPECT_NEAR((torque(-step) - torque(step)) / (2 * step),
-              reset_stiffness(flux, pole_pairs, current), 1e-6);
+              align_stiffness(flux, pole_pairs, current), 1e-6);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Verdict {
   bool locked = false;      // at least once
   double lock_time = 0;     // s after `run`, the first time
   int tries = 0;            // entries of kAccelerate
-  int locks_lost = 0;       // kRun or kSlowDown left for kRest or kFault
+  int locks_lost = 0;       // kRun or kSlowDown left for kRetryDelay or kFault
   int step_outs = 0;        // the true angle slipped by more than a step while locked
   double reached = 0;       // s, first within 2 % of the set speed
   double mean_rpm = 0;      // over the last half between `reached` and the first disturbance
@@ -104,7 +104,7 @@ class ClosedLoop {
     if (out_.state == before.state) return;
     if (out_.state == State::kAccelerate) ++v_.tries;
     if (out_.locked && !v_.locked) v_.locked = true, v_.lock_time = t - s_.scenario.run_s;
-    if (before.locked && (out_.state == State::kRest || out_.state == State::kFault)) {
+    if (before.locked && (out_.state == State::kRetryDelay || out_.state == State::kFault)) {
       ++v_.locks_lost;
     }
     if (out_.reason != reference::Reason::kNone) v_.reason = out_.reason;

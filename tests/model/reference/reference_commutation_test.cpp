@@ -45,7 +45,7 @@ TEST(ReferenceCommutation, TheFloatingPhasesBackEmfCrossesInTheMiddleOfTheStep) 
 }
 
 TEST(ReferenceCommutation, BothSwitchesOfALegAreNeverWanted) {
-  for (const Mode mode : {Mode::kOff, Mode::kDrive, Mode::kSettle, Mode::kReset, Mode::kBrake}) {
+  for (const Mode mode : {Mode::kOff, Mode::kDrive, Mode::kPreAlign, Mode::kAlign, Mode::kBrake}) {
     for (int step = 0; step < 6; ++step) {
       for (const bool chop : {false, true}) {
         for (const bool complementary : {false, true}) {
@@ -58,7 +58,7 @@ TEST(ReferenceCommutation, BothSwitchesOfALegAreNeverWanted) {
 }
 
 TEST(ReferenceCommutation, ResetPullsToUAndVAgainstW) {
-  const auto g = gates_wanted(Mode::kReset, 0, true, false);
+  const auto g = gates_wanted(Mode::kAlign, 0, true, false);
   EXPECT_EQ(g, (Gates{true, false, true, false, false, true}));
 }
 

@@ -136,17 +136,17 @@ TEST(ReferencePhaseDetector, TellsALeadingRotorFromALaggingOne) {
 }
 
 TEST(ReferencePhaseDetector, AHiddenCrossingTellsWhatTheOneBeforeItTold) {
-  for (const auto& [lead, hurries, error] :
+  for (const auto& [lead, masked_lead, error] :
        {std::tuple(-0.25, false, 0.), std::tuple(0.0625 - 1e-9, false, 0.),
         std::tuple(0.0625 + 1e-9, true, 0.), std::tuple(0.125 - 1e-9, true, 0.),
         std::tuple(0.125 + 1e-9, true, 0.25)}) {
     PhaseDetector detector({.expected = 0.5, .lead_error = 0.25});
     detector.update({.crossing = true, .crossing_phase = 0.5 - lead});
     detector.update({.step_ended = true});
-    EXPECT_FALSE(detector.missed() || detector.hurries());
+    EXPECT_FALSE(detector.missed() || detector.masked_lead());
     detector.update({.step_ended = true});
     EXPECT_TRUE(detector.missed());
-    EXPECT_EQ(detector.hurries(), hurries) << lead;
+    EXPECT_EQ(detector.masked_lead(), masked_lead) << lead;
     EXPECT_DOUBLE_EQ(detector.error(), error) << lead;
   }
 }

@@ -6,15 +6,15 @@
 namespace steplock::reference {
 namespace {
 
-constexpr design::StartParameters kTimes{.settle = 0.02,
-                                         .reset = 0.03,
+constexpr design::StartParameters kTimes{.pre_align = 0.02,
+                                         .align = 0.03,
                                          .hand_over = 100,
                                          .good_crossings = 5,
                                          .pull_in = 0.1,
-                                         .observe = 0.01,
+                                         .detect_spin = 0.01,
                                          .slow_down = 0.2,
                                          .brake = 0.04,
-                                         .rest = 0.05,
+                                         .retry_delay = 0.05,
                                          .retries = 2};
 
 struct Case {
@@ -51,11 +51,11 @@ TEST(ReferenceStartSequence, GoesThroughThePapersModesInTime) {
   Case c;
   EXPECT_EQ(c.tick(5), State::kIdle);
   c.command.run = true;
-  EXPECT_EQ(c.tick(), State::kObserve);
-  EXPECT_EQ(c.tick(9), State::kObserve);
-  EXPECT_EQ(c.tick(), State::kSettle);
-  EXPECT_EQ(c.tick(20), State::kReset);
-  EXPECT_EQ(c.tick(29), State::kReset);
+  EXPECT_EQ(c.tick(), State::kDetectSpin);
+  EXPECT_EQ(c.tick(9), State::kDetectSpin);
+  EXPECT_EQ(c.tick(), State::kPreAlign);
+  EXPECT_EQ(c.tick(20), State::kAlign);
+  EXPECT_EQ(c.tick(29), State::kAlign);
   EXPECT_EQ(c.tick(), State::kAccelerate);
   EXPECT_EQ(c.tick(500), State::kAccelerate);  // until the ramp says so
   EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
@@ -74,12 +74,12 @@ TEST(ReferenceStartSequence, ARotorThatMovesHasFourTimesTheTicks) {
       int ticks = hopeful ? 4 * 4096 - 2 : 4095;
       if (blocked) {
         ASSERT_EQ(c.tick(1000, {.hopeful = hopeful}), State::kAccelerate);
-        ASSERT_EQ(c.event({.blocked = true}), State::kRest);
+        ASSERT_EQ(c.event({.blocked = true}), State::kRetryDelay);
         ASSERT_EQ(c.tick(50 + 10), State::kAccelerate);
         ticks -= 1000;
       }
       EXPECT_EQ(c.tick(ticks - 1, {.hopeful = hopeful}), State::kAccelerate);
-      EXPECT_EQ(c.tick(1, {.hopeful = hopeful}), State::kRest);
+      EXPECT_EQ(c.tick(1, {.hopeful = hopeful}), State::kRetryDelay);
       EXPECT_EQ(c.tick(50), State::kFault);
     }
   }
@@ -99,7 +99,7 @@ TEST(ReferenceStartSequence, ARotorThatWentOnMovingInTheLastThousandTicksIsHopef
     c.command.run = true;
     ASSERT_EQ(c.tick(1 + 10), State::kAccelerate);
     c.tick(4094 - span.from), c.tick(span.from - span.to + 1, {.hopeful = true}), c.tick(span.to - 1);
-    EXPECT_EQ(c.tick(), span.hopeful ? State::kAccelerate : State::kRest) << span.from << ' ' << span.to;
+    EXPECT_EQ(c.tick(), span.hopeful ? State::kAccelerate : State::kRetryDelay) << span.from << ' ' << span.to;
   }
 }
 
@@ -122,12 +122,12 @@ TEST(ReferenceStartSequence, RetriesWithTwiceTheResetAsOftenAsAllowedThenLatches
   for (int attempt = 0; attempt < 3; ++attempt) {
     const int longer = 1 << attempt;  // a rotor that still swings needs more time
     c.tick(10);
-    EXPECT_EQ(c.tick(20 * longer - 1), State::kSettle);
-    EXPECT_EQ(c.tick(), State::kReset);
-    EXPECT_EQ(c.tick(30 * longer - 1), State::kReset);
+    EXPECT_EQ(c.tick(20 * longer - 1), State::kPreAlign);
+    EXPECT_EQ(c.tick(), State::kAlign);
+    EXPECT_EQ(c.tick(30 * longer - 1), State::kAlign);
     EXPECT_EQ(c.tick(), State::kAccelerate);
     EXPECT_EQ(c.event({.ramp_done = true}), State::kPullIn);
-    EXPECT_EQ(c.tick(100), State::kRest);
+    EXPECT_EQ(c.tick(100), State::kRetryDelay);
     EXPECT_EQ(c.sequence.reason(), Reason::kNoLock);
     c.tick(50);
   }
@@ -165,7 +165,7 @@ TEST(ReferenceStartSequence, BrakesARotorThatTurnsTheOtherWayAndGivesUpInTheEnd)
   c.tick();
   for (int k = 0; k < 255; ++k) {
     ASSERT_EQ(c.event({.caught = -1}), State::kBrake);
-    ASSERT_EQ(c.tick(40), State::kObserve);
+    ASSERT_EQ(c.tick(40), State::kDetectSpin);
   }
   EXPECT_EQ(c.event({.caught = -1}), State::kFault);
   EXPECT_EQ(c.sequence.reason(), Reason::kCannotStop);
@@ -179,9 +179,9 @@ TEST(ReferenceStartSequence, ReversesBySlowingDownBrakingAndStartingAgain) {
   EXPECT_FALSE(c.sequence.reverse());
   EXPECT_EQ(c.tick(50), State::kSlowDown);
   EXPECT_EQ(c.event({.frequency = 120}), State::kBrake);
-  EXPECT_EQ(c.tick(40), State::kObserve);
+  EXPECT_EQ(c.tick(40), State::kDetectSpin);
   EXPECT_TRUE(c.sequence.reverse());
-  EXPECT_EQ(c.tick(10), State::kSettle);
+  EXPECT_EQ(c.tick(10), State::kPreAlign);
 }
 
 TEST(ReferenceStartSequence, AChangedMindDuringSlowDownGoesOn) {
@@ -200,9 +200,9 @@ TEST(ReferenceStartSequence, StopsByBrakingUntilNothingTurns) {
   c.command.run = false;
   EXPECT_EQ(c.tick(), State::kSlowDown);
   EXPECT_EQ(c.tick(200), State::kBrake);  // the time limit
-  EXPECT_EQ(c.tick(40), State::kObserve);
+  EXPECT_EQ(c.tick(40), State::kDetectSpin);
   EXPECT_EQ(c.event({.caught = 1}), State::kBrake);  // still turns
-  EXPECT_EQ(c.tick(40), State::kObserve);
+  EXPECT_EQ(c.tick(40), State::kDetectSpin);
   EXPECT_EQ(c.tick(10), State::kIdle);
 }
 
@@ -216,9 +216,9 @@ TEST(ReferenceStartSequence, CoastsAtOnceWithoutBrakeToStop) {
 TEST(ReferenceStartSequence, ALostLockRestsAndKeepsItsReason) {
   Case c;
   c.run_up();
-  EXPECT_EQ(c.event({.lost = Reason::kStepOut}), State::kRest);
+  EXPECT_EQ(c.event({.lost = Reason::kStepOut}), State::kRetryDelay);
   EXPECT_EQ(c.sequence.reason(), Reason::kStepOut);
-  EXPECT_EQ(c.tick(50), State::kObserve);
+  EXPECT_EQ(c.tick(50), State::kDetectSpin);
   EXPECT_EQ(c.sequence.retries(), 1);
 }
 

@@ -1,5 +1,5 @@
 // Requests without a bus; the map itself is tested through each bus (six_step_axi_test and its like).
-#include "hls/bus/six_step_registered.hpp"
+#include "hls/bus/six_step_csr.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ BusRequest writing(int address, std::uint32_t data) {
   return {.write = true, .index = WordIndex::of(address / 4), .data = data, .strobes = 15};
 }
 
-TEST(SixStepRegistered, AnAnswerComesInTheNextClockAndStaysUntilTheNextRequestOfItsKind) {
-  SixStepRegistered dut;
+TEST(SixStepCsr, AnAnswerComesInTheNextClockAndStaysUntilTheNextRequestOfItsKind) {
+  SixStepCsr dut;
   dut.tick({.pins = {}, .request = reading(0)});
   for (int clock = 0; clock < 5; ++clock) {
     const auto out = dut.tick({.pins = {}, .request = writing(0, 1)});
@@ -29,19 +29,19 @@ TEST(SixStepRegistered, AnAnswerComesInTheNextClockAndStaysUntilTheNextRequestOf
   EXPECT_TRUE(out.write_error) << "of the write before";
 }
 
-TEST(SixStepRegistered, WhatWasWrittenIsReadBackInTheClockAfter) {
-  SixStepRegistered dut;
+TEST(SixStepCsr, WhatWasWrittenIsReadBackInTheClockAfter) {
+  SixStepCsr dut;
   dut.tick({.pins = {}, .request = writing(kPwm, 0x01000190)});
   dut.tick({.pins = {}, .request = reading(kPwm)});
   EXPECT_EQ(dut.tick({}).data, UInt<32>(0x01000190));
 }
 
-TEST(SixStepRegistered, CapabilityTellsWhatIsLeftOut) {
+TEST(SixStepCsr, CapabilityTellsWhatIsLeftOut) {
   constexpr int capability = address_of(index_of("CAPABILITY"));
   constexpr std::uint32_t parts[] = {mask_of(field("CAPABILITY", "hall")), mask_of(field("CAPABILITY", "ramp")),
                                      mask_of(field("CAPABILITY", "follower")), mask_of(field("CAPABILITY", "counters"))};
   for (unsigned there = 0; there < 16; ++there) {
-    SixStepRegistered dut;
+    SixStepCsr dut;
     const auto has = [&](int part) { return (there >> part & 1) != 0; };
     const Parts with{.hall_decoder = has(0), .ramp = has(1), .follower = has(2), .telemetry = has(3)};
     const auto read = [&](int address) {
@@ -68,11 +68,11 @@ struct Value {
 template <class... Values>
 Life life_with(Values... bad) {
   constexpr int lock = address_of(index_of("LOCK"));
-  SixStepRegistered dut;
+  SixStepCsr dut;
   const auto write = [&](Value v) { dut.tick({.pins = {}, .request = writing(v.address, v.data)}); };
   write({lock, kLockKey});
   write({kPwm, 1u << 24 | 200});
-  write({address_of(index_of("START_RESET")), 4095u << 16});
+  write({address_of(index_of("START_ALIGN")), 4095u << 16});
   write({address_of(index_of("START_DUTY")), 0x4000});
   write({address_of(index_of("SPEED_TARGET")), 0x1000});
   write({address_of(index_of("SPEED_DUTY")), 0x8000u << 16});
@@ -100,7 +100,7 @@ Life life_with(Values... bad) {
 }
 
 // As docs/programmers_guide.md has it, "Values that make no sense".
-TEST(SixStepRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
+TEST(SixStepCsr, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
   constexpr int limits = address_of(index_of("PWM_LIMITS"));
   constexpr int duty = address_of(index_of("START_DUTY"));
   const std::uint32_t complementary = 1u << 17;
@@ -126,7 +126,7 @@ TEST(SixStepRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
   const Life large_minimum = life_with(Value{limits, 0xffff});
   EXPECT_EQ(large_minimum.high, 0) << "every pulse is shorter";
 
-  const Life nothing = life_with(Value{address_of(index_of("START_RESET")), 0}, Value{duty, 0});
+  const Life nothing = life_with(Value{address_of(index_of("START_ALIGN")), 0}, Value{duty, 0});
   for (const Life& life : {good, no_period, no_dead_time, long_dead_time, large_duty, full_duty,
                            large_minimum, nothing}) {
     EXPECT_EQ(life.both, 0);
@@ -135,13 +135,13 @@ TEST(SixStepRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
 }
 
 // Without the registers a period of 0 holds a low side on: what the test above would see.
-TEST(SixStepRegistered, TheDriveItselfTakesAPeriodOfZeroForNoPulse) {
+TEST(SixStepCsr, TheDriveItselfTakesAPeriodOfZeroForNoPulse) {
   SixStepTop drive;
   SixStepTop::In in;
   in.command = {.configured = true, .run = true};
   in.words.speed.target = 0x1000;
-  in.words.start.reset = 4095;
-  in.words.start.reset_duty = 0x4000;
+  in.words.start.align = 4095;
+  in.words.start.align_duty = 0x4000;
   int on = 0;
   for (int clock = 0; clock < 50'000; ++clock) {
     const Gates g = drive.tick(in).gates;
@@ -150,9 +150,9 @@ TEST(SixStepRegistered, TheDriveItselfTakesAPeriodOfZeroForNoPulse) {
   EXPECT_GT(on, 40'000);
 }
 
-TEST(SixStepRegistered, APeriodOfZeroIsToldAndMended) {
+TEST(SixStepCsr, APeriodOfZeroIsToldAndMended) {
   constexpr std::uint32_t bit = 1u << field("STATUS", "no_period").lsb;
-  SixStepRegistered dut;
+  SixStepCsr dut;
   const auto status = [&] {
     dut.tick({});
     dut.tick({.pins = {}, .request = reading(kStatus)});

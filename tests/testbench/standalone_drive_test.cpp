@@ -1,12 +1,12 @@
-// A motor that only pins run: the RTL of six_step_bare, its words tied as `steplock design --verilog` ties
+// A motor that only pins run: the RTL of six_step_standalone, its words tied as `steplock design --verilog` ties
 // them, with the plant's pins and gates on every clock.
 #include <gtest/gtest.h>
 
-#include "Vsix_step_bare.h"
-#include "hls/six_step/six_step_bare.hpp"
+#include "Vsix_step_standalone.h"
+#include "hls/six_step/six_step_standalone.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
-#include "ports/six_step_bare_ports.hpp"
+#include "ports/six_step_standalone_ports.hpp"
 #include "testbench/engine/fixed.hpp"
 #include "testbench/engine/words.hpp"
 #include "testbench/run/check.hpp"
@@ -53,7 +53,7 @@ class Bench {
   int turns() const { return turns_; }
   int pole_pairs() const { return settings_.motor.pole_pairs; }
   std::uint64_t shoot_throughs() const { return plant_.shoot_throughs(); }
-  SixStepBare::In in;
+  SixStepStandalone::In in;
   bool fault_pin = false;
 
  private:
@@ -63,7 +63,7 @@ class Bench {
     if (now >= plant_.next_event()) plant_.advance_to(now);
     put_pins(in.pins, plant_.pins());
     in.pins.fault = fault_pin;
-    ports::six_step_bare::drive_ports(rtl, in);
+    ports::six_step_standalone::drive_ports(rtl, in);
     rtl.clk = 0;
     rtl.eval();
     const plant::Gates gates{.uh = rtl.gates_uh_o != 0, .ul = rtl.gates_ul_o != 0,
@@ -85,13 +85,13 @@ class Bench {
   double clock_hz_;
   plant::Plant plant_;
   plant::Gates gates_;
-  Vsix_step_bare rtl_;
+  Vsix_step_standalone rtl_;
   std::uint64_t clock_ = 0;
   bool turn_ = false;
   int turns_ = 0;
 };
 
-TEST(BareDrive, StartsSlowsDownStopsAndForgivesByItsPins) {
+TEST(StandaloneDrive, StartsSlowsDownStopsAndForgivesByItsPins) {
   Bench bench;
   bench.wait(0.02);
   EXPECT_TRUE(bench.gates_off());

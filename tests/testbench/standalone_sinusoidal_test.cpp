@@ -1,17 +1,17 @@
-// A motor that only pins run, its currents seen over SPI: the block sinusoidal_bare in closed loop, its words
+// A motor that only pins run, its currents seen over SPI: the block sinusoidal_standalone in closed loop, its words
 // those of `steplock design --verilog`; and its RTL beside it in every clock.
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "Vsinusoidal_bare.h"
-#include "hls/sinusoidal/sinusoidal_bare.hpp"
+#include "Vsinusoidal_standalone.h"
+#include "hls/sinusoidal/sinusoidal_standalone.hpp"
 #include "model/plant/adc.hpp"
-#include "ports/sinusoidal_bare_ports.hpp"
+#include "ports/sinusoidal_standalone_ports.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/units.hpp"
 #include "testbench/sinusoidal/words.hpp"
-#include "tests/hls/spi_converter.hpp"
+#include "tests/hls/spi_adc_model.hpp"
 
 namespace steplock {
 namespace {
@@ -20,19 +20,19 @@ namespace {
 class Beside {
  public:
   ~Beside() { rtl_.final(); }
-  void tick(bool reset, const SinusoidalBare::In& in, const SinusoidalBare::Out& out) {
+  void tick(bool reset, const SinusoidalStandalone::In& in, const SinusoidalStandalone::Out& out) {
     rtl_.rst = reset;
-    ports::sinusoidal_bare::drive_ports(rtl_, in);
+    ports::sinusoidal_standalone::drive_ports(rtl_, in);
     rtl_.clk = 0;
     rtl_.eval();
-    if (!reset && differs == nullptr) differs = ports::sinusoidal_bare::differs(rtl_, out);
+    if (!reset && differs == nullptr) differs = ports::sinusoidal_standalone::differs(rtl_, out);
     rtl_.clk = 1;
     rtl_.eval();
   }
   const char* differs = nullptr;
 
  private:
-  Vsinusoidal_bare rtl_;
+  Vsinusoidal_standalone rtl_;
 };
 
 class Bench {
@@ -43,8 +43,8 @@ class Bench {
         plant_(plant_parameters(settings_), initial_state(settings_, 70)),
         adc_(adc_parameters(settings_)) {
     in.words = sinusoidal::words_of(settings_);
-    in.converter = converter_.words = sinusoidal::converter_words_of(settings_);
-    converter_.input = [this](int channel, long) { return held(channel); };
+    in.adc = model_.words = sinusoidal::adc_words_of(settings_);
+    model_.input = [this](int channel, long) { return held(channel); };
     if (with_rtl) rtl_ = std::make_unique<Beside>();
     reset();
   }
@@ -73,12 +73,12 @@ class Bench {
   int turns() const { return turns_; }
   int pole_pairs() const { return settings_.motor.pole_pairs; }
   std::uint64_t shoot_throughs() const { return plant_.shoot_throughs(); }
-  int violations() const { return converter_.violations; }
+  int violations() const { return model_.violations; }
   const char* differs() const { return rtl_->differs; }
 
-  SinusoidalBare::In in;
-  SinusoidalBare::Out out;
-  bool spoil = false;  // the RTL alone sees another bit from the converter
+  SinusoidalStandalone::In in;
+  SinusoidalStandalone::Out out;
+  bool spoil = false;  // the RTL alone sees another bit from the ADC
 
  private:
   int held(int channel) {
@@ -89,15 +89,15 @@ class Bench {
   }
 
   void tick() {
-    const SinusoidalBare::In now = in;
+    const SinusoidalStandalone::In now = in;
     out = dut_.tick(now);
     if (rtl_) {
-      SinusoidalBare::In beside = now;
+      SinusoidalStandalone::In beside = now;
       beside.pins.miso = now.pins.miso != spoil;
       rtl_->tick(resets_, beside, out);
     }
     if (resets_) dut_ = {};
-    in.pins.miso = converter_.clock({out.cs_n, out.sclk, out.mosi});
+    in.pins.miso = model_.clock({out.cs_n, out.sclk, out.mosi});
     const plant::Gates gates{.uh = out.gates.uh, .ul = out.gates.ul, .vh = out.gates.vh,
                              .vl = out.gates.vl, .wh = out.gates.wh, .wl = out.gates.wl};
     if (!(gates == gates_)) {
@@ -114,8 +114,8 @@ class Bench {
   plant::Plant plant_;
   plant::Adc adc_;
   plant::Gates gates_;
-  SinusoidalBare dut_;
-  SpiConverter converter_;
+  SinusoidalStandalone dut_;
+  SpiAdcModel model_;
   std::unique_ptr<Beside> rtl_;
   std::uint64_t clock_ = 0;
   std::int64_t samples_ = 0;
@@ -123,7 +123,7 @@ class Bench {
   int turns_ = 0;
 };
 
-TEST(BareSinusoidal, StartsSlowsDownStopsAndForgivesByItsPins) {
+TEST(StandaloneSinusoidal, StartsSlowsDownStopsAndForgivesByItsPins) {
   Bench bench;
   bench.wait(0.015);
   EXPECT_TRUE(bench.gates_off());
@@ -152,11 +152,11 @@ TEST(BareSinusoidal, StartsSlowsDownStopsAndForgivesByItsPins) {
   bench.wait(0.02);
   EXPECT_TRUE(bench.gates_off() && !bench.out.fault) << "re-armed";
   EXPECT_EQ(bench.shoot_throughs(), 0u);
-  EXPECT_EQ(bench.violations(), 0) << "of the converter's rules";
+  EXPECT_EQ(bench.violations(), 0) << "of the ADC's rules";
 }
 
 // From reset to the lock, backward, and over a reset in the middle of the run.
-TEST(BareSinusoidal, TheRtlIsItsSourceInEveryClockOfAStart) {
+TEST(StandaloneSinusoidal, TheRtlIsItsSourceInEveryClockOfAStart) {
   Bench bench(true);
   bench.in.controls = {.run = true, .reverse = true, .speed = 3};
   ASSERT_TRUE(bench.wait(0.5, [&] { return bench.out.locked; }));
@@ -173,7 +173,7 @@ TEST(BareSinusoidal, TheRtlIsItsSourceInEveryClockOfAStart) {
   EXPECT_EQ(bench.shoot_throughs(), 0u);
 }
 
-TEST(BareSinusoidal, OneWrongBitFromTheConverterIsNoticed) {
+TEST(StandaloneSinusoidal, OneWrongBitFromTheConverterIsNoticed) {
   Bench bench(true);
   bench.in.controls = {.run = true, .speed = 3};
   bench.wait(0.02, [&] { return !bench.gates_off(); });

@@ -1,5 +1,5 @@
 // Requests without a bus; the map itself is tested through each bus (sinusoidal_axi_test and its like).
-#include "hls/bus/sinusoidal_registered.hpp"
+#include "hls/bus/sinusoidal_csr.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ namespace {
 using Drive = Behind<Sinusoidal>;
 
 struct Bench {
-  SinusoidalRegistered dut;
-  SinusoidalRegistered::In in;
-  SinusoidalRegistered::Out out;
+  SinusoidalCsr dut;
+  SinusoidalCsr::In in;
+  SinusoidalCsr::Out out;
 
   void tick(const BusRequest& request = {}) {
     Drive::pins(in, out, false);
@@ -35,7 +35,7 @@ struct Bench {
   }
 };
 
-TEST(SinusoidalRegistered, AnAnswerComesInTheNextClockAndStaysUntilTheNextRequestOfItsKind) {
+TEST(SinusoidalCsr, AnAnswerComesInTheNextClockAndStaysUntilTheNextRequestOfItsKind) {
   Bench b;
   b.tick({.read = true, .index = 0});
   for (int clock = 0; clock < 5; ++clock) {
@@ -48,7 +48,7 @@ TEST(SinusoidalRegistered, AnAnswerComesInTheNextClockAndStaysUntilTheNextReques
   EXPECT_TRUE(b.out.read_error) << "a hole";
 }
 
-TEST(SinusoidalRegistered, SaysThatItIsASinusoidalDrive) {
+TEST(SinusoidalCsr, SaysThatItIsASinusoidalDrive) {
   Bench b;
   EXPECT_EQ(b.read(address_of(index_of<Sinusoidal>("CAPABILITY"))) & 0x1f, 2u) << "and has no Hall decoder";
 }
@@ -90,9 +90,9 @@ Life life_with(Values... bad) {
 }
 
 // As docs/programmers_guide.md has it, "Values that make no sense".
-TEST(SinusoidalRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
+TEST(SinusoidalCsr, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
   constexpr int limits = address_of(index_of<Sinusoidal>("PWM_LIMITS"));
-  constexpr int inverse = address_of(index_of<Sinusoidal>("PWM_INVERSE"));
+  constexpr int inverse = address_of(index_of<Sinusoidal>("PWM_RECIPROCAL"));
   constexpr int start = address_of(index_of<Sinusoidal>("START"));
   const Life good = life_with();
   EXPECT_GT(good.high, 5000);
@@ -123,7 +123,7 @@ TEST(SinusoidalRegistered, ValuesThatMakeNoSenseLeaveTheBridgeSafe) {
 }
 
 // Without the registers a period that no sample fits is one: what the test above would see.
-TEST(SinusoidalRegistered, TheDriveItselfTakesEveryPeriod) {
+TEST(SinusoidalCsr, TheDriveItselfTakesEveryPeriod) {
   SinusoidalTop drive;
   SinusoidalTop::In in;
   SinusoidalTop::Out out;
@@ -140,7 +140,7 @@ TEST(SinusoidalRegistered, TheDriveItselfTakesEveryPeriod) {
   EXPECT_GT(on, 20'000);
 }
 
-TEST(SinusoidalRegistered, APeriodOfZeroIsToldAndMended) {
+TEST(SinusoidalCsr, APeriodOfZeroIsToldAndMended) {
   constexpr std::uint32_t bit = 1u << field<Sinusoidal>("STATUS", "no_period").lsb;
   Bench b;
   EXPECT_TRUE(b.read(kStatus) & bit) << "after a reset";
@@ -150,8 +150,8 @@ TEST(SinusoidalRegistered, APeriodOfZeroIsToldAndMended) {
   EXPECT_TRUE(b.read(kStatus) & bit);
 }
 
-// Before its words are written any current is too large and any converter late; but that is no fault.
-TEST(SinusoidalRegistered, WithoutWordsNoFaultIsLatched) {
+// Before its words are written any current is too large and any ADC late; but that is no fault.
+TEST(SinusoidalCsr, WithoutWordsNoFaultIsLatched) {
   Bench b;
   for (int clock = 0; clock < 5000; ++clock) {
     b.tick();
@@ -175,11 +175,11 @@ class Beside {
  public:
   explicit Beside(int late) : late_(late) {
     SinusoidalWords w;
-    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true, .inverse = 9321};
+    w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true, .reciprocal = 9321};
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288};
     w.control = {.set_gamma = -300, .k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
-    w.sequence = {.arbitrary = true, .lock = 0, .give_up = 100'000, .brake = 10, .rest = 10};
+    w.sequence = {.arbitrary = true, .lock = 0, .give_up = 100'000, .brake = 10, .retry_delay = 10};
     w.fault = {.over_current = 30000};
     write(kLock, kLockKey);
     std::map<int, std::uint32_t> values;
@@ -224,13 +224,13 @@ class Beside {
     was_ = out.gates;
     if (since_ >= 0) ++since_;
   }
-  SinusoidalRegistered::Out out;
+  SinusoidalCsr::Out out;
   int samples = 0, differs = 0, moves = 0;
 
  private:
   int late_;
   std::mt19937_64 random_{1};
-  SinusoidalRegistered registered_;
+  SinusoidalCsr registered_;
   WordRegisters<Sinusoidal> words_;
   SinusoidalTop alone_;
   Command command_[2];
@@ -261,8 +261,8 @@ int differences(int late) {
   }
   return differs;
 }
-TEST(SinusoidalRegistered, TheSetPointIsTakenOverWithTheCodesOfASample) { EXPECT_EQ(differences(0), 0); }
-TEST(SinusoidalRegistered, ASetPointThatIsASampleLateIsNoticed) { EXPECT_GT(differences(1), 100); }
+TEST(SinusoidalCsr, TheSetPointIsTakenOverWithTheCodesOfASample) { EXPECT_EQ(differences(0), 0); }
+TEST(SinusoidalCsr, ASetPointThatIsASampleLateIsNoticed) { EXPECT_GT(differences(1), 100); }
 
 }  // namespace
 }  // namespace steplock

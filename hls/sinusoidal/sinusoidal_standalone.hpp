@@ -1,4 +1,4 @@
-// The sinusoidal drive without a host: its words stand still, pins run it, and a converter of the
+// The sinusoidal drive without a host: its words stand still, pins run it, and an ADC of the
 // AD7928's class gives it currents and dc voltage.
 //
 //     run      high starts, low stops: by braking if `brake_to_stop`, else all six gates off; a start
@@ -19,9 +19,9 @@
 //     `sample` to the end of it         `clocks_of_a_sample`: a period has to be as long
 //     fault pin to all six gates off    3 clocks, as without this block around it
 //     `run` low to the drive            2 clocks, all gates off another 2 when it coasts
-//     registers    21 bits beyond those of drive and converter     multipliers  none
+//     registers    21 bits beyond those of drive and ADC     multipliers  none
 //
-// Doc: docs/blocks/sinusoidal_bare.md   Test: tests/hls/sinusoidal_bare_test.cpp
+// Doc: docs/blocks/sinusoidal_standalone.md   Test: tests/hls/sinusoidal_standalone_test.cpp
 
 #pragma once
 
@@ -31,11 +31,11 @@
 
 namespace steplock {
 
-class SinusoidalBare {
+class SinusoidalStandalone {
  public:
   struct Pins {
     bool fault = false;  // active high
-    bool miso = false;   // from the converter's DOUT
+    bool miso = false;   // from the ADC's DOUT
   };
 
   struct Controls {
@@ -48,13 +48,13 @@ class SinusoidalBare {
     Pins pins;                   // asynchronous
     Controls controls;           // asynchronous too
     bool brake_to_stop = false;  // else coast; fixed at synthesis, as are the words
-    SpiAdcWords converter;
+    SpiAdcWords adc;
     SinusoidalWords words;
   };
 
   struct Out {
     Gates gates;
-    bool cs_n = true;     // to the converter
+    bool cs_n = true;     // to the ADC
     bool sclk = true;
     bool mosi = false;
     bool locked = false;  // running, the estimate is claimed to be right
@@ -68,13 +68,13 @@ class SinusoidalBare {
   }
 
   Out tick(const In& in) {
-    const auto converter = converter_.tick(
-        {.sample = sampled_, .miso = in.pins.miso, .words = in.converter});
+    const auto adc = adc_.tick(
+        {.sample = sampled_, .miso = in.pins.miso, .words = in.adc});
     const bool takes = sampled_ && bounce_ == Bounce(0);
     SinusoidalWords words = in.words;
     words.speed.target = target(in.words.speed);
     const auto drive = drive_.tick({.fault = in.pins.fault,
-                                    .codes = converter.codes,
+                                    .codes = adc.codes,
                                     .command = {.configured = true,
                                                 .run = taken_.run && second_.run,
                                                 .reverse = taken_.reverse,
@@ -88,9 +88,9 @@ class SinusoidalBare {
     second_ = first_;
     first_ = in.controls;
     return {.gates = drive.gates,
-            .cs_n = converter.cs_n,
-            .sclk = converter.sclk,
-            .mosi = converter.mosi,
+            .cs_n = adc.cs_n,
+            .sclk = adc.sclk,
+            .mosi = adc.mosi,
             .locked = drive.locked,
             .fault = drive.state == SinusoidalState::kFault,
             .turn = drive.estimating && drive.angle.bit(23)};
@@ -114,7 +114,7 @@ class SinusoidalBare {
     return part < least ? least : part;
   }
 
-  SpiAdc converter_;
+  SpiAdc adc_;
   SinusoidalTop drive_;
   Controls first_;   // two flip-flops for each pin; nothing but the second reads the first
   Controls second_;

@@ -12,4 +12,4 @@ rtl/sinusoidal_sequence.sv
 rtl/guarded_leg.sv
 rtl/gate_guard.sv
 rtl/sinusoidal_top.sv
-rtl/sinusoidal_bare.sv
+rtl/sinusoidal_standalone.sv

@@ -1,12 +1,12 @@
-// What the pins of a sinusoidal drive without a host do, and when its converter's codes act; that it turns
-// a motor is bare_sinusoidal_test's claim.
-#include "hls/sinusoidal/sinusoidal_bare.hpp"
+// What the pins of a sinusoidal drive without a host do, and when its ADC's codes act; that it turns
+// a motor is standalone_sinusoidal_test's claim.
+#include "hls/sinusoidal/sinusoidal_standalone.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "tests/hls/spi_converter.hpp"
+#include "tests/hls/spi_adc_model.hpp"
 
 namespace steplock {
 namespace {
@@ -18,30 +18,30 @@ const SpiAdcWords kFast{.half = 1, .quiet = 8, .u = 0, .v = 1, .dc = 2};
 // A pattern that lasts.
 SinusoidalWords lasting_words(int period = kPeriod) {
   SinusoidalWords w;
-  w.bridge = {.period = period, .minimum = 12, .dead_time = 12, .lost = 192, .compensate = true,
-              .inverse = (1 << 25) / (3 * period)};
+  w.bridge = {.period = period, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
+              .reciprocal = (1 << 25) / (3 * period)};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 22, .slew = 32767, .filter = 983, .k_p = 70, .k_i = 53, .limit = 12288,
              .lock = 500, .slow = 100, .stop = 1000, .emf_low = 3277, .emf_high = 20480};
   w.control = {.k_p = 109, .k_i = 83, .inductance = 89, .emf = 142, .limit = 18919};
   w.sequence = {.hold_voltage = 2000, .pattern = (1 << 20) - 1, .lock = 400,
-                .give_up = (1 << 20) - 1, .brake = 10, .rest = 10, .retries = 1};
+                .give_up = (1 << 20) - 1, .brake = 10, .retry_delay = 10, .retries = 1};
   w.fault = {.over_current = 30000, .lost_samples = 3};
   return w;
 }
 
 class Bench {
  public:
-  SinusoidalBare::In in{.pins = {}, .controls = {}, .converter = kFast, .words = lasting_words()};
-  SinusoidalBare::Out out;
-  SpiConverter adc;
+  SinusoidalStandalone::In in{.pins = {}, .controls = {}, .adc = kFast, .words = lasting_words()};
+  SinusoidalStandalone::Out out;
+  SpiAdcModel adc;
   int u = 0;  // code of phase u's current
   long clock = 0;
-  bool broken = false;  // the converter's line
+  bool broken = false;  // the ADC's line
 
   Bench() {
     adc.input = [this](int channel, long) { return channel == 2 ? 2700 : 2048 + (channel == 0 ? u : 0); };
-    adc.words = in.converter;
+    adc.words = in.adc;
   }
   Bench(const Bench&) = delete;
 
@@ -74,10 +74,10 @@ class Bench {
   }
 
  private:
-  SinusoidalBare dut_;
+  SinusoidalStandalone dut_;
 };
 
-TEST(SinusoidalBare, RunStartsAtTheNextLookAtThePins) {
+TEST(SinusoidalStandalone, RunStartsAtTheNextLookAtThePins) {
   Bench bench;
   bench.wait(1000);
   bench.in.controls.run = true;
@@ -86,13 +86,13 @@ TEST(SinusoidalBare, RunStartsAtTheNextLookAtThePins) {
   EXPECT_LT(clocks, kLook + 20 * kPeriod) << "16 samples of the offsets, and a few";
 }
 
-TEST(SinusoidalBare, NothingStartsWithoutRun) {
+TEST(SinusoidalStandalone, NothingStartsWithoutRun) {
   Bench bench;
   bench.in.controls = {.reverse = true, .speed = 3};
   EXPECT_EQ(bench.until_gate(3 * kLook), 3 * kLook);
 }
 
-TEST(SinusoidalBare, AClosingSwitchThatBouncesStartsOnce) {
+TEST(SinusoidalStandalone, AClosingSwitchThatBouncesStartsOnce) {
   Bench bench;
   // Open between the bounces: whenever it is, the drive is idle.
   for (int i = 0; i < 200; ++i) {
@@ -104,7 +104,7 @@ TEST(SinusoidalBare, AClosingSwitchThatBouncesStartsOnce) {
 }
 
 // Two clocks of the synchroniser, one register, one clock of the gate guard.
-TEST(SinusoidalBare, TheEndOfRunCountsAtOnce) {
+TEST(SinusoidalStandalone, TheEndOfRunCountsAtOnce) {
   for (int start = 0; start < 8; ++start) {
     Bench bench;
     bench.run();
@@ -118,7 +118,7 @@ TEST(SinusoidalBare, TheEndOfRunCountsAtOnce) {
   }
 }
 
-TEST(SinusoidalBare, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
+TEST(SinusoidalStandalone, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
   Bench bench;
   bench.run();
   bench.in.pins.fault = true;
@@ -131,7 +131,7 @@ TEST(SinusoidalBare, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
   EXPECT_TRUE(bench.out.fault);
 }
 
-TEST(SinusoidalBare, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
+TEST(SinusoidalStandalone, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
   Bench bench;
   bench.run();
   bench.in.pins.fault = true;
@@ -145,7 +145,7 @@ TEST(SinusoidalBare, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
   bench.run();
 }
 
-TEST(SinusoidalBare, AConverterThatFallsSilentIsAFaultWithinItsSamples) {
+TEST(SinusoidalStandalone, AConverterThatFallsSilentIsAFaultWithinItsSamples) {
   Bench bench;
   bench.run();
   bench.broken = true;
@@ -156,7 +156,7 @@ TEST(SinusoidalBare, AConverterThatFallsSilentIsAFaultWithinItsSamples) {
 
 // Pulses are centred, so that a period begins in the middle between two of them, where all low sides
 // conduct.  The requests show in the gates that end: the others wait for the dead time.
-TEST(SinusoidalBare, UIsHeldWhereThePeriodBeginsAndTheOthersFramesLater) {
+TEST(SinusoidalStandalone, UIsHeldWhereThePeriodBeginsAndTheOthersFramesLater) {
   Bench bench;
   bench.run();
   bench.wait(4 * kPeriod);
@@ -176,17 +176,17 @@ TEST(SinusoidalBare, UIsHeldWhereThePeriodBeginsAndTheOthersFramesLater) {
   EXPECT_EQ(bench.adc.violations, 0);
 }
 
-// The drive and the converter's front end by themselves, as a host would have them.
+// The drive and the ADC's front end by themselves, as a host would have them.
 struct Wires {
   SpiAdc front;
   SinusoidalTop drive;
   SpiAdc::In spi;
   SinusoidalTop::In in;
   SinusoidalTop::Out out;
-  SpiConverter adc;
+  SpiAdcModel adc;
 
-  Wires(const SpiAdcWords& converter, const SinusoidalWords& words) {
-    spi.words = adc.words = converter;
+  Wires(const SpiAdcWords& adc_words, const SinusoidalWords& words) {
+    spi.words = adc.words = adc_words;
     in.words = words;
     in.command.configured = true;
     adc.input = [](int channel, long) { return channel == 2 ? 2700 : 2048; };
@@ -209,7 +209,7 @@ struct Wires {
   }
 };
 
-TEST(SinusoidalBare, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) {
+TEST(SinusoidalStandalone, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) {
   for (const int half : {1, 2, 5}) {
     for (const int quiet : {4, 8, 30}) {
       Wires wires({.half = half, .quiet = quiet, .u = 0, .v = 1, .dc = 2}, lasting_words(1400));
@@ -219,19 +219,19 @@ TEST(SinusoidalBare, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) {
       const int on = wires.until([&] { return wires.out.on_u != 0; });
       EXPECT_EQ(on, 234);
       const int done = wires.until([&] { return wires.out.done; });
-      EXPECT_EQ(codes + on + done, SinusoidalBare::clocks_of_a_sample(half, quiet));
+      EXPECT_EQ(codes + on + done, SinusoidalStandalone::clocks_of_a_sample(half, quiet));
     }
   }
-  // At 24 MHz, as docs/blocks/sinusoidal_bare.md has it.
-  EXPECT_EQ(SinusoidalBare::clocks_of_a_sample(1, 8), 598);
+  // At 24 MHz, as docs/blocks/sinusoidal_standalone.md has it.
+  EXPECT_EQ(SinusoidalStandalone::clocks_of_a_sample(1, 8), 598);
 }
 
 // The 12 clocks that a leg loses by dead time are made up for by the sign of its current: what a current is in
 // one period shows in the width of a pulse in one of the next.
-int periods_until_it_acts(const SpiAdcWords& converter, int period) {
+int periods_until_it_acts(const SpiAdcWords& adc_words, int period) {
   Bench bench;
   bench.in.words = lasting_words(period);
-  bench.in.converter = bench.adc.words = converter;
+  bench.in.adc = bench.adc.words = adc_words;
   bench.in.controls.run = true;
   bench.until_gate(300 * period);
   std::vector<int> widths;  // clocks of the high side, by the period in whose begin u is held
@@ -250,7 +250,7 @@ int periods_until_it_acts(const SpiAdcWords& converter, int period) {
   return -1;
 }
 
-TEST(SinusoidalBare, CodesActInTheNextPeriodAndLateOnesInTheOneAfter) {
+TEST(SinusoidalStandalone, CodesActInTheNextPeriodAndLateOnesInTheOneAfter) {
   EXPECT_EQ(periods_until_it_acts(kFast, kPeriod), 1);
   // 98 half: 1001 clocks of 1100 to the codes, and more than 99 to on-times.
   EXPECT_EQ(periods_until_it_acts({.half = 10, .quiet = 8, .u = 0, .v = 1, .dc = 2}, 1100), 2);
@@ -281,7 +281,7 @@ int differing(int speed, int whole, int target, bool reverse = false, int then =
   return differ;
 }
 
-TEST(SinusoidalBare, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
+TEST(SinusoidalStandalone, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
   const int whole = (1 << 22) + 3;
   EXPECT_EQ(differing(0, whole, whole / 4), 0);
   EXPECT_EQ(differing(1, whole, whole / 2), 0);
@@ -291,13 +291,13 @@ TEST(SinusoidalBare, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
 }
 
 // A sample reads the target more than once.
-TEST(SinusoidalBare, ANewSpeedIsTakenWhereAPeriodBegins) {
+TEST(SinusoidalStandalone, ANewSpeedIsTakenWhereAPeriodBegins) {
   const int whole = 1 << 22;
   EXPECT_EQ(differing(3, whole, whole, false, 1), 0);
   EXPECT_GT(differing(3, whole, whole, false, 1, kPeriod), 0) << "the control";
 }
 
-TEST(SinusoidalBare, AsksForALittleMoreThanTheLockSpeedAtLeast) {
+TEST(SinusoidalStandalone, AsksForALittleMoreThanTheLockSpeedAtLeast) {
   const int lock = 500 << 10;
   EXPECT_EQ(differing(0, 2 * lock, lock + lock / 16 + lock / 32), 0);
 }

@@ -1,4 +1,4 @@
-// A converter that answers bit by bit as the AD7928's data sheet says, and counts what its master does wrong.
+// An ADC that answers bit by bit as the AD7928's data sheet says, and counts what its master does wrong.
 #pragma once
 
 #include <deque>
@@ -13,7 +13,7 @@ namespace steplock {
 
 // 12 bits, 8 channels: holds its input when cs_n falls, drives DOUT after falling edges of SCLK, reads DIN
 // at them, and converts next time the channel that a frame has written.
-class SpiConverter {
+class SpiAdcModel {
  public:
   struct Pins {
     bool cs_n = true, sclk = true, mosi = false;

@@ -13,7 +13,7 @@
 //     fault pin to all six gates off    3 clocks, as without the registers
 //     registers    11 bits beyond those of the blocks     multipliers  none
 //
-// Doc: docs/blocks/sinusoidal_registered.md   Test: tests/hls/sinusoidal_registered_test.cpp
+// Doc: docs/blocks/sinusoidal_csr.md   Test: tests/hls/sinusoidal_csr_test.cpp
 
 #pragma once
 
@@ -24,11 +24,11 @@
 
 namespace steplock {
 
-class SinusoidalRegistered {
+class SinusoidalCsr {
  public:
   struct In {
     bool fault = false;         // asynchronous pin, active high
-    CurrentSense::Codes codes;  // from the converters, once for each `sample`
+    CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
     BusRequest request;
   };
 
@@ -70,7 +70,7 @@ class SinusoidalRegistered {
                                                       .on_u = drive.on_u,
                                                       .on_v = drive.on_v,
                                                       .on_w = drive.on_w,
-                                                      .retries = drive.tries}});
+                                                      .retries = drive.retries}});
 
     // Both have to rest: what was told to run may have left idle since.
     stopped_ = registers.stopped && !command_.run && !registers.command.run;

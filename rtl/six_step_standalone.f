@@ -1,6 +1,3 @@
-rtl/word_mirror.sv
-rtl/word_registers.sv
-rtl/pwm_generator.sv
 rtl/synchroniser.sv
 rtl/hall_decoder.sv
 rtl/rotor_follower.sv
@@ -15,6 +12,7 @@ rtl/loop_filter.sv
 rtl/vco_counter.sv
 rtl/serial_multiplier_27_16.sv
 rtl/speed_control.sv
+rtl/pwm_generator.sv
 rtl/current_limit.sv
 rtl/commutation.sv
 rtl/guarded_leg.sv
@@ -22,6 +20,4 @@ rtl/gate_guard.sv
 rtl/protection.sv
 rtl/telemetry.sv
 rtl/six_step_top.sv
-rtl/telemetry_copy.sv
-rtl/drive_registers.sv
-rtl/six_step_registered.sv
+rtl/six_step_standalone.sv

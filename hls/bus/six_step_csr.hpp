@@ -3,13 +3,13 @@
 //     request -> WordRegisters -> words -> SixStepTop -> gates
 //            \-> DriveRegisters <- status <-/
 //
-// The map is docs/registers.md.  A second PwmGenerator with the drive's own period runs in step
+// The map is docs/six_step_registers.md.  A second PwmGenerator with the drive's own period runs in step
 // with that of the drive and tells its boundaries, so that the drive needs no further port.
 //
 //     request to its answer             1 clock, kept until the next request of its kind
 //     fault pin to all six gates off    3 clocks, as without the registers
 //
-// Doc: docs/blocks/six_step_registered.md   Test: tests/hls/six_step_registered_test.cpp
+// Doc: docs/blocks/six_step_csr.md   Test: tests/hls/six_step_csr_test.cpp
 
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace steplock {
 
-class SixStepRegistered {
+class SixStepCsr {
  public:
   struct In {
     Parts with;

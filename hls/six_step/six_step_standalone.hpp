@@ -12,7 +12,7 @@
 //     `run` low to the drive            3 clocks, all gates off another 2 when it coasts
 //     registers    30 bits beyond the drive's     multipliers  none
 //
-// Doc: docs/blocks/six_step_bare.md   Test: tests/hls/six_step_bare_test.cpp
+// Doc: docs/blocks/six_step_standalone.md   Test: tests/hls/six_step_standalone_test.cpp
 
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace steplock {
 
-class SixStepBare {
+class SixStepStandalone {
  public:
   struct Controls {
     bool run = false;

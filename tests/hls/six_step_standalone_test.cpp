@@ -1,5 +1,5 @@
-// What the pins of a drive without a host do; that it turns a motor is bare_drive_test's claim.
-#include "hls/six_step/six_step_bare.hpp"
+// What the pins of a drive without a host do; that it turns a motor is standalone_drive_test's claim.
+#include "hls/six_step/six_step_standalone.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +12,15 @@ constexpr int kBounce = 1 << 17;  // clocks between two looks at the pins
 Words lasting_words() {
   Words w;
   w.pwm = {.period = 200, .minimum = 4, .dead_time = 14, .tick_periods = 100};
-  w.start = {.settle = 4095, .reset_duty = 0x4000, .hand_over = 1 << 20};
+  w.start = {.pre_align = 4095, .align_duty = 0x4000, .hand_over = 1 << 20};
   w.speed = {.target = 1 << 23, .maximum = 0x8000, .duty_slew = 0xfff};
   return w;
 }
 
 struct Bench {
-  SixStepBare dut;
-  SixStepBare::In in{.pins = {}, .controls = {}, .words = lasting_words()};
-  SixStepBare::Out out;
+  SixStepStandalone dut;
+  SixStepStandalone::In in{.pins = {}, .controls = {}, .words = lasting_words()};
+  SixStepStandalone::Out out;
 
   bool any_gate() const {
     const Gates& g = out.gates;
@@ -39,7 +39,7 @@ struct Bench {
   }
 };
 
-TEST(SixStepBare, RunStartsAtTheNextLookAtThePins) {
+TEST(SixStepStandalone, RunStartsAtTheNextLookAtThePins) {
   Bench bench;
   bench.wait(10);
   bench.in.controls.run = true;
@@ -48,13 +48,13 @@ TEST(SixStepBare, RunStartsAtTheNextLookAtThePins) {
   EXPECT_LT(clocks, kBounce + 1000);  // and a few PWM periods
 }
 
-TEST(SixStepBare, NothingStartsWithoutRun) {
+TEST(SixStepStandalone, NothingStartsWithoutRun) {
   Bench bench;
   bench.in.controls = {.reverse = true, .speed = 3};
   EXPECT_EQ(bench.until_gate(3 * kBounce), 3 * kBounce);
 }
 
-TEST(SixStepBare, AClosingSwitchThatBouncesStartsOnce) {
+TEST(SixStepStandalone, AClosingSwitchThatBouncesStartsOnce) {
   Bench bench;
   // Open between the bounces: whenever it is, the gates are off.
   for (int i = 0; i < 200; ++i) {
@@ -66,7 +66,7 @@ TEST(SixStepBare, AClosingSwitchThatBouncesStartsOnce) {
 }
 
 // Two clocks of the synchroniser, one register, one clock of the gate guard.
-TEST(SixStepBare, TheEndOfRunCountsAtOnce) {
+TEST(SixStepStandalone, TheEndOfRunCountsAtOnce) {
   Bench bench;
   bench.in.controls.run = true;
   ASSERT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
@@ -83,7 +83,7 @@ TEST(SixStepBare, TheEndOfRunCountsAtOnce) {
   }
 }
 
-TEST(SixStepBare, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
+TEST(SixStepStandalone, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
   Bench bench;
   bench.in.controls.run = true;
   ASSERT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
@@ -97,7 +97,7 @@ TEST(SixStepBare, AFaultStopsInThreeClocksAndStaysWhileRunIsHeld) {
   EXPECT_TRUE(bench.out.fault);
 }
 
-TEST(SixStepBare, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
+TEST(SixStepStandalone, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
   Bench bench;
   bench.in.controls.run = true;
   ASSERT_LT(bench.until_gate(2 * kBounce), 2 * kBounce);
@@ -119,9 +119,9 @@ struct Turned {
   Turned() {
     words.source = Source::kHall;
     words.loop = {.divide = 0, .ki = 655, .kp = 6554, .minimum = 1 << 16, .maximum = 1 << 25};
-    words.start = {.settle = 2, .reset = 3, .reset_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xfffff,
+    words.start = {.pre_align = 2, .align = 3, .align_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xfffff,
                    .hand_over = 1 << 20, .window = 0x7fff, .good_crossings = 2, .pull_in = 4000,
-                   .observe = 200, .retries = 15};
+                   .detect_spin = 200, .retries = 15};
     words.speed = {.target = 0, .slew = 0xfffff, .shift = 9, .kp = 4096, .ki = 100, .bemf = 0x2000,
                    .minimum = 0x100, .maximum = 0x8000, .duty_slew = 0xfff};
   }
@@ -136,9 +136,9 @@ struct Turned {
 
 // Clocks in which the bare drive at `speed` and one whose host asks for `target` show the same gates.
 bool same_gates(int speed, Frequency whole, std::int64_t target) {
-  SixStepBare bare;
+  SixStepStandalone bare;
   SixStepTop drive;
-  SixStepBare::In in{.pins = {}, .controls = {.run = true, .speed = speed}, .words = Turned().words};
+  SixStepStandalone::In in{.pins = {}, .controls = {.run = true, .speed = speed}, .words = Turned().words};
   in.words.speed.target = whole;
   SixStepTop::In host{.pins = {}, .command = {.configured = true}, .words = in.words};
   host.words.speed.target = Frequency::of(target);
@@ -157,7 +157,7 @@ bool same_gates(int speed, Frequency whole, std::int64_t target) {
   return same;
 }
 
-TEST(SixStepBare, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
+TEST(SixStepStandalone, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
   const std::int64_t whole = (1 << 22) + 3;
   EXPECT_TRUE(same_gates(0, Frequency::of(whole), whole / 4));
   EXPECT_TRUE(same_gates(1, Frequency::of(whole), whole / 2));
@@ -166,7 +166,7 @@ TEST(SixStepBare, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
   EXPECT_FALSE(same_gates(3, Frequency::of(whole), whole / 2)) << "the control";
 }
 
-TEST(SixStepBare, AsksForTheHandOverFrequencyAtLeast) {
+TEST(SixStepStandalone, AsksForTheHandOverFrequencyAtLeast) {
   const std::int64_t hand_over = Turned().words.start.hand_over.raw();
   EXPECT_TRUE(same_gates(0, Frequency::of(2 * hand_over), hand_over));
 }

@@ -1,0 +1,5 @@
+#include "hls/bus/sinusoidal_csr.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::SinusoidalCsr>;

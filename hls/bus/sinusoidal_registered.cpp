@@ -1,5 +1,0 @@
-#include "hls/bus/sinusoidal_registered.hpp"
-
-#include "hls/numeric/block.hpp"
-
-template struct steplock::Synthesize<steplock::SinusoidalRegistered>;

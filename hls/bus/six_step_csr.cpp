@@ -1,0 +1,5 @@
+#include "hls/bus/six_step_csr.hpp"
+
+#include "hls/numeric/block.hpp"
+
+template struct steplock::Synthesize<steplock::SixStepCsr>;

@@ -1,5 +1,0 @@
-#include "hls/sinusoidal/sinusoidal_bare.hpp"
-
-#include "hls/numeric/block.hpp"
-
-template struct steplock::Synthesize<steplock::SinusoidalBare>;
