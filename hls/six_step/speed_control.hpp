@@ -46,7 +46,7 @@ class SpeedControl {
     Frequency frequency = 0;             // u0.32, VCO turns per clock
     Frequency target = 0;                // u0.32, VCO turns per clock
     bool limited = false;                // strobe: the current limit cut the pulse
-    bool masked_lead = false;                // freewheeling just hid the crossing of a rotor that leads
+    bool masked_lead = false;            // freewheeling just hid the crossing of a rotor that leads
     bool freewheels = false;             // freewheeling took 15/32 of the last step, or more
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take

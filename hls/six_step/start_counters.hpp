@@ -154,16 +154,16 @@ class StartCounters {
   Length ticks_ = 0;            // left in this state
   bool late_ = false;           // there was a tick in the state's first clock
   UInt<14> follows_ = kFollows; // ticks left to follow a rotor, in all attempts
-  bool time_up_ = false;           // no ticks are left, or none without a rotor that moves
+  bool time_up_ = false;        // no ticks are left, or none without a rotor that moves
   bool lasts_ = false;          // the rotor that is followed moved in this part of 128 ticks so far
   bool hopes_ = false;          // it did so throughout one of the last eight before a verdict
   UInt<4> retries_ = 0;         // failed attempts
-  bool retries_exhausted_ = false;          // no more are left
+  bool retries_exhausted_ = false;  // no more are left
   UInt<8> brakes_ = 0;          // braking intervals of this stop
-  bool brakes_exhausted_ = false;         // no more are left
+  bool brakes_exhausted_ = false;   // no more are left
   UInt<6> good_ = 0;            // good crossings in a row
   bool steady_ = false;         // one more is enough
-  bool count_reached_ = false;         // that one came in the last clock
+  bool count_reached_ = false;  // that one came in the last clock
   bool turns_reverse_ = false;  // direction at the last update
 };
 

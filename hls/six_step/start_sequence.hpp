@@ -1,6 +1,6 @@
 // Start sequence: from standstill, or from a rotor that already turns, to a lock; and back.
 //
-//     kIdle        gates off, until `run` active up with valid words and a set speed that is not 0; words that become
+//     kIdle        gates off, until `run` goes up with valid words and a set speed that is not 0; words that become
 //                  valid under a `run` that is up start nothing
 //     kDetectSpin  gates off; the PLL catches the comparators' codes.  Turns the wanted way: kRun
 //                  at the speed and angle found, if that is no stall.  The other way: kBrake.  Else, in time: kPreAlign
@@ -43,7 +43,7 @@ namespace steplock {
 class StartSequence {
  public:
   struct In {
-    Parameter<true> detects_spin;         // else kDetectSpin is left out, as with words.detect_spin = 0
+    Parameter<true> detects_spin;     // else kDetectSpin is left out, as with words.detect_spin = 0
     bool tick = false;                // the slow time base
     Command command;
     Source source = Source::kBemf;
