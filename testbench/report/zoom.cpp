@@ -47,8 +47,9 @@ std::string curve_text(const Curve& c) {
 std::string zoom_head(const std::filesystem::path& library) {
   const std::string script = read(library / "dygraph.min.js"), style = read(library / "dygraph.min.css");
   if (script.empty() || style.empty()) return "";
-  // The legend hides no curve, and names of ticks do not break.
-  constexpr const char* kOwn = ".dygraph-legend { background: none; text-align: right; } .dygraph-axis-label-y { white-space: nowrap; }\n";
+  // A legend stands above its panel, and names of ticks do not break.
+  constexpr const char* kOwn = ".legend { position: relative; z-index: 20; text-align: right; font-size: 14px; line-height: 20px; }\n"
+                               ".dygraph-axis-label-y { white-space: nowrap; }\n";
   return "<style>" + style + kOwn + "</style>\n<script>\n" + script + "\n</script>\n<script>\n" + kZoomScript + "</script>\n";
 }
 

@@ -29,14 +29,20 @@ function steplockTable(curves) {
 function steplockMarks(canvas, area, plot, marks, named) {
   canvas.strokeStyle = canvas.fillStyle = '#9aa5b1';
   canvas.font = '11px sans-serif';
-  for (const [x, text] of marks) {
+  const ends = [];  // of the texts in each line: one that would touch another stands a line below
+  for (const [x, text] of [...marks].sort((a, b) => a[0] - b[0])) {
     const at = plot.toDomXCoord(x);
     if (at < area.x || at > area.x + area.w) continue;
     canvas.beginPath();
     canvas.moveTo(at, area.y);
     canvas.lineTo(at, area.y + area.h);
     canvas.stroke();
-    if (named) canvas.fillText(text, at + 3, area.y + 11);
+    if (!named) continue;
+    const width = canvas.measureText(text).width + 6, left = Math.min(at, area.x + area.w - width);
+    let line = ends.findIndex((end) => end < left);
+    if (line < 0) line = ends.length;
+    ends[line] = left + width;
+    canvas.fillText(text, left + 3, area.y + 11 + 13 * line);
   }
 }
 
@@ -54,17 +60,21 @@ function steplockZoom(figure, data) {
     const element = document.createElement('div');
     // Names of ticks need their lines.
     element.style.cssText = `width: 100%; height: ${Math.max(Math.round(110 * panel.weight), 14 * panel.ticks.length) + 30}px`;
-    figure.querySelector('.panels').append(element);
+    const legend = document.createElement('div');  // above the panel, where it hides no curve
+    legend.className = 'legend';
+    const titled = panel.curves.some((curve) => curve.title);
+    figure.querySelector('.panels').append(...(titled ? [legend, element] : [element]));
     const labels = panel.curves.map((curve, k) => (curve.title || panel.label) + '\u200b'.repeat(k));  // each its own
     const series = {};
     panel.curves.forEach((curve, k) => {
       series[labels[k]] = {color: curve.color, stepPlot: curve.steps, drawPoints: curve.dots, strokeWidth: curve.dots ? 0 : curve.width};
     });
+    const widest = 20 + 7 * Math.max(0, ...panel.ticks.map(([, label]) => label.length));  // px, at this size of letters
     const names = panel.ticks.length > 0 ? {axisLabelFontSize: 11, ticker: () => panel.ticks.map(([v, label]) => ({v, label}))} : {};
     plots.push(new Dygraph(element, steplockTable(panel.curves), {
       labels: ['x', ...labels], series, ylabel: panel.label, xlabel: index === data.panels.length - 1 ? data.axis : '',
-      connectSeparatedPoints: true, legend: panel.curves.some((curve) => curve.title) ? 'always' : 'follow', digitsAfterDecimal: 6,
-      valueRange: panel.range, axes: {y: {axisLabelWidth: 75, ...names}}, drawCallback: follow,
+      connectSeparatedPoints: true, ...(titled ? {legend: 'always', labelsDiv: legend} : {legend: 'follow'}), digitsAfterDecimal: 6,
+      valueRange: panel.range, axes: {y: {axisLabelWidth: Math.max(75, widest), ...names}}, drawCallback: follow,
       underlayCallback: (canvas, area, plot) => steplockMarks(canvas, area, plot, data.marks, index === 0),
     }));
   });

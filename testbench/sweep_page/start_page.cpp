@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "testbench/sweep_page/beyond_goals.hpp"
+#include "testbench/sweep_page/page_head.hpp"
 #include "testbench/sweep_page/statistics.hpp"
 
 namespace steplock {
@@ -93,7 +94,7 @@ std::string goals(const Json& j, const Goals& g) {
   }
   if (g.each > 0) row("the drive with the fewest", "at least " + percent(g.each, 1), percent(least) + ", " + worst, least >= g.each);
   row("lost", "none, 95 % bound below 0.03 %",
-      fmt::format("{}, below {}", inside["runs"].get<int>() - inside["started"].get<int>(), percent(lost_bound, 3)),
+      fmt::format("{}, below {}", inside["runs"].get<int>() - inside["started"].get<int>(), fmt::format("{:.4g} %", 100 * lost_bound)),
       inside["runs"] == inside["started"] && lost_bound < 0.0003);
   below("peak current over the limit, highest", "peak_over_limit", "max", kPeakGoal);
   below("time to lock, s: median", "lock_time_s", "median", 0.2);
@@ -105,26 +106,9 @@ std::string goals(const Json& j, const Goals& g) {
   return t + "\n";
 }
 
-// With what it was printed, and who chose the seed.
-std::string head(const SweepSetup& setup, const char* title, const char* command, const char* sweep, const char* page,
-                 const char* test) {
-  const std::string outside = setup.kind.outside > 0 ? fmt::format(" --outside {:g}", setup.kind.outside) : "";
-  std::string t = fmt::format("# {}\n\nPrinted by ", title);
-  t += setup.judged.empty() ? fmt::format("`steplock sweep {} --runs {} --seed {}{} --page {}`", sweep, setup.runs,
-                                          setup.kind.seed, outside, page)
-                            : fmt::format("`{} {}`", command, setup.runs);
-  t += fmt::format("; the test `{}` repeats its first runs and fails when they are not the page's.\n\n", test);
-  if (!setup.judged.empty()) {
-    t += fmt::format("Nobody chose the seed, {}: it follows from a digest ({}) of what is judged ([blocks, design, drive files and "
-                     "judge](sweep.md#the-published-page)), so that nothing was tuned on these motors.\n\n",
-                     setup.kind.seed, setup.judged.substr(0, 16));
-  }
-  return t;
-}
-
 std::string six_step_head(const SweepSetup& setup) {
-  std::string t = head(setup, "Starts", "tools/starts", "drives/*.toml", "docs/starts.md",
-                       "all_of_200_drawn_starts_succeed_and_rtl_agrees");
+  std::string t = page_head(setup, "Starts", "tools/starts", "drives/*.toml", "docs/starts.md",
+                            "all_of_200_drawn_starts_succeed_and_rtl_agrees");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
        "resistance, inductance, flux, comparators, and whether the rotor turns already, either way. The drive's words stay "
        "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, a fifth of "
@@ -136,8 +120,8 @@ std::string six_step_head(const SweepSetup& setup) {
 }
 
 std::string hard_head(const SweepSetup& setup) {
-  std::string t = head(setup, "Hard starts", "tools/starts --hard", "drives/*.toml --matrix hard", "docs/hard_starts.md",
-                       "the_page_of_hard_starts_is_current");
+  std::string t = page_head(setup, "Hard starts", "tools/starts --hard", "drives/*.toml --matrix hard", "docs/hard_starts.md",
+                            "the_page_of_hard_starts_is_current");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope) as [a start](starts.md) does, and one "
        "hardship more from its [hardship](drive_file.md#hardship): a weight about which the rotor swings, wind on a fan, a belt's "
        "spring, cogging, stiction, a load that holds until it breaks away, or comparators with twice the offsets, noise and "
@@ -147,8 +131,8 @@ std::string hard_head(const SweepSetup& setup) {
 }
 
 std::string motors_head(const SweepSetup& setup) {
-  std::string t = head(setup, "Starts of motors that no file knows", "tools/starts --motors", "out/motors/*.toml",
-                       "docs/motor_starts.md", "the_page_of_motor_starts_is_current");
+  std::string t = page_head(setup, "Starts of motors that no file knows", "tools/starts --motors", "out/motors/*.toml",
+                            "docs/motor_starts.md", "the_page_of_motor_starts_is_current");
   t += fmt::format("`steplock motors --count 300 --seed {}` writes the motors into out/motors: 3 W to 3 kW, 3.7 to 96 V, 1 to 21 pole "
                    "pairs, each value drawn or following from what is ([how](sweep.md#motors-that-no-file-knows)). Of them the design "
                    "library accepts {}; the runs go through these in turn. Each run draws what its motor meets from the default "
@@ -169,8 +153,8 @@ std::string hardships_table(const Json& j) {
 }
 
 std::string sinusoidal_head(const SweepSetup& setup) {
-  std::string t = head(setup, "Starts of the sinusoidal drives", "tools/starts --sinusoidal", "drives/*.toml --kind sinusoidal",
-                       "docs/sinusoidal_starts.md", "the_page_of_sinusoidal_starts_is_current");
+  std::string t = page_head(setup, "Starts of the sinusoidal drives", "tools/starts --sinusoidal", "drives/*.toml --kind sinusoidal",
+                            "docs/sinusoidal_starts.md", "the_page_of_sinusoidal_starts_is_current");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
        "resistance, inductance, flux, and the current ADCs' offsets and noise. The drive's words stay those of the file. "
        "*Started* is in lock by the rotor's true angle, the estimate never 90 electrical degrees from it, for 24 electrical "

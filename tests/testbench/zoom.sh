@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The figures of a report in headless Chromium: each one is drawn by Dygraphs in place of its SVG, its panels zoom together and back, every point
-# of its curves is in it, and the page loads nothing.
-#   zoom.sh none | follows | library | loads STEPLOCK WORK
-#     follows   panels do not follow each other; library: Dygraphs is not in the page; loads: the page has a picture of elsewhere
+# of its curves is in it, no text of a mark stands on another one or out of the panel, and the page loads nothing.
+#   zoom.sh none | follows | library | loads | texts STEPLOCK WORK
+#     follows   panels do not follow each other; library: Dygraphs is not in the page; loads: the page has a picture of elsewhere;
+#     texts: all marks have theirs in one line
 set -euo pipefail
 flaw=$1 steplock=$(realpath "$2") work=$3
 cd "$(dirname "$0")/../.."
@@ -14,6 +15,7 @@ case $flaw in
   follows) sed 's/other\.updateOptions/void/' "$work/run/report.html" ;;
   library) sed 's/^!function(t){"object"/!function(t){return;"object"/' "$work/run/report.html" ;;
   loads) sed 's#<h2>#<img src="file:///nowhere.png"><h2>#' "$work/run/report.html" ;;
+  texts) sed 's/ + 13 \* line//' "$work/run/report.html" ;;
   *) echo "zoom.sh: no flaw '$flaw'" >&2; exit 2 ;;
 esac >"$page"
 cat >>"$page" <<'END'
@@ -36,6 +38,13 @@ for (const figure of figures) {
     if (points !== curve.y.filter((y) => y !== null).length) said.push('a curve has lost points');
   }));
 }
+const texts = [], nothing = () => {};
+const canvas = {beginPath: nothing, moveTo: nothing, lineTo: nothing, stroke: nothing, measureText: (text) => ({width: 6 * text.length}),
+                fillText: (text, x, y) => texts.push([x, y, x + 6 * text.length])};
+const marks = [[590, 'stop'], [300, 'load off'], [310, 'reverse'], [0, 'run']];
+steplockMarks(canvas, {x: 0, y: 0, w: 600, h: 90}, {toDomXCoord: (x) => x}, marks, true);
+if (texts.length !== 4 || texts.some(([a, , b]) => a < 0 || b > 600)) said.push('a text is out of its panel');
+if (texts.some((p, i) => texts.some((q, k) => k > i && p[1] === q[1] && p[0] < q[2] && q[0] < p[2]))) said.push('a text stands on another');
 if (performance.getEntriesByType('resource').length > 0 || document.querySelector('[src], link')) said.push('something is loaded');
 document.body.dataset.said = said.join('; ') || 'all figures zoom';
 </script>
