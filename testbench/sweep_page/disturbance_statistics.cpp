@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "testbench/sweep_page/page_head.hpp"
+#include "testbench/sweep_page/share.hpp"
+
 namespace steplock {
 namespace {
 
@@ -182,18 +185,18 @@ std::vector<Figure> disturbance_figures(const SweepSetup&, const std::vector<Row
 
 std::string disturbance_page(const SweepSetup& setup, const std::vector<Row>& rows, bool passed) {
   const Json j = disturbance_json(setup, rows, passed);
-  std::string t = fmt::format(
-      "# Disturbances\n\nPrinted by `steplock sweep drives/*.toml --matrix disturb --runs {} --seed {} --page "
-      "docs/disturbances.md`; the test `the_page_of_disturbances_is_current` repeats its first runs and fails when "
-      "they are not the page's.\n\n", setup.runs, setup.kind.seed);
+  std::string t = page_head(setup, "Disturbances", "tools/starts --disturb", "drives/*.toml --matrix disturb",
+                            "docs/disturbances.md", "the_page_of_disturbances_is_current");
   t += "Each run draws a motor from the milder half of its drive's [envelope](drive_file.md#envelope), starts it, settles "
        "at a drawn speed, and meets one disturbance of drawn size at a drawn instant; sizes are bounded by "
        "[disturbance](drive_file.md#disturbance). What passes must be recovered from: in lock by the rotor's true angle, "
        "within 3 % of the set speed, for 24 electrical turns. What is for good must end in the latched fault. A *silent* "
        "step-out is a rotor out of step for half a second while the drive claims a lock.\n\n";
-  t += fmt::format("{} runs, {} as they must, {} silent; engine `fixed`, {} runs repeated on the RTL, {} of them differ.\n\n",
-                   rows.size(), j["well"].get<int>(), j["silent_step_outs"].get<int>(), j["rtl_repeats"].get<int>(),
-                   j["rtl_differing"].get<int>());
+  const std::size_t well = j["well"];
+  t += fmt::format("{} runs, {} as they must, {} silent; engine `fixed`, {} runs repeated on the RTL, {} of them differ. With 95 % "
+                   "confidence at most {:.3f} % of such runs do not end as they must (exact binomial bound).\n\n",
+                   rows.size(), well, j["silent_step_outs"].get<int>(), j["rtl_repeats"].get<int>(),
+                   j["rtl_differing"].get<int>(), 100 * share_at_most(rows.size() - well, rows.size()));
   const auto what = [](const std::string& name) -> const char* {
     constexpr const char* kWhat[kTroubles] = {
         "load rises, stays", "load rises and is released after 2 to 100 electrical turns",
