@@ -82,7 +82,7 @@ Budget error_budget(const Settings& s, const Design& d, const Words& w, double a
     return BudgetRow{name, unit, rms, bias + kSigmas * rms, bias};
   };
   const double hertz = std::ldexp(s.control.clock_hz, -32 - p.loop.divide);
-  const double speed_step = std::ldexp(hertz, int(w.speed.shift));
+  const double speed_step = std::ldexp(hertz, int(w["speed.shift"]));
   const double delay = 2 / s.control.clock_hz * f;  // of the latency that the delay word rounds
   b.phase_error = row("phase error", "deg", 60 * place * std::sqrt(g.error), 60 * delay);
   b.commutation = row("commutation", "deg", 60 * place * std::sqrt(g.phase), 60 * delay);

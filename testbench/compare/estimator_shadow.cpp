@@ -33,7 +33,7 @@ class ShadowedEngine {
         adc_(adc_parameters(s)),
         p_(p),
         clock_hz_(s.control.clock_hz),
-        period_clocks_(design::sinusoidal::quantise(s).words.bridge.period),
+        period_clocks_(design::sinusoidal::quantise(s).words["bridge.period"]),
         applied_(p.applied),
         current_model_(p.motor, p.current_model, p.pwm.period),
         voltage_model_(p.motor, p.voltage_model, p.pwm.period) {}
@@ -154,9 +154,8 @@ struct StepError {
 };
 StepError step_error(const design::Settings& s, const std::vector<Compared>& all) {
   const auto q = design::sinusoidal::quantise(s);
-  const auto& w = q.words.estimator;
-  const auto& bridge = q.words.bridge;
-  const double gain = std::ldexp(w.gain, -13), decay = std::ldexp(w.decay, -15), k_theta = std::ldexp(w.k_theta, -14);
+  const auto word = [&](const char* name, int fraction) { return std::ldexp(q.words[name], -fraction); };
+  const double gain = word("estimator.gain", 13), decay = word("estimator.decay", 15), k_theta = word("estimator.k_theta", 14);
   const double dc = s.inverter.bus_v / design::sinusoidal::voltage_range(s);
   double voltage = 0, current = 0, turns = 0;
   for (const Compared& c : all) {
@@ -165,14 +164,15 @@ StepError step_error(const design::Settings& s, const std::vector<Compared>& all
     turns = std::max(turns, c.turns);
   }
   constexpr double kUniform = 0.29;                      // standard deviation, of its width
-  const double sixteenth = 65536 * dc / (16 * bridge.period);  // of a clock, in places of 2^-16
-  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, bridge.dead_time_loss / 64.0);
+  const double sixteenth = 65536 * dc / (16 * word("bridge.period", 0));  // of a clock, in places of 2^-16
+  const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, word("bridge.dead_time_loss", 6));
   const double moved = std::hypot(gain * std::hypot(legs, 2 * kUniform), kUniform * std::sqrt(6)) / 65536;
-  const double per_clock = bridge.reciprocal * dc;  // the whole number that the blocks have for the volts in a clock
+  const double per_clock = word("bridge.reciprocal", 0) * dc;  // the whole number that the blocks have for the volts in a clock
   const double of_voltage = rounded(q.rows, "estimator.gain") + rounded(q.rows, "bridge.reciprocal") + 0.5 / per_clock;
   const double moved_wrongly = gain * voltage * of_voltage + decay * current * rounded(q.rows, "estimator.decay");
-  const double by_emf = w.voltage ? std::ldexp(w.k_emf, -15) : std::ldexp(w.k_speed, -17) / gain;
-  return {moved_wrongly * (k_theta + by_emf) + turns * rounded(q.rows, w.voltage ? "estimator.k_emf" : "estimator.k_speed"),
+  const bool voltage_model = q.words["estimator.voltage"] != 0;
+  const double by_emf = voltage_model ? word("estimator.k_emf", 15) : word("estimator.k_speed", 17) / gain;
+  return {moved_wrongly * (k_theta + by_emf) + turns * rounded(q.rows, voltage_model ? "estimator.k_emf" : "estimator.k_speed"),
           moved * (k_theta + by_emf)};
 }
 

@@ -72,7 +72,7 @@ FloatErrors shadow_errors(const design::Settings& s, const Summary& blocks,
   const design::Words words = design::quantise(designed.parameters, clock_hz).words;
   // Where the steady span begins: the set speed is slewed all the way then, and the duty at rest.  Sooner
   // a slew that the blocks held back, and the reference does not know of, would stay in its duty for ever.
-  const double tick_s = words.pwm.period * words.pwm.tick_periods / clock_hz;
+  const double tick_s = words["pwm.period"] * words["pwm.tick_periods"] / clock_hz;
   const double join_s = result.from_s - (ShadowEngine::kPatience + 1) * tick_s;
   ShadowEngine engine(hls_words(words), reference.value_or(designed.parameters), clock_hz,
                       static_cast<std::uint64_t>(join_s * clock_hz));

@@ -1,13 +1,38 @@
-// The register words as the blocks take them, from the same words as the design library gives them:
-// member by member, because model/ and hls/ must not know each other.
+// The register words as the blocks take them, from the same words as the design library gives them: each by its name, because
+// model/ and hls/ must not know each other.
 //
 // Test: tests/testbench/engine_test.cpp
 #pragma once
 
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+
 #include "hls/six_step/words.hpp"
 #include "model/design/words.hpp"
+#include "testbench/engine/word_name.hpp"
 
 namespace steplock {
+
+// `rows` is a register map's: every word of the drive.  One that `from` does not name keeps its reset value.  Throws
+// std::logic_error where `from` names a word that the drive does not have, or one that does not fit it.
+template <class DriveWords, class... Rows>
+DriveWords words_by_name(const std::tuple<Rows...>& rows, const design::Words& from) {
+  DriveWords words;
+  auto left = from.all();
+  const auto set = [&](const auto& row) {
+    using Place = typename std::remove_cvref_t<decltype(row)>::Word;
+    const auto at = left.find(word_name<Place>('.'));
+    if (at == left.end()) return;
+    auto& word = Place::of(words);
+    word = word_of<std::remove_cvref_t<decltype(word)>>(UInt<32>(at->second));
+    if (bits_of(word).raw() != at->second) throw std::logic_error(at->first + " has fewer bits than the design library gives it");
+    left.erase(at);
+  };
+  std::apply([&](const auto&... row) { (set(row), ...); }, rows);
+  if (!left.empty()) throw std::logic_error("the drive has no word " + left.begin()->first + ", which the design library names");
+  return words;
+}
 
 Words hls_words(const design::Words&);
 

@@ -58,16 +58,26 @@ struct Swept {
   double swing_percent = 0;       // at the slowest
 };
 
+// The curve of a point's torque: its mean, and as a bar how far the true speed swings.
+Curve& bars_of(Panel& panel, double torque, double i_gamma, bool alone) {
+  constexpr const char* kColors[] = {palette::kQuiet, palette::kW, palette::kV, palette::kU, palette::kDrive};
+  const bool without = alone && i_gamma == 0;
+  const std::string title = fmt::format("{}{:g} %{}", without ? "" : "torque ", 100 * torque, without ? ", i_gamma 0" : "");
+  const auto at = std::ranges::find(panel.curves, title, &Curve::title);
+  if (at != panel.curves.end()) return *at;
+  panel.curves.push_back({title, kColors[panel.curves.size() % std::size(kColors)], {}});
+  return panel.curves.back();
+}
+
 Swept sweep(const design::Settings& drive, design::Estimator estimator,
             const std::vector<Grid>& grid, double limit, const PaperOptions& options,
             const std::string& figure, const std::string& shown, double shown_from) {
   Swept all;
   all.panel.label = "speed error, %";
   all.panel.extra = "set yrange [-1:1]\n";
-  all.swing.label = "least, greatest, %";
+  all.swing.label = "mean, and swing, %";
+  all.swing.weight = 1.8;
   Curve fixed{"engine fixed", palette::kW, {}}, exact{"float", palette::kQuiet, {}};
-  Curve least{"speed at its least", palette::kU, {}}, greatest{"at its greatest", palette::kV, {}};
-  least.dots = greatest.dots = true;
   fixed.dots = exact.dots = true;
   for (const Grid& g : grid) {
     const std::string what = fmt::format("{}, {:g} r/min", figure, g.rpm);
@@ -78,8 +88,11 @@ Swept sweep(const design::Settings& drive, design::Estimator estimator,
     const auto floats = measure(drive, drive, c_float, options, what + ", float");
     for (const Point& p : points) {
       fixed.points.push_back({p.rpm, p.error_percent});
-      least.points.push_back({p.rpm, 100 * (p.least_rpm / p.rpm - 1)});
-      greatest.points.push_back({p.rpm, 100 * (p.greatest_rpm / p.rpm - 1)});
+      Curve& bars = bars_of(all.swing, p.torque, g.i_gamma, g.torques.size() == 1);
+      // Torques stand beside each other.
+      const double beside = 1 + 0.05 * static_cast<double>(&bars - all.swing.curves.data());
+      bars.points.push_back({p.rpm * beside, p.error_percent});
+      bars.bars.push_back({100 * (p.least_rpm / p.rpm - 1), 100 * (p.greatest_rpm / p.rpm - 1)});
     }
     for (const Point& p : floats) exact.points.push_back({p.rpm, p.error_percent});
     const double worst = worst_error(points);
@@ -116,7 +129,6 @@ Swept sweep(const design::Settings& drive, design::Estimator estimator,
     all.slowest = !good ? 0 : all.slowest == 0 ? g.rpm : all.slowest;
   }
   all.panel.curves = {exact, fixed};
-  all.swing.curves = {least, greatest};
   return all;
 }
 
@@ -160,7 +172,8 @@ PaperSection voltage_model(const design::Settings& drive, const PaperOptions& op
       {.name = "fig4b",
        .title = "Fig. 4(b): speed error, voltage model",
        .axis = "speed, r/min",
-       .caption = "All torques of the table; each point is a mean over whole electrical turns. Below, how far the true speed swings about the set one in that time.",
+       .caption = "All torques of the table; each point is a mean over whole electrical turns. Below with how far the true speed swings "
+                  "about the set one in that time; torques of one speed stand beside each other.",
        .panels = {swept.panel, swept.swing},
        .logarithmic = true}};
   return s;
@@ -196,7 +209,8 @@ PaperSection current_model(const design::Settings& drive, const PaperOptions& op
       {.name = "fig5c",
        .title = "Fig. 5(c): speed error, current model",
        .axis = "speed, r/min",
-       .caption = "Torques of -100, 0 and 100 %; each point is a mean over whole electrical turns. Below, how far the true speed swings about the set one in that time.",
+       .caption = "Torques of -100, 0 and 100 %; each point is a mean over whole electrical turns. Below with how far the true speed swings "
+                  "about the set one in that time; torques of one speed stand beside each other.",
        .panels = {swept.panel, swept.swing},
        .logarithmic = true}};
   return s;

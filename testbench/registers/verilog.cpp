@@ -1,31 +1,11 @@
 // Modules around six_step_standalone and sinusoidal_standalone (docs/blocks/) whose words are constants.
 #include <fmt/format.h>
 
-#include <string_view>
-
+#include "testbench/engine/word_name.hpp"
 #include "testbench/registers/registers.hpp"
 
 namespace steplock::registers {
 namespace {
-
-// What the compiler calls the way to a word, such as "&steplock::Words::pwm, &steplock::PwmWords::period".
-template <auto... Path>
-constexpr std::string_view path_name(At<Path...>) {
-  return __PRETTY_FUNCTION__;
-}
-
-// "words_pwm_period": each member's own name, as in the ports of the RTL.
-template <class Place>
-std::string port_name() {
-  constexpr std::string_view path = path_name(Place{});
-  std::string name = "words";
-  for (std::size_t at = path.find('&'); at != path.npos; at = path.find('&', at + 1)) {
-    const std::size_t end = path.find_first_of(",>})];", at);
-    const std::size_t begin = path.rfind("::", end) + 2;
-    name += fmt::format("_{}", path.substr(begin, end - begin));
-  }
-  return name;
-}
 
 constexpr const char* kPins[] = {"comparator_u", "comparator_v", "comparator_w", "limit",
                                  "fault",        "hall_u",       "hall_v",       "hall_w"};
@@ -76,7 +56,7 @@ void tie_words(FixedModule& module, const typename Table::Words& words) {
   const auto tie = [&](const auto& row) {
     using Word = typename std::remove_cvref_t<decltype(row)>::Word;
     const auto value = static_cast<std::uint32_t>(bits_of(Word::of(words)).raw());
-    module.tie(port_name<Word>() + "_i", row.width, value);
+    module.tie("words_" + word_name<Word>('_') + "_i", row.width, value);
   };
   std::apply([&](const auto&... row) { (tie(row), ...); }, Table::kWordRows);
 }

@@ -89,13 +89,19 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
   for (std::size_t i = 0; i < f.panels.size(); ++i) {
     for (std::size_t j = 0; j < f.panels[i].curves.size(); ++j) {
       add("$d{}_{} << EOD\n", i, j);
-      for (const Point& p : f.panels[i].curves[j].points) {
-        add("{:.7g} {:.5g}\n", p.x, p.y);
+      const Curve& c = f.panels[i].curves[j];
+      for (std::size_t k = 0; k < c.points.size(); ++k) {
+        const Point& p = c.points[k];
+        if (c.bars.empty()) {
+          add("{:.7g} {:.5g}\n", p.x, p.y);
+        } else {
+          add("{:.7g} {:.5g} {:.5g} {:.5g}\n", p.x, p.y, c.bars[k].first, c.bars[k].second);
+        }
         if (!any || p.x < low) low = p.x;
         if (!any || p.x > high) high = p.x;
         any = true;
       }
-      if (f.panels[i].curves[j].points.empty()) add("NaN NaN\n");
+      if (c.points.empty()) add("NaN NaN\n");
       add("EOD\n");
     }
   }
@@ -157,10 +163,10 @@ std::string gnuplot_script(const Figure& f, const std::string& svg_path) {
     std::string curves;
     for (std::size_t j = 0; j < p.curves.size(); ++j) {
       const Curve& c = p.curves[j];
-      curves += fmt::format("{}$d{}_{} using 1:2 with {} lc rgb '{}' lw {:g} title {}",
-                            curves.empty() ? "" : ", ", i, j,
-                            c.dots ? "points pt 7 ps 0.4" : c.steps ? "steps" : "lines", c.color,
-                            c.width, quoted(c.title));
+      const char* with = c.dots ? "points pt 7 ps 0.4" : c.steps ? "steps" : "lines";
+      curves += fmt::format("{}$d{}_{} using {} lc rgb '{}' lw {:g} title {}", curves.empty() ? "" : ", ", i, j,
+                            c.bars.empty() ? std::string("1:2 with ") + with : "1:2:3:4 with yerrorbars pt 7 ps 0.5", c.color, c.width,
+                            quoted(c.title));
     }
     add("plot {}\n", curves);
     if (p.range || !p.ticks.empty() || !p.extra.empty()) add("set yrange [*:*]\nset ytics auto\n");

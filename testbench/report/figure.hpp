@@ -22,6 +22,7 @@ struct Curve {
   double width = 1.4;
   bool steps = false;         // holds each value until the next
   bool dots = false;          // points, not joined
+  std::vector<std::pair<double, double>> bars = {};  // of each point, if any: least and greatest
 };
 
 struct Tick {

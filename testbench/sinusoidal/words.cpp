@@ -5,7 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hls/bus/sinusoidal_rows.hpp"
 #include "hls/sinusoidal/sinusoidal_standalone.hpp"
+#include "testbench/engine/words.hpp"
 #include "testbench/sinusoidal/watch.hpp"
 
 namespace steplock::sinusoidal {
@@ -21,38 +23,7 @@ static_assert(int(Reason::kNoPolarity) == int(SinusoidalReason::kNoPolarity));
 
 }  // namespace
 
-SinusoidalWords hls_words(const design::sinusoidal::Words& d) {
-  return {.bridge = {.period = d.bridge.period, .minimum = d.bridge.minimum,
-                     .dead_time = d.bridge.dead_time, .dead_time_loss = d.bridge.dead_time_loss,
-                     .compensate = d.bridge.compensate, .sine_pwm = d.bridge.sine_pwm,
-                     .reciprocal = d.bridge.reciprocal},
-          .estimator = {.voltage = d.estimator.voltage, .average = d.estimator.average,
-                        .decay = d.estimator.decay, .gain = d.estimator.gain,
-                        .k_theta = d.estimator.k_theta, .k_e = d.estimator.k_e,
-                        .k_speed = d.estimator.k_speed, .k_emf = d.estimator.k_emf,
-                        .k_si = d.estimator.k_si},
-          .speed = {.target = d.speed.target, .slew = d.speed.slew, .filter = d.speed.filter,
-                    .k_p = d.speed.k_p, .k_i = d.speed.k_i, .limit = d.speed.limit,
-                    .start_current = d.speed.start_current,
-                    .lock = d.speed.lock, .slow = d.speed.slow, .stop = d.speed.stop,
-                    .emf_low = d.speed.emf_low, .emf_high = d.speed.emf_high},
-          .control = {.set_gamma = d.control.set_gamma, .k_p = d.control.k_p,
-                      .k_i = d.control.k_i, .inductance = d.control.inductance,
-                      .emf = d.control.emf, .limit = d.control.limit},
-          .sequence = {.arbitrary = d.sequence.arbitrary,
-                       .pilot = d.sequence.pilot,
-                       .hold_voltage = d.sequence.hold_voltage, .pattern = d.sequence.pattern,
-                       .lock = d.sequence.lock, .give_up = d.sequence.give_up,
-                       .brake = d.sequence.brake, .retry_delay = d.sequence.retry_delay,
-                       .retries = d.sequence.retries},
-          .pilot = {.short_periods = d.pilot.short_periods,
-                    .long_periods = d.pilot.long_periods, .rounds = d.pilot.rounds,
-                    .decayed = d.pilot.decayed, .saliency = d.pilot.saliency,
-                    .polarity = d.pilot.polarity},
-          .fault = {.over_current = d.fault.over_current, .saturated = d.fault.saturated,
-                    .slow = d.fault.slow, .emf = d.fault.emf,
-                    .lost_samples = d.fault.lost_samples}};
-}
+SinusoidalWords hls_words(const design::Words& d) { return words_by_name<SinusoidalWords>(kSinusoidalWordRows, d); }
 
 SinusoidalWords words_of(const design::Settings& s) {
   const auto q = design::sinusoidal::quantise(s);

@@ -1,5 +1,5 @@
-// The sinusoidal drive's words as the blocks take them, from the same words as the design library
-// gives them: member by member, because model/ and hls/ must not know each other.
+// The sinusoidal drive's words as the blocks take them, from the same words as the design library gives them
+// (testbench/engine/words.hpp).
 //
 // Test: tests/testbench/sinusoidal_engines_test.cpp
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace steplock::sinusoidal {
 
-SinusoidalWords hls_words(const design::sinusoidal::Words&);
+SinusoidalWords hls_words(const design::Words&);
 
 // Those of a drive's settings.  Throws std::invalid_argument where they do not fit: one line each.
 SinusoidalWords words_of(const design::Settings&);

@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <random>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
+#include "hls/bus/word_rows.hpp"
 #include "model/design/design.hpp"
 #include "model/design/words.hpp"
 #include "testbench/engine/fixed.hpp"
@@ -37,18 +42,42 @@ TEST(Watch, EverySignalHasItsPlace) {
   EXPECT_STREQ(name_of(w.reason()), "hall_code");
 }
 
-TEST(HlsWords, EveryGroupArrives) {
+// All but the scale of gains per second, which a loop of gains per step does not have.
+TEST(HlsWords, EachIsTheOneOfItsName) {
   const design::Settings s = short_drive();
   const design::Words d = design::quantise(design::design_drive(s).parameters, 12e6).words;
   const Words w = hls_words(d);
   EXPECT_EQ(w.pwm.period.raw(), 400);  // 12 MHz over 30 kHz
   EXPECT_EQ(w.pwm.complementary, true);
-  EXPECT_EQ(w.loop.kp.raw(), d.loop.kp);
-  EXPECT_EQ(w.start.hand_over.raw(), d.start.hand_over);
-  EXPECT_EQ(w.speed.target.raw(), d.speed.target);
-  EXPECT_EQ(w.protection.stall.raw(), d.protection.stall);
-  EXPECT_EQ(w.bemf.samples.raw(), d.bemf.samples);
-  EXPECT_EQ(w.limit.off_time.raw(), d.limit.off_time);
+  EXPECT_EQ(w.source, Source::kBemf);
+  std::size_t checked = 0;
+  const auto check = [&](const auto& row) {
+    using Place = typename std::remove_cvref_t<decltype(row)>::Word;
+    const std::string name = word_name<Place>('.');
+    if (name == "loop.scale") return;
+    EXPECT_EQ(bits_of(Place::of(w)).raw(), d[name]) << name;
+    ++checked;
+  };
+  std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
+  EXPECT_EQ(checked, d.all().size());
+  EXPECT_EQ(checked, 59u);
+}
+
+TEST(HlsWords, OneThatTheDriveDoesNotHaveOrThatDoesNotFitIsRefused) {
+  const auto refusal = [](const char* name, design::Word word) -> std::string {
+    design::Words d;
+    d.set(name, word);
+    try {
+      hls_words(d);
+    } catch (const std::logic_error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("loop.divide", 3), "");
+  EXPECT_EQ(refusal("loop.divide", 4), "loop.divide has fewer bits than the design library gives it");
+  EXPECT_EQ(refusal("loop.divider", 3), "the drive has no word loop.divider, which the design library names");
+  EXPECT_THROW(design::Words{}["loop.divide"], std::out_of_range);
 }
 
 // Ticks on every clock, and remembers all outputs of the last one.

@@ -36,6 +36,18 @@ TEST(Figure, ShowsTitleAxisLabelsAndMarks) {
   }
 }
 
+// A point with a bar is drawn from its least to its greatest, and at its own place.
+TEST(Figure, APointMayHaveABar) {
+  Figure f = example();
+  f.panels = {{.label = "speed", .curves = {{"swing", palette::kW, {{1, 5}, {2, 6}}}}}};
+  f.panels[0].curves[0].bars = {{4, 7}, {5.5, 6.5}};
+  const std::string script = gnuplot_script(f, "out.svg");
+  EXPECT_NE(script.find("1 5 4 7\n2 6 5.5 6.5\n"), script.npos) << script;
+  EXPECT_NE(script.find("using 1:2:3:4 with yerrorbars"), script.npos);
+  const std::filesystem::path here = own_folder();
+  EXPECT_TRUE(draw(f, here));
+}
+
 std::string labels_of_axis(double low, double high) {
   Figure f = example();
   f.marks = {};

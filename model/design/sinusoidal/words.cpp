@@ -29,84 +29,74 @@ Scales scales(const Settings& s) {
 // Words with so many bits behind the point; `scale` is what 1 stands for.
 class ScaledQuantiser {
  public:
-  explicit ScaledQuantiser(Quantised& q) : word_(q.rows, q.problems) {}
+  explicit ScaledQuantiser(Quantised& q) : word_(q.words, q.rows, q.problems) {}
 
   Word operator()(const char* name, const char* unit, double wanted, double scale, int fraction,
                   int bits) {
     return word_(name, unit, wanted, std::ldexp(scale, -fraction), bits);
   }
-  Word periods(const char* name, double seconds, const Scales& f) {
-    return (*this)(name, "s", seconds, f.period, 0, 20);
-  }
+  void periods(const char* name, double seconds, const Scales& f) { (*this)(name, "s", seconds, f.period, 0, 20); }
+  void choose(const char* name, bool choice) { word_.choose(name, choice); }
 
  private:
   Quantiser word_;
 };
 
-BridgeWords bridge_words(ScaledQuantiser& word, const Parameters& p, const Settings& s,
-                         const Scales& f) {
-  BridgeWords w{.compensate = p.applied.compensate,
-                .sine_pwm = p.pwm.modulation == Modulation::kSine};
-  w.period = word("bridge.period", "s", p.pwm.period, f.clock, 0, 14);
+void bridge_words(ScaledQuantiser& word, const Parameters& p, const Settings& s, const Scales& f) {
+  word.choose("bridge.compensate", p.applied.compensate);
+  word.choose("bridge.sine_pwm", p.pwm.modulation == Modulation::kSine);
+  const Word period = word("bridge.period", "s", p.pwm.period, f.clock, 0, 14);
   // The guard's floor is dead time that is really there.
   const double dead = std::max(p.pwm.dead_time, kDeadTimeFloor * f.clock);
-  w.dead_time = word("bridge.dead_time", "s", dead, f.clock, 0, 8);
+  word("bridge.dead_time", "s", dead, f.clock, 0, 8);
   // A pulse shorter than its dead time would be none.
-  w.minimum = word("bridge.minimum", "s", std::max(p.pwm.minimum, dead), f.clock, 0, 14);
+  word("bridge.minimum", "s", std::max(p.pwm.minimum, dead), f.clock, 0, 14);
   const double lost = dead * (1 + 2 * p.applied.diode_drop / s.inverter.bus_v);
-  w.dead_time_loss = word("bridge.dead_time_loss", "s", lost, f.clock, 4, 12);
-  w.reciprocal = word("bridge.reciprocal", "1/clocks", 1 / (3.0 * w.period), 1, 25, 15);
-  return w;
+  word("bridge.dead_time_loss", "s", lost, f.clock, 4, 12);
+  word("bridge.reciprocal", "1/clocks", 1 / (3.0 * period), 1, 25, 15);
 }
 
-EstimatorWords estimator_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
+void estimator_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double per_voltage = p.pwm.period / p.motor.inductance_q;  // A/V
   const double turns = 2 * kPi / (kRoot * f.current);  // rad/A of a turn per full scale
-  return {.voltage = p.estimator == Estimator::kVoltage,
-          .average = p.voltage_model.samples != 1,
-          .decay = word("estimator.decay", "", p.motor.resistance * per_voltage, 1, 15, 15),
-          .gain = word("estimator.gain", "A/V", per_voltage, f.current / f.voltage, 13, 15),
-          .k_theta = word("estimator.k_theta", "rad/A", p.current_model.k_theta, turns, 14, 15),
-          .k_e = word("estimator.k_e", "V/A", p.current_model.k_e, f.voltage / f.current, 13, 15),
-          .k_speed = word("estimator.k_speed", "rad/V", p.pwm.period / p.motor.k_e,
-                          2 * kPi / (kRoot * f.voltage), 17, 15),
-          .k_emf = word("estimator.k_emf", "rad/A", p.motor.inductance_q / p.motor.k_e, turns, 15,
-                        15),
-          .k_si = word("estimator.k_si", "rad/A",
-                       p.voltage_model.k_si * p.motor.inductance_q * p.pwm.period, turns, 23, 15)};
+  word.choose("estimator.voltage", p.estimator == Estimator::kVoltage);
+  word.choose("estimator.average", p.voltage_model.samples != 1);
+  word("estimator.decay", "", p.motor.resistance * per_voltage, 1, 15, 15);
+  word("estimator.gain", "A/V", per_voltage, f.current / f.voltage, 13, 15);
+  word("estimator.k_theta", "rad/A", p.current_model.k_theta, turns, 14, 15);
+  word("estimator.k_e", "V/A", p.current_model.k_e, f.voltage / f.current, 13, 15);
+  word("estimator.k_speed", "rad/V", p.pwm.period / p.motor.k_e, 2 * kPi / (kRoot * f.voltage), 17, 15);
+  word("estimator.k_emf", "rad/A", p.motor.inductance_q / p.motor.k_e, turns, 15, 15);
+  word("estimator.k_si", "rad/A", p.voltage_model.k_si * p.motor.inductance_q * p.pwm.period, turns, 23, 15);
 }
 
-RegulatorWords speed_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
+void speed_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double current = kRoot * f.current, period = p.pwm.period;
-  const auto speed = [&](const char* name, double w) {
-    return word(name, "rad/s", w, f.speed, 15, 15);
-  };
-  return {.target = word("speed.target", "rad/s", p.speed.target, f.speed, 25, 25),
-          .slew = word("speed.slew", "rad/s^2", p.speed.slew, f.speed / period, 25, 15),
-          .filter = word("speed.filter", "per sample", -std::expm1(-p.speed.filter * period), 1, 15,
-                         15),
-          .k_p = word("speed.k_p", "A/(rad/s)", p.speed.kp, current / f.speed, 8, 15),
-          .k_i = word("speed.k_i", "A/rad", p.speed.ki, current / f.speed / period, 17, 15),
-          .limit = word("speed.limit", "A", p.speed.limit, current, 15, 15),
-          .start_current = word("speed.start_current", "A", p.speed.start_current, current, 15, 15),
-          .lock = speed("speed.lock", p.start.lock_speed),
-          .slow = speed("speed.slow", p.protection.slow_speed),
-          .stop = speed("speed.stop", p.start.stop_speed),
-          .emf_low = word("speed.emf_low", "", p.protection.emf_low, 1, 13, 15),
-          .emf_high = word("speed.emf_high", "", p.protection.emf_high, 1, 13, 15)};
+  const auto speed = [&](const char* name, double w) { word(name, "rad/s", w, f.speed, 15, 15); };
+  word("speed.target", "rad/s", p.speed.target, f.speed, 25, 25);
+  word("speed.slew", "rad/s^2", p.speed.slew, f.speed / period, 25, 15);
+  word("speed.filter", "per sample", -std::expm1(-p.speed.filter * period), 1, 15, 15);
+  word("speed.k_p", "A/(rad/s)", p.speed.kp, current / f.speed, 8, 15);
+  word("speed.k_i", "A/rad", p.speed.ki, current / f.speed / period, 17, 15);
+  word("speed.limit", "A", p.speed.limit, current, 15, 15);
+  word("speed.start_current", "A", p.speed.start_current, current, 15, 15);
+  speed("speed.lock", p.start.lock_speed);
+  speed("speed.slow", p.protection.slow_speed);
+  speed("speed.stop", p.start.stop_speed);
+  word("speed.emf_low", "", p.protection.emf_low, 1, 13, 15);
+  word("speed.emf_high", "", p.protection.emf_high, 1, 13, 15);
 }
 
-ControlWords control_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
+void control_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const double ohm = f.voltage / f.current;
   const bool sine = p.pwm.modulation == Modulation::kSine;
   const double longest = sine ? 0.5 : 1 / std::numbers::sqrt3;
-  return {.set_gamma = word("control.set_gamma", "A", p.current.i_gamma, kRoot * f.current, 15, 15),
-          .k_p = word("control.k_p", "V/A", p.current.kp_delta, ohm, 12, 15),
-          .k_i = word("control.k_i", "V/(A s)", p.current.ki_delta, ohm / p.pwm.period, 15, 15),
-          .inductance =
-              word("control.inductance", "H", p.motor.inductance_q, ohm / f.speed, 10, 15),
-          .emf = word("control.emf", "V s/rad", p.motor.k_e, kRoot * f.voltage / f.speed, 10, 15),
-          .limit = word("control.limit", "", longest, 1, 15, 15)};
+  word("control.set_gamma", "A", p.current.i_gamma, kRoot * f.current, 15, 15);
+  word("control.k_p", "V/A", p.current.kp_delta, ohm, 12, 15);
+  word("control.k_i", "V/(A s)", p.current.ki_delta, ohm / p.pwm.period, 15, 15);
+  word("control.inductance", "H", p.motor.inductance_q, ohm / f.speed, 10, 15);
+  word("control.emf", "V s/rad", p.motor.k_e, kRoot * f.voltage / f.speed, 10, 15);
+  word("control.limit", "", longest, 1, 15, 15);
 }
 
 // A pulse is chopped over whole periods, at most four fifths of them: the length that is wanted is
@@ -121,23 +111,20 @@ PilotPlan plan_pilot(const Parameters& p) {
   return {n, share, std::max(n, std::round(p.pilot.long_s / (share * p.pwm.period)))};
 }
 
-PilotWords pilot_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
+void pilot_words(ScaledQuantiser& word, const Parameters& p, const Scales& f) {
   const Pilot& o = p.pilot;
   const PilotPlan plan = plan_pilot(p);
   // Half the rounds give one part of the sum, each of its six pulses as much as the saliency.
   const double sum = 3 * o.repeats * o.short_s * o.amperes_per_second;
-  return {.short_periods = word("pilot.short_periods", "periods", plan.short_periods, 1, 0, 6),
-          .long_periods = word("pilot.long_periods", "periods", plan.long_periods, 1, 0, 6),
-          .rounds = word("pilot.rounds", "", o.repeats, 1, 0, 5),
-          .decayed = word("pilot.decayed", "A", o.decayed, f.current, 15, 15),
-          .saliency = word("pilot.saliency", "A", o.least_saliency * sum, f.current, 15, 15),
-          .polarity = word("pilot.polarity", "A",
-                           o.least_polarity * 2 * o.long_s * o.amperes_per_second, f.current, 15,
-                           15)};
+  word("pilot.short_periods", "periods", plan.short_periods, 1, 0, 6);
+  word("pilot.long_periods", "periods", plan.long_periods, 1, 0, 6);
+  word("pilot.rounds", "", o.repeats, 1, 0, 5);
+  word("pilot.decayed", "A", o.decayed, f.current, 15, 15);
+  word("pilot.saliency", "A", o.least_saliency * sum, f.current, 15, 15);
+  word("pilot.polarity", "A", o.least_polarity * 2 * o.long_s * o.amperes_per_second, f.current, 15, 15);
 }
 
-SequenceWords sequence_words(ScaledQuantiser& word, const Parameters& p, const Settings& s,
-                             const Scales& f) {
+void sequence_words(ScaledQuantiser& word, const Parameters& p, const Settings& s, const Scales& f) {
   const Start& t = p.start;
   const bool pilot = t.by == StartBy::kPilot;
   const PilotPlan plan = plan_pilot(p);
@@ -148,15 +135,15 @@ SequenceWords sequence_words(ScaledQuantiser& word, const Parameters& p, const S
   const double pulses = 6 * p.pilot.repeats * (2 * plan.short_periods + 6) +
                         2 * (2 * plan.long_periods + 6) + 20;
   const double pattern = pilot ? pulses * p.pwm.period + p.pilot.decay_s : t.pattern_s / 3;
-  return {.arbitrary = t.by == StartBy::kArbitrary,
-          .pilot = pilot,
-          .hold_voltage = word("sequence.hold_voltage", "V", hold, f.voltage, 15, 15),
-          .pattern = word.periods("sequence.pattern", pattern, f),
-          .lock = word.periods("sequence.lock", t.lock_s, f),
-          .give_up = word.periods("sequence.give_up", t.give_up_s, f),
-          .brake = word.periods("sequence.brake", t.brake_s, f),
-          .retry_delay = word.periods("sequence.retry_delay", t.retry_delay_s, f),
-          .retries = word("sequence.retries", "", t.retries, 1, 0, 4)};
+  word.choose("sequence.arbitrary", t.by == StartBy::kArbitrary);
+  word.choose("sequence.pilot", pilot);
+  word("sequence.hold_voltage", "V", hold, f.voltage, 15, 15);
+  word.periods("sequence.pattern", pattern, f);
+  word.periods("sequence.lock", t.lock_s, f);
+  word.periods("sequence.give_up", t.give_up_s, f);
+  word.periods("sequence.brake", t.brake_s, f);
+  word.periods("sequence.retry_delay", t.retry_delay_s, f);
+  word("sequence.retries", "", t.retries, 1, 0, 4);
 }
 
 void refuse_pilot(std::vector<std::string>& lines, const Settings& s, const Design& d) {
@@ -216,19 +203,18 @@ Quantised quantise(const Settings& s) {
   refuse(q.problems, s, d);
   const Scales f = scales(s);
   ScaledQuantiser word(q);
-  q.words.bridge = bridge_words(word, p, s, f);
-  q.words.estimator = estimator_words(word, p, f);
-  q.words.speed = speed_words(word, p, f);
-  q.words.control = control_words(word, p, f);
-  q.words.sequence = sequence_words(word, p, s, f);
-  if (p.start.by == StartBy::kPilot) q.words.pilot = pilot_words(word, p, f);
+  bridge_words(word, p, s, f);
+  estimator_words(word, p, f);
+  speed_words(word, p, f);
+  control_words(word, p, f);
+  sequence_words(word, p, s, f);
+  if (p.start.by == StartBy::kPilot) pilot_words(word, p, f);
   const auto& g = p.protection;
-  const Word over = word("fault.over_current", "A", g.over_current, f.current, 15, 15);
-  q.words.fault = {.over_current = over,
-                   .saturated = word.periods("fault.saturated", g.saturated_s, f),
-                   .slow = word.periods("fault.slow", g.slow_s, f),
-                   .emf = word.periods("fault.emf", g.emf_s, f),
-                   .lost_samples = word("fault.lost_samples", "", g.lost_samples, 1, 0, 4)};
+  word("fault.over_current", "A", g.over_current, f.current, 15, 15);
+  word.periods("fault.saturated", g.saturated_s, f);
+  word.periods("fault.slow", g.slow_s, f);
+  word.periods("fault.emf", g.emf_s, f);
+  word("fault.lost_samples", "", g.lost_samples, 1, 0, 4);
   return q;
 }
 

@@ -142,7 +142,7 @@ TEST(DesignRules, AVeryHeavyRotorIsControlledAsFastAsTheGainsWordAllows) {
   const auto d = design_drive(s);
   const auto q = quantise(d.parameters, clock);
   EXPECT_TRUE(q.problems.empty()) << (q.problems.empty() ? "" : q.problems[0]);
-  EXPECT_EQ(q.words.speed.kp, 65535u);
+  EXPECT_EQ(q.words["speed.kp"], 65535u);
   // A slow pole, and so both of the closed loop coincide.
   const double gain = s.inverter.bus_v / d.motor.k_e * 6 * s.motor.pole_pairs / (2 * kPi) / d.motor.tau_m;
   const double half = (1 / d.motor.tau_m + d.parameters.speed.kp * gain) / 2;
@@ -167,7 +167,7 @@ TEST(DesignRules, AGainOfTheFileThatItsWordDoesNotHoldIsRefusedWithTheNearestTha
   const double most = refused(s, "speed.bandwidth_rad_s is 16; at most ");
   s.speed.bandwidth_rad_s = most;
   EXPECT_TRUE(problems(s).empty());
-  EXPECT_GT(quantise(design_drive(s).parameters, 20e6).words.speed.kp, 65535 * 0.99 - 1);  // three digits
+  EXPECT_GT(quantise(design_drive(s).parameters, 20e6).words["speed.kp"], 65535 * 0.99 - 1);  // three digits
   s.speed.kp_duty_per_rpm = 1;
   s.speed.kp_duty_per_rpm = refused(s, "speed.kp_duty_per_rpm is 1; at most ");
   EXPECT_TRUE(problems(s).empty());
