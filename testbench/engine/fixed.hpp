@@ -76,17 +76,9 @@ class FixedEngine {
     ticked_ = false;
   }
 
-  // Inlined to the last block: two thirds of the time are calls and copies otherwise.
-  [[gnu::flatten]] void tick() {
-    out_ = top_.tick(in_);
-    ticked_ = true;
-  }
-  // Inlined for the same reason.
-  [[gnu::flatten]] std::uint64_t run(std::uint64_t most) {
-    if (ticked_) return top_.advance(in_, out_, most);
-    tick();
-    return 1;
-  }
+  void tick();
+  // Some clocks, at most `most`: up to the next one after which an output may change.
+  std::uint64_t run(std::uint64_t most);
   // The same for one who looks at each of the clocks: see(output) for every one of them, skipped or not.
   // While it skips, the output stays, but for step_phase.
   template <class See>
@@ -99,15 +91,12 @@ class FixedEngine {
       shown.step_phase = top_.shows(in_, out_, n);
       see(shown);
     }
-    out_.step_phase = top_.skip(in_, out_, more);
+    skip_quiet(more);
     return 1 + more;
   }
   // For two engines that must stop at the same clocks.
-  std::uint64_t quiet() const { return ticked_ ? top_.quiet(in_, out_) : 0; }
-  void skip(std::uint64_t clocks) {
-    if (clocks > 1) top_.skip(in_, out_, clocks - 1);
-    tick();
-  }
+  std::uint64_t quiet() const;
+  void skip(std::uint64_t clocks);
 
   Watch watch() const { return watch_of(out_); }
   DriveView view() const {
@@ -119,11 +108,9 @@ class FixedEngine {
 
  private:
   // A tick and how many more are quiet, at most `most`.
-  [[gnu::flatten]] std::uint64_t tick_and_foresee(std::uint64_t most) {
-    if (ticked_) return top_.tick_and_foresee(in_, out_, most);
-    tick();
-    return 0;
-  }
+  std::uint64_t tick_and_foresee(std::uint64_t most);
+  // So many clocks, of which it was foreseen that they are quiet.
+  void skip_quiet(std::uint64_t clocks);
 
   Words words_;
   SkippingTop top_;

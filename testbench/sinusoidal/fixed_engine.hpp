@@ -93,15 +93,9 @@ class FixedEngine {
   void lose_samples(bool lose) { inputs_.lose(lose); }
   void set_reading(const plant::State& s) { inputs_.reading(s); }
 
-  [[gnu::flatten]] void tick() {
-    out_ = top_.tick(inputs_.in);
-    inputs_.in.codes.valid = false;
-  }
-  [[gnu::flatten]] std::uint64_t run(std::uint64_t most) {
-    const std::uint64_t clocks = top_.advance(inputs_.in, out_, most);
-    inputs_.in.codes.valid = false;
-    return clocks;
-  }
+  void tick();
+  // Some clocks, at most `most`: up to the next one after which an output may change.
+  std::uint64_t run(std::uint64_t most);
 
   // The same for one who looks at each of the clocks: see(output) for every one of them, skipped or not.
   template <class See>
