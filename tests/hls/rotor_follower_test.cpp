@@ -149,7 +149,9 @@ TEST(RotorFollower, ThreeStepsThatMoveNothingAreToldInOneClock) {
     if (b.out.load) b.in.step = b.out.step, ++loads;
     clocks += b.out.blocked;
     told += b.out.blocked && !was;
-    if (told == 1 && clocks == 1) EXPECT_GE(loads, 3);
+    if (told == 1 && clocks == 1) {
+      EXPECT_GE(loads, 3);
+    }
     was = b.out.blocked;
   }
   EXPECT_GE(told, 1);

@@ -172,7 +172,9 @@ TEST_P(Spice, AgreesWithThePlantInVoltages) {
     const Voltages v = run({});
     EXPECT_GT(v.compared, static_cast<int>(c.ours.size() / 5)) << p.name;
     EXPECT_LE(v.apart, bound) << p.name;
-    if (p.speed != 0) EXPECT_GT(run({.flux = 1.01}).apart, bound) << p.name << ": a percent of flux is noticed";
+    if (p.speed != 0) {
+      EXPECT_GT(run({.flux = 1.01}).apart, bound) << p.name << ": a percent of flux is noticed";
+    }
   }
 }
 

@@ -15,7 +15,7 @@ using test::ClosedLoop;
 using test::Verdict;
 
 design::Settings settings_of(const std::string& name) {
-  return load_drive_file(std::string(DRIVES) + "/" + name + ".toml").settings;
+  return load_drive_file(DRIVES "/" + name + ".toml").settings;
 }
 
 Verdict run(const design::Settings& s, double angle_deg) {

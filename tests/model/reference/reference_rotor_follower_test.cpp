@@ -169,7 +169,9 @@ TEST(ReferenceRotorFollower, SaysAtEachLookWhatTheLawSays) {
       ASSERT_EQ(b.follower.sure(), belief.sure()) << rotor << " " << k;
       ASSERT_EQ(b.follower.moves(), belief.moved) << rotor << " " << k;
       ASSERT_EQ(b.follower.drives(), belief.coast == 0) << rotor << " " << k;
-      if (belief.coast != 0) ASSERT_NEAR(b.follower.next() - b.t, belief.light() ? b.p.probe : b.p.look, 1e-12) << rotor << " " << k;
+      if (belief.coast != 0) {
+        ASSERT_NEAR(b.follower.next() - b.t, belief.light() ? b.p.probe : b.p.look, 1e-12) << rotor << " " << k;
+      }
       ++looks;
       if (news.blocked) break;  // the attempt is over
     }
