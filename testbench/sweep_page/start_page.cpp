@@ -108,7 +108,7 @@ std::string goals(const Json& j, const Goals& g) {
 
 std::string six_step_head(const SweepSetup& setup) {
   std::string t = page_head(setup, "Starts", "tools/starts", "drives/*.toml", "docs/starts.md",
-                            "all_of_200_drawn_starts_succeed_and_rtl_agrees");
+                            "all_of_100_drawn_starts_succeed_and_rtl_agrees");
   t += "Each run draws a motor from its drive's [envelope](drive_file.md#envelope): rotor angle, load, inertia, bus, "
        "resistance, inductance, flux, comparators, and whether the rotor turns already, either way. The drive's words stay "
        "those of the file. *Started* is in lock by the rotor's true angle, without a slipped step, for 24 electrical turns, a fifth of "

@@ -202,7 +202,7 @@ std::string page_stem(const SweepSetup& setup) {
 void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {
   const bool disturb = setup.kind.matrix == Matrix::kDisturb;
   // As many as the tests may repeat.
-  const std::uint64_t most = disturb ? 22 : page_stem(setup) == "starts" ? 200 : of_drawn_motors(setup) ? 12 : 60;
+  const std::uint64_t most = disturb ? 22 : page_stem(setup) == "starts" ? 100 : of_drawn_motors(setup) ? 12 : 60;
   std::vector<Figure> figures = sweep_figures(setup, rows);
   if (!disturb) {  // those that do not grow with every run
     std::erase_if(figures, [](const Figure& f) { return f.name != "lock_time" && f.name != "peak_current"; });
