@@ -1,6 +1,6 @@
 // The first lines of a sweep's page: its title, with what it was printed, which test holds it, and who chose the seed.
 //
-// Doc: docs/sweep.md   Test: tests/testbench/disturbance_test.cpp
+// Doc: docs/sweep.md   Test: tests/testbench/beyond_goals_test.cpp
 #pragma once
 
 #include <fmt/format.h>

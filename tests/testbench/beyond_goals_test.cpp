@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "testbench/sweep_page/page_head.hpp"
+
 namespace steplock {
 namespace {
 
@@ -22,6 +24,18 @@ struct Page {
     return rows.back();
   }
 };
+
+// A seed that a reader chose stands in the command; one that follows from what is judged is told with its digest.
+TEST(PageHead, SaysWithWhatItWasPrintedAndWhoChoseTheSeed) {
+  SweepSetup setup = Page().setup;
+  setup.runs = 5, setup.kind.seed = 7;
+  const auto head = [&] { return page_head(setup, "Title", "tools/starts", "drives/*.toml", "docs/a.md", "a_test"); };
+  EXPECT_EQ(head(), "# Title\n\nPrinted by `steplock sweep drives/*.toml --runs 5 --seed 7 --page docs/a.md`; the test `a_test` repeats its "
+                    "first runs and fails when they are not the page's.\n\n");
+  setup.judged = "0123456789abcdef0123";
+  EXPECT_NE(head().find("Printed by `tools/starts 5`; the test"), std::string::npos);
+  EXPECT_NE(head().find("Nobody chose the seed, 7: it follows from a digest (0123456789abcdef) of"), std::string::npos);
+}
 
 TEST(BeyondGoals, NothingIsSaidWhereNothingLiesBeyond) {
   Page page;

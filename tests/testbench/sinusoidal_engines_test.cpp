@@ -2,6 +2,7 @@
 // doubles.
 #include <gtest/gtest.h>
 
+#include "hls/bus/sinusoidal_rows.hpp"
 #include "hls/sinusoidal/sinusoidal_top.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/lockstep_engine.hpp"
@@ -24,6 +25,13 @@ std::string all(const Result& r) {
   for (const std::string& line : r.failures()) text += line + "; ";
   for (const std::string& line : r.reasons) text += "(" + line + ") ";
   return text;
+}
+
+// The design library names every word of a drive that is found by pilot pulses; hls_words refuses what it names beside them.
+TEST(SinusoidalEngines, EveryWordHasItsNameInTheDesignLibrary) {
+  const auto named = design::sinusoidal::quantise(drive("ipm_2k2")).words;
+  EXPECT_EQ(named.all().size(), std::tuple_size_v<std::remove_cvref_t<decltype(kSinusoidalWordRows)>>);
+  EXPECT_NO_THROW(hls_words(named));
 }
 
 // Start, load step, stop.  One place of speed is 0.6 r/min of 3000; the mean of a lock cannot drift.
