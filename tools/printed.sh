@@ -8,6 +8,7 @@
 #
 #   amano2003, matsui1996   some sections, drawn by the commit (tools/measured.sh): in time all of them
 #   load                    of every drive one set speed of four, drawn by the commit
+#   gallery                 three motors, drawn by the commit
 #   range                   every cell of the table, which is from 10,000 eRPM on; slower points stand in the figure alone
 #
 # Test: tests/tools/stale_print.sh
@@ -20,6 +21,7 @@ printed_by() {
     amano2003 | matsui1996) ls testbench/paper/"$1"* testbench/paper/paper_page.cpp drives/amano2003.toml drives/matsui1996.toml \
       drives/ipm_2k2.toml ;;
     load) ls testbench/range/load_envelope.cpp; grep -L '^kind *= *"sinusoidal"' drives/*.toml ;;
+    gallery) ls testbench/range/gallery.cpp drives/data_sheets/*.toml ;;
     range) ls testbench/range/range.cpp testbench/paper/ideal_rotor.hpp drives/br2804_drone.toml ;;
   esac
 }
@@ -29,6 +31,7 @@ figures_of() {
   case $1 in
     amano2003 | matsui1996) ls "$2/papers/$1"/*.svg ;;
     load) ls "$2"/figures/load_*.svg ;;
+    gallery) ls "$2"/figures/gallery_*.svg ;;
     range) ls "$2"/figures/range.svg ;;
   esac
 }
@@ -65,13 +68,16 @@ print_some() {
       echo "tools/pages: measured again, as drawn by the commit: set speed $some of each drive" >&2
       # shellcheck disable=SC2046  # a list of files
       "$steplock" envelope $(printed_by load | grep toml) --speed "$some" --out "$work/docs" ;;
+    gallery)
+      # shellcheck disable=SC2046  # a list of files
+      "$steplock" gallery $(printed_by gallery | grep toml | sed 's/$/ 1000/' | drawn 6000 | sort) --out "$work/docs" ;;
     range) "$steplock" range --from 10000 --out "$work/docs" ;;
   esac >"$work/$part.log" || { cat "$work/$part.log" >&2; return 1; }
 }
 
 # check_print PART: fails, and says why, if the page is stale
 check_print() {
-  local part=$1 page figure
+  local part=$1 page figure figures
   page=$docs/$(page_of "$part")
   if [ "$(tail -n 1 "$page")" != "$(seal "$part" "$docs")" ]; then
     echo "$page is stale: its checksum is not that of its text, its figures and what prints it; tools/pages $part" >&2
@@ -87,10 +93,10 @@ check_print() {
     return 1
   fi
   case $part in load | range) return 0 ;; esac  # their figures are of all points
-  for figure in "$work/docs/papers/$part"/*.svg; do
-    [ -e "$figure" ] || continue
-    cmp -s "$figure" "$docs/papers/$part/${figure##*/}" && continue
-    echo "$docs/papers/$part/${figure##*/} is stale; print it again with tools/pages $part" >&2
+  mapfile -t figures < <(cd "$work/docs" && find . -name '*.svg' -path "*$part*")
+  for figure in "${figures[@]}"; do
+    cmp -s "$work/docs/$figure" "$docs/$figure" && continue
+    echo "$docs/${figure#./} is stale; print it again with tools/pages $part" >&2
     return 1
   done
 }

@@ -228,7 +228,7 @@ double rounded_down(double value) {
 
 // How large a gain its word holds goes by the clock: between one and two times, and back again with each doubling of it.
 bool check_speed_gain(Findings& found, const Settings& s, const Design& d) {
-  const double kp = d.parameters.speed.kp, most = most_speed_kp(d.parameters.loop, s.control.clock_hz);
+  const double kp = d.parameters.speed.kp, most = most_duty_per_speed(d.parameters.loop, s.control.clock_hz);
   const auto& v = s.speed;
   if (kp <= most || (!v.kp_duty_per_rpm && !v.bandwidth_rad_s)) return true;
   const char* key = v.kp_duty_per_rpm ? "kp_duty_per_rpm" : "bandwidth_rad_s";

@@ -63,7 +63,7 @@ void set_speed(const Settings& s, Design& d) {
   // Of a heavy rotor, what the word of kp holds.
   const double per_kp = m.tau_m * m.k_e / bus / steps;
   const double bandwidth = v.bandwidth_rad_s.value_or(std::min(
-      {loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick(), most_speed_kp(loop, s.control.clock_hz) / per_kp}));
+      {loop_bandwidth / 4, 0.1 / d.parameters.pwm.tick(), most_duty_per_speed(loop, s.control.clock_hz) / per_kp}));
   const double per_rpm = 1 / steps_per_second(s, 1.0);
   p.target = steps_per_second(s, s.scenario.speed_rpm);
   p.kp = bandwidth * per_kp;
@@ -75,7 +75,8 @@ void set_speed(const Settings& s, Design& d) {
   p.bemf = m.k_e / bus / steps;
   // Each step builds up the current of two phases in series anew, which takes volt-seconds.
   const double commutation = 2 * (s.motor.inductance_h - s.motor.mutual_h) * s.sensors.limit_a;
-  p.loaded = kCorner * (p.bemf + commutation / bus);
+  // Above its word, which stands for the whole duty at a sixteenth of the highest speed, nothing slips but at a crawl.
+  p.loaded = std::min(kCorner * (p.bemf + commutation / bus), most_duty_per_speed(loop, s.control.clock_hz));
 
   const double friction = s.motor.coulomb_nm + s.load.opposing_nm;
   const double torque = m.k_e * s.motor.rated_current_a;

@@ -66,8 +66,9 @@ void set_start(const Settings& s, Design& d) {
   d.kappa = t.kappa_nm > 0 ? t.kappa_nm
                            : align_stiffness(s.motor.flux_vs, s.motor.pole_pairs, d.align_current);
   d.align_time_formula = align_time(d.kappa, m.inertia, t.gamma);
-  // The shorted windings damp the swing with twice tau_m: five of those leave 8 % of it.
-  p.align = t.align_s.value_or(std::max(d.align_time_formula, 5 * m.tau_m));
+  // The shorted windings damp the swing with twice tau_m: five of those leave 8 % of it.  Of a heavy rotor, what the word holds.
+  p.align = t.align_s.value_or(
+      std::min(std::max(d.align_time_formula, 5 * m.tau_m), kMostTicks * d.parameters.pwm.tick()));
   p.pre_align = t.pre_align_s.value_or(p.align / 2);
   // Two phases in parallel, in series with the third.
   p.align_duty = duty_for(s, d.align_current, 0.75 * m.r_loop);

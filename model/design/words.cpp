@@ -89,7 +89,7 @@ void speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, double
 
 }  // namespace
 
-double most_speed_kp(const LoopParameters& p, double clock_hz) {
+double most_duty_per_speed(const LoopParameters& p, double clock_hz) {
   const double hertz = hertz_of(p, clock_hz);
   const double fastest = std::clamp(std::round(p.maximum / hertz), 0.0, std::ldexp(1.0, 26) - 1);
   return 65535 * kp_lsb(std::ldexp(hertz, int(speed_shift(Word(fastest)))));

@@ -62,7 +62,7 @@ struct Quantised {
 Quantised quantise(const Parameters&, double clock_hz);
 
 // 1/(step/s): the greatest speed.kp that its word holds, with this loop's greatest frequency.
-double most_speed_kp(const LoopParameters&, double clock_hz);
+double most_duty_per_speed(const LoopParameters&, double clock_hz);
 
 // Clocks between a pin and the block that reads it: the synchroniser's two flops.
 inline constexpr int kPinClocks = 2;

@@ -181,7 +181,7 @@ speed_rpm = {:g}
 duration_s = 3
 )",
                      sheet.name, assumed, line / 2, line, inductance / 2,
-                     k_e / k_e_per_flux(shape, pairs), k_e, 1 / (k_e * kRadPerSecond), k_e, pairs,
+                     k_e / k_e_per_flux(shape, pairs), k_e, kv_of_k_e(k_e), k_e, pairs,
                      design::enum_words(shape)[static_cast<std::size_t>(shape)], inertia, friction, rated, inertia, bus,
                      std::min(10.0, line / 20), std::min(10.0, line / 40), 4e-4 * bus, -4e-4 * bus, 2e-4 * bus, 2e-4 * bus, limit,
                      sheet.clock_mhz, sheet.pwm_khz, speed);

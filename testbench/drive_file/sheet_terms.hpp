@@ -39,6 +39,7 @@ std::optional<std::string> disagreement(const std::string& what, const Told& fir
 // k_e: back-EMF constant, peak, of two terminals, V s/rad mechanical.
 inline constexpr double kRadPerSecond = std::numbers::pi / 30;  // of 1 r/min
 inline double k_e_of_kv(double rpm_per_v) { return 1 / (rpm_per_v * kRadPerSecond); }
+inline double kv_of_k_e(double k_e) { return 1 / (k_e * kRadPerSecond); }
 inline double k_e_without_load(double bus_v, double current, double line_ohm, double rpm) {
   return (bus_v - current * line_ohm) / (rpm * kRadPerSecond);
 }

@@ -136,7 +136,7 @@ TEST(DesignRules, SpeedPiPlacesItsBandwidthOnTheMotorsPole) {
 TEST(DesignRules, AVeryHeavyRotorIsControlledAsFastAsTheGainsWordAllows) {
   auto s = settings_of("maxon_ec45_flat");
   const double clock = s.control.clock_hz;
-  const double most = most_speed_kp(design_drive(s).parameters.loop, clock);
+  const double most = most_duty_per_speed(design_drive(s).parameters.loop, clock);
   const double heavier = 3 * most / design_drive(s).parameters.speed.kp;
   s.load.inertia_kgm2 = heavier * (s.motor.inertia_kgm2 + s.load.inertia_kgm2);
   const auto d = design_drive(s);
@@ -149,6 +149,17 @@ TEST(DesignRules, AVeryHeavyRotorIsControlledAsFastAsTheGainsWordAllows) {
   EXPECT_NEAR(half * half, d.parameters.speed.ki * gain, 1e-9 * half * half);
   s.speed.kp_duty_per_rpm = 1.001 * most * steps_per_second(s, 1.0);
   EXPECT_EQ(quantise(design_drive(s).parameters, clock).problems.size(), 1u);
+}
+
+// A mains fan: 0.77 H between two terminals, and a rotor that swings for a second.
+TEST(DesignRules, WhatIsWorkedOutEndsAtItsWord) {
+  auto s = settings_of("data_sheets/hawkins_fan");
+  const auto q = quantise(design_drive(s).parameters, s.control.clock_hz);
+  EXPECT_TRUE(q.problems.empty()) << (q.problems.empty() ? "" : q.problems[0]);
+  EXPECT_GT(q.words["start.align"], 3800u);
+  EXPECT_LT(q.words["start.align"], 4096u);
+  EXPECT_NEAR(q.words["start.pre_align"], q.words["start.align"] / 2.0, 1);
+  EXPECT_EQ(q.words["speed.loaded"], 65535u);
 }
 
 // What the file names itself is refused with the value that its word holds; that value then has words.
