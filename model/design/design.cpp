@@ -78,7 +78,8 @@ void set_loop(const Settings& s, Design& d) {
        .expected = 0.5 + l.advance_deg / 60,
        .lead_error = l.lead_error_deg.value_or(l.detector == Detector::kEveryStep ? 15 : 29) / 60,
        .delay = l.delay_s.value_or(s.sensors.comparator_delay_s)};
-  p.maximum = steps_per_second(s, l.maximum_rpm.value_or(1.3 * d.motor.no_load * 30 / kPi));
+  p.maximum = l.maximum_rpm ? steps_per_second(s, *l.maximum_rpm)
+                            : std::min(steps_per_second(s, 1.3 * d.motor.no_load * 30 / kPi), most_frequency(p, s.control.clock_hz));
   // Once per turn the loop must be slower, and push harder where the rotor only seems to follow.
   d.bandwidth = l.bandwidth.value_or(l.detector == Detector::kEveryStep ? 0.4 : 0.1);
   if (l.form == LoopForm::kPerStep) {

@@ -92,6 +92,7 @@ void set_start(const Settings& s, Design& d) {
                                    p.hand_over / (kMostTicks * d.parameters.pwm.tick()));
   p.ramp = gentlest;
   for (int k = std::min(t.retries, 3); k > 0 && 4 * p.ramp < 0.4 * full; --k) p.ramp *= 4;
+  p.ramp = std::min(p.ramp, most_ramp(d.parameters.loop, d.parameters.pwm.tick(), s.control.clock_hz));
   std::optional<double> time = t.t_a_s;
   if (!time && t.xi && t.k_v) time = acceleration_time(*t.xi, m.inertia, *t.k_v, m.k_e);
   if (time) p.ramp = p.hand_over / *time;
@@ -137,7 +138,8 @@ void set_follower(const Settings& s, Design& d) {
   // Nor so long that a rotor which turns backwards, too slowly for the brake, passes three edges between two looks: then
   // their order tells no direction.
   const double told = kEdgesBetweenLooks / (kBrakedFrom * p.hand_over) - decay;
-  p.probe = t.probe_s.value_or(std::max(std::min(0.35 * lightest, told), 1.5 * decay));
+  const double word = kMostSamples * d.parameters.bemf.sample_every;
+  p.probe = t.probe_s.value_or(std::min(std::max(std::min(0.35 * lightest, told), 1.5 * decay), word));
   // What cannot turn is to be told in 5 s: three steps an attempt, and a second for codes that only quiver.
   const double attempt = 4.0 / (1 + p.retries) - p.detect_spin - p.retry_delay;
   const double patience = std::min(1.5 * heaviest, std::max(1.2 * heaviest, attempt / 3));

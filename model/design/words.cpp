@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/design/quantiser.hpp"
+#include "model/design/rules.hpp"
 
 namespace steplock::design {
 namespace {
@@ -88,6 +89,12 @@ void speed_words(Quantiser& word, const SpeedParameters& p, Word fastest, double
 }
 
 }  // namespace
+
+double most_frequency(const LoopParameters& p, double clock_hz) { return (std::ldexp(1, 26) - 1) * hertz_of(p, clock_hz); }
+
+double most_ramp(const LoopParameters& p, double tick, double clock_hz) {
+  return (std::ldexp(1, 20) - 1) * hertz_of(p, clock_hz) / tick;
+}
 
 double most_duty_per_speed(const LoopParameters& p, double clock_hz) {
   const double hertz = hertz_of(p, clock_hz);
