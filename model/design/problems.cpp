@@ -122,6 +122,17 @@ void check_speeds(Findings& found, const Settings& s, const Design& d) {
     found.add("loop.maximum_rpm is ", rpm_of(s, p.loop.maximum),
               " rpm; must be 5 % above the set speed");
   }
+  // docs/range.md: what of a step the comparators may take until a crossing is believed, and what clocks the blocks need.
+  constexpr double kMostOfAStep = 0.36, kLeastClocks = 170;
+  const double step = 1 / p.speed.target, looks = p.bemf.blanking + p.bemf.samples * p.bemf.sample_every;
+  if (p.source == Source::kBemf && looks > kMostOfAStep * step) {
+    found.add("scenario.speed_rpm is ", set, " rpm, a step of ", step, " s, of which control.blanking_s and control.samples of sample_every_s take ", looks,
+              " s; must be at most ", kMostOfAStep * step, " s: lower them, or the speed to ", set * kMostOfAStep * step / looks);
+  }
+  if (step * s.control.clock_hz < kLeastClocks) {
+    found.add("scenario.speed_rpm is ", set, " rpm, a step of ", step * s.control.clock_hz, " clocks; must be at least ", kLeastClocks,
+              ": raise control.clock_hz to ", kLeastClocks / step, ", or lower the speed");
+  }
   const double slowest = 1.1 * rpm_of(s, std::max(p.loop.minimum, p.protection.stall)), fastest = rpm_of(s, p.loop.maximum) / 1.05;
   for (const double speed : s.scenario.set_speed_rpm) {
     if (speed < slowest || speed > fastest) {

@@ -42,6 +42,7 @@ void add_paper_command(CLI::App&, int& exit_code);
 void add_range_command(CLI::App&, int& exit_code);
 void add_envelope_command(CLI::App&, int& exit_code);
 void add_gallery_command(CLI::App&, int& exit_code);
+void add_hold_command(CLI::App&, int& exit_code);
 void add_plant_command(CLI::App&, int& exit_code);
 void add_keys_command(CLI::App&, int& exit_code);
 void add_new_command(CLI::App&, int& exit_code);

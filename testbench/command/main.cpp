@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   add_range_command(app, exit_code);
   add_envelope_command(app, exit_code);
   add_gallery_command(app, exit_code);
+  add_hold_command(app, exit_code);
   add_plant_command(app, exit_code);
   add_keys_command(app, exit_code);
   add_new_command(app, exit_code);

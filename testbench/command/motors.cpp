@@ -41,7 +41,8 @@ void add_motors_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("--count", arguments->count, "how many")->check(CLI::Range(1, 9999))->capture_default_str();
   command->add_option("--seed", arguments->seed, "other motors")->capture_default_str();
-  command->add_flag("--decades", arguments->decades, "of any size: 2 to 800 V, 0.1 to 1000 A, 100 to 1,000,000 electrical r/min, 0.1 g cm^2 to 10 kg m^2");
+  command->add_flag("--decades", arguments->decades,
+                    "of any size: 2 to 800 V, 0.1 to 1000 A, 100 to 1,000,000 electrical r/min, 0.1 g cm^2 to 10 kg m^2");
   command->add_option("--out", arguments->out, "their folder")->capture_default_str();
   command->footer("Example: steplock motors --count 30 && steplock sweep out/motors/*.toml --runs 300");
   command->callback([arguments, &exit_code] {

@@ -11,15 +11,15 @@
 namespace steplock {
 namespace {
 
-enum Quantity : std::uint64_t { kBus, kRated, kFrequency, kInertia, kPairs, kEmf, kLoss, kReactance, kLimit, kQuantities };
+enum Quantity : std::uint64_t { kBus, kRated, kFrequency, kInertia, kPairs, kEmf, kLoss, kReactance, kLimit, kAngle, kQuantities };
 
 struct Drawn {
-  double bus, rated, rpm, inertia, resistance, inductance, flux, k_e, limit;
+  double bus, rated, rpm, inertia, resistance, inductance, flux, k_e, limit, angle_deg;
   int pairs;
 
   bool possible() const {
-    const double tau = 2 * resistance * inertia / (k_e * k_e);
-    return tau > 1e-3 && tau < 3 && rpm < 200e3 && resistance > 1e-4 && inductance > 1e-7 && inductance < 1 && flux < 10 &&
+    const double tau = 2 * resistance * inertia / (k_e * k_e), tau_e = inductance / resistance;
+    return tau > 1e-3 && tau < 3 && tau_e < 50e-3 && rpm < 200e3 && resistance > 1e-4 && inductance > 1e-7 && inductance < 1 && flux < 10 &&
            limit > 1.2 * rated;
   }
 };
@@ -39,6 +39,7 @@ Drawn drawn(const Draw& draw, std::uint64_t attempt) {
   d.resistance = draw.by_ratio(from + kLoss, 0.03, 0.2) * emf / (2 * d.rated);
   d.inductance = draw.by_ratio(from + kReactance, 0.03, 0.25) * d.bus / (omega * 2 * d.rated);
   d.limit = std::min(draw.uniform(from + kLimit, 2, 4) * d.rated, 0.6 * d.bus / (2 * d.resistance));
+  d.angle_deg = draw.uniform(from + kAngle, 0, 360);
   return d;
 }
 
@@ -71,14 +72,16 @@ comparator_noise_v = {:.4g}
 comparator_hysteresis_v = {:.4g}
 limit_a = {:.4g}
 [control]
+clock_hz = 24e6
 chopping = "complementary"
 [scenario]
 speed_rpm = {:.5g}
 duration_s = 5
+start_angle_deg = {:.1f}
 )",
                      decades_motor_name(index), seed, d.resistance, d.inductance, d.flux, d.pairs, d.inertia,
-                     std::min(0.02 * d.k_e * d.rated, 100.0), d.rated, d.bus, std::min(d.resistance / 20, 10.0), 4e-4 * d.bus, -4e-4 * d.bus,
-                     2e-4 * d.bus, 2e-4 * d.bus, 4e-4 * d.bus, d.limit, d.rpm);
+                     std::min(0.02 * d.k_e * d.rated, 100.0), d.rated, d.bus, std::min(d.resistance / 20, 10.0), 4e-4 * d.bus,
+                     -4e-4 * d.bus, 2e-4 * d.bus, 2e-4 * d.bus, 4e-4 * d.bus, d.limit, d.rpm, d.angle_deg);
 }
 
 }  // namespace steplock

@@ -13,6 +13,7 @@
 #include "model/design/settings_keys.hpp"
 #include "testbench/drive_file/quantity.hpp"
 #include "testbench/drive_file/renamed_keys.hpp"
+#include "testbench/drive_file/fitted_defaults.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
 
 namespace steplock {
@@ -82,6 +83,7 @@ class Loader {
       if (!file_.line_of.contains(m.key) && !told && !(is_estimated(m.key) && !problems_.empty())) problems_.push_back(m.problem);
     }
     find_unknown();
+    if (problems_.empty()) fit_defaults(file_.settings, file_.line_of);
     return std::move(problems_);
   }
 
