@@ -17,10 +17,12 @@ namespace {
 namespace exact = reference::sinusoidal;
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kUniform = 0.29;  // standard deviation, of its width
 
 // What a sample showed, in turns; Delta i's sources in full scales.
 struct Compared {
   double time, angle, step;         // fixed less float
+  double gamma, delta;              // likewise, A
   double turns;                     // per sample, in doubles
   double voltage, current;          // lengths, of a phase's peak
 };
@@ -28,11 +30,13 @@ struct Compared {
 // The blocks drive.  Orders are those under which a sample is taken: what the sequence said when the one before came.
 class ShadowedEngine {
  public:
-  ShadowedEngine(const design::Settings& s, const design::sinusoidal::Parameters& p)
+  ShadowedEngine(const design::Settings& s, const design::sinusoidal::Parameters& p, double sense)
       : fixed_(s, adc_parameters(s)),
         adc_(adc_parameters(s)),
         p_(p),
         clock_hz_(s.control.clock_hz),
+        place_(std::ldexp(design::sinusoidal::current_range(s), -15)),
+        current_lsb_(sense * adc_.current_lsb()),
         period_clocks_(design::sinusoidal::quantise(s).words["bridge.period"]),
         applied_(p.applied),
         current_model_(p.motor, p.current_model, p.pwm.period),
@@ -80,7 +84,7 @@ class ShadowedEngine {
       if (calibrated_++ == 0) offset_ = {};
       for (std::size_t k = 0; k < 2; ++k) offset_[k] += codes_[k] / static_cast<double>(kOffsets);
     }
-    const double u = (codes_[0] - offset_[0]) * adc_.current_lsb(), v = (codes_[1] - offset_[1]) * adc_.current_lsb();
+    const double u = (codes_[0] - offset_[0]) * current_lsb_, v = (codes_[1] - offset_[1]) * current_lsb_;
     const exact::Phases now{u, v, -u - v};
     const bool estimates = ordered_ == State::kStarting || ordered_ == State::kRun || ordered_ == State::kSlowDown;
     const double angle = static_cast<double>(out.angle.raw()) / (1 << 24);
@@ -109,9 +113,14 @@ class ShadowedEngine {
     current_model_.update(interval), voltage_model_.update(interval);
     // The blocks' step shows in the next angle.
     if (estimated_ && ordered_ == State::kRun) {
+      const double seen_from = kTurn * static_cast<double>(out.angle.raw() >> 8) / 65536;  // as Park sees it
+      const double alpha = now[0], beta = (now[0] + 2 * now[1]) / std::numbers::sqrt3;
+      const double sine = std::sin(seen_from), cosine = std::cos(seen_from);
       compared_.push_back({.time = static_cast<double>(clock_) / clock_hz_,
                            .angle = std::remainder(angle - estimate().angle / kTurn, 1),
                            .step = std::remainder(angle - angle_, 1) - step_before,
+                           .gamma = place_ * static_cast<double>(out.i_gamma.raw()) - (alpha * cosine + beta * sine),
+                           .delta = place_ * static_cast<double>(out.i_delta.raw()) - (beta * cosine - alpha * sine),
                            .turns = std::abs(step_before),
                            .voltage = interval.voltage.length() / std::sqrt(1.5),
                            .current = interval.current.length() / std::sqrt(1.5)});
@@ -124,7 +133,7 @@ class ShadowedEngine {
   FixedEngine fixed_;
   plant::Adc adc_;
   design::sinusoidal::Parameters p_;
-  double clock_hz_, period_clocks_;
+  double clock_hz_, place_, current_lsb_, period_clocks_;  // place_: of s0.15, A
   exact::AppliedVoltage applied_;
   exact::CurrentModelEstimator current_model_;
   exact::VoltageModelEstimator voltage_model_;
@@ -163,7 +172,6 @@ StepError step_error(const design::Settings& s, const std::vector<Compared>& all
     current = std::max(current, c.current / design::sinusoidal::current_range(s));
     turns = std::max(turns, c.turns);
   }
-  constexpr double kUniform = 0.29;                      // standard deviation, of its width
   const double sixteenth = 65536 * dc / (16 * word("bridge.period", 0));  // of a clock, in places of 2^-16
   const double legs = std::sqrt(6) / 3 * sixteenth * std::hypot(kUniform, word("bridge.dead_time_loss", 6));
   const double moved = std::hypot(gain * std::hypot(legs, 2 * kUniform), kUniform * std::sqrt(6)) / 65536;
@@ -179,7 +187,7 @@ StepError step_error(const design::Settings& s, const std::vector<Compared>& all
 }  // namespace
 
 FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const std::function<bool(double done)>& progress,
-                          const std::optional<design::sinusoidal::Parameters>& reference) {
+                          const std::optional<design::sinusoidal::Parameters>& reference, double sense) {
   FloatErrors result;
   result.compared = "samples";
   if (!blocks.locked || !blocks.speed_time_s) return result;
@@ -192,7 +200,7 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   // What the bridge does is the blocks': their gate guard has a floor.
   parameters.applied.dead_time =
       std::max(parameters.applied.dead_time, design::sinusoidal::kDeadTimeFloor / s.control.clock_hz);
-  ShadowedEngine engine(s, parameters);
+  ShadowedEngine engine(s, parameters, sense);
   run_recorded<ShadowedEngine, Recorder>(engine, part, {.angle_deg = blocks.angle_deg, .progress = progress});
 
   std::vector<Compared> all = engine.compared();
@@ -203,15 +211,22 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   const double taken_away = 2 * kTurn * slowest;  // of an angle's error, per sample
   const StepError step = step_error(s, all);
   const double rpm = rpm_of_steps(6 * s.control.pwm_hz, s.motor.pole_pairs);  // of a turn per sample
-  Differences angle, speed;
-  for (const Compared& c : all) angle.add(360 * c.angle), speed.add(rpm * c.step);
+  Differences angle, speed, gamma, delta;
+  double longest = 0;
+  for (const Compared& c : all) {
+    angle.add(360 * c.angle), speed.add(rpm * c.step), gamma.add(c.gamma), delta.add(c.delta);
+    longest = std::max(longest, c.current);
+  }
   const auto row = [](const char* name, const char* unit, double bias, double scatter) {
     return design::BudgetRow{.name = name, .unit = unit, .rms = scatter, .bound = bias + 6 * scatter, .bias = bias};
   };
+  const double place = std::ldexp(design::sinusoidal::current_range(s), -15);  // A
+  const double lasts = 0.5 * place + 2 * std::ldexp(1, -15) * std::numbers::sqrt2 * longest, scatters = kUniform * std::numbers::sqrt2 * place;
   constexpr double kCut = 1.0 / 131072;  // turns: sine and cosine are those of 16 bits of the angle, cut
   result.signals = {angle.beside(row("estimated angle", "deg", 360 * (step.bias / taken_away + kCut),
                                      360 * step.scatter / std::sqrt(2 * taken_away))),
-                    speed.beside(row("momentary speed", "rpm", rpm * step.bias, rpm * step.scatter))};
+                    speed.beside(row("momentary speed", "rpm", rpm * step.bias, rpm * step.scatter)),
+                    gamma.beside(row("current, gamma", "A", lasts, scatters)), delta.beside(row("current, delta", "A", lasts, scatters))};
   return result;
 }
 

@@ -9,6 +9,8 @@
 //               lasts: the rounded words of gain, decay and of the volts in a clock
 //     step      Delta i times what the estimator makes of it, k_theta + k_speed / gain or k_theta + k_emf; lasts: the rounded
 //               word of the EMF's speed, times the speed
+//     current   of both axes, in the frame at the blocks' own angle: Clarke is cut (half a place lasts), sine and cosine are within two
+//               places (that many of the current's length last), two roundings scatter
 //     angle     the loop takes a = 2 (2 pi f) of an angle's error away per sample: what lasts ends at step / a, what scatters
 //               at step / sqrt(2 a), f at its slowest; and the half place of 16 bits that sine and cosine do not see
 //
@@ -24,9 +26,10 @@
 namespace steplock::sinusoidal {
 
 // `blocks`: what a run of this drive came to, with the rtl or the fixed engine; it tells where the span is, and that part is
-// run again.  `reference`: parameters of the estimator in doubles if not the design's, a negative control.
+// run again.  `reference`: parameters of the estimator in doubles if not the design's, and `sense` the gain of its converters, negative
+// controls.
 FloatErrors shadow_errors(const design::Settings&, const Result& blocks,
                           const std::function<bool(double done)>& progress = {},
-                          const std::optional<design::sinusoidal::Parameters>& reference = {});
+                          const std::optional<design::sinusoidal::Parameters>& reference = {}, double sense = 1);
 
 }  // namespace steplock::sinusoidal

@@ -11,6 +11,7 @@ constexpr double kBusGives = 0.2, kBusFitted = 0.1;  // of the bus, through its 
 constexpr double kPeriods = 0.7, kMostPwm = 50e3;    // of the PWM in a step; Hz
 constexpr double kLooks = 0.1;                       // of a step, until a crossing is believed
 constexpr double kLeastSample = 0.2e-6;              // s
+constexpr double kLeastBlanking = 1e-6;              // s, of the current comparator
 
 }  // namespace
 
@@ -34,6 +35,11 @@ void fit_defaults(design::Settings& s, Lines& lines) {
     fit("control.pwm_hz", c.pwm_hz, fitted, "Hz", "a step at the set speed is short");
   }
   const double looks = c.blanking_s + c.samples * c.sample_every_s, part = kLooks * step / looks;
+  // The off-time of a cut follows from it, and a long one leaves whole steps without a pulse.
+  if (part < 1 && silent("control.limit_blanking_s")) {
+    fit("control.limit_blanking_s", c.limit_blanking_s, std::min(c.limit_blanking_s, std::max(part * c.limit_blanking_s, kLeastBlanking)), "s",
+        "shorter where a step at the set speed is short, as the off-time after a cut is then");
+  }
   if (part < 1 && silent("control.blanking_s") && silent("control.sample_every_s") && silent("control.samples")) {
     constexpr const char* kWhy = "a tenth of a step at the set speed, with the samples";
     const double least = 1.05 * (i.dead_time_s + s.sensors.comparator_delay_s) + 4 / c.clock_hz;

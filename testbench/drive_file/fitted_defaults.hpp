@@ -4,6 +4,7 @@
 //     control.pwm_hz                more than its default where a step at the set speed is shorter than 0.7 periods: 50 kHz at most
 //     control.blanking_s,           where blanking and the samples of a crossing take more than a tenth of such a step: that tenth, but
 //     control.sample_every_s        no less than dead time and delay, and 0.2 us between two samples
+//     control.limit_blanking_s      likewise, but no less than 1 us: the off-time after a cut grows with it
 //
 // The dead time is the bridge's, whatever the motor: it is never shortened.  docs/range.md tells what part of a step the comparators
 // may take.

@@ -43,7 +43,7 @@ class SkippingSinusoidalTop : public SinusoidalTop {
 
  private:
   static constexpr std::uint64_t kWorthwhile = 6;  // clocks; below, looking costs more than ticking
-  static constexpr int kBusy = 2;  // clocks until the next look: who is at work now, is a little longer
+  static constexpr int kBusy = 1;  // clocks until the next look: who is at work now, is a little longer
 
   // Byte by byte, so that no register can be forgotten.  What fills the gaps between registers may
   // differ where they do not: then it is ticked for nothing, and the test tells.

@@ -162,7 +162,9 @@ std::string sinusoidal_head(const SweepSetup& setup) {
        "speed or time than the drive's "
        "[bounds](drive_file.md#bounds); *silent* is an angle lost for half a second while the drive claims a lock "
        "([how it is judged](sweep.md#a-run)). Pattern starts turn the rotor to their angle first, by three places in the wanted direction: a kick of "
-       "half a turn at most to the first, and swings.\n\n";
+       "half a turn at most to the first, and swings. Each place is held until the swing of the heaviest rotor of the envelope has faded to a "
+       "fifth ([start](sinusoidal.md#start)): that is nearly all of the time to lock. The goals are those of the six-step drives, whose start "
+       "follows the rotor and waits for no swing.\n\n";
   return t;
 }
 

@@ -47,7 +47,7 @@ std::string write(const fs::path& path, const std::string& text) {
 
 TEST(Command, HelpOfEverySubCommandHasAnExample) {
   EXPECT_EQ(steplock("--help").exit_code, 0);
-  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys", "new", "motors", "registers"}) {
+  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys", "new", "motors", "registers", "gallery", "hold"}) {
     const Result r = steplock(std::string(name) + " --help");
     EXPECT_EQ(r.exit_code, 0) << name;
     EXPECT_NE(r.output.find("Example: steplock " + std::string(name)), r.output.npos) << r.output;
@@ -292,6 +292,33 @@ TEST(Command, ABadGateFileIsExitCodeTwoWithItsLine) {
 
 TEST(Command, ADirectoryThatCannotBeWrittenIsExitCodeThree) {
   EXPECT_EQ(steplock("run " + kDrive + " --engine float --out /proc/steplock").exit_code, 3);
+}
+
+TEST(Command, MotorsOfAnySizeAreWrittenAndHeldOrNot) {
+  const fs::path here = fresh("decades");
+  ASSERT_EQ(steplock("motors --decades --count 2 --seed 5 --out " + here.string()).exit_code, 0);
+  const Result held = steplock("hold " + (here / "decades_0000.toml").string());
+  EXPECT_EQ(held.exit_code, 0) << held.output;
+  EXPECT_NE(held.output.find("  1 of 1 held\n"), held.output.npos) << held.output;
+  // Comparators that see no back-EMF, whatever the start does.
+  std::ifstream in(here / "decades_0000.toml");
+  std::stringstream text;
+  text << in.rdbuf();
+  std::string blind = text.str();
+  const std::size_t at = blind.find("comparator_noise_v");
+  blind.replace(at, blind.find('\n', at) - at, "comparator_noise_v = " + std::to_string(10));
+  const Result lost = steplock("hold " + write(here / "blind.toml", blind));
+  EXPECT_NE(lost.exit_code, 0);
+  const Result none = steplock("hold " STEPLOCK_DRIVES "/matsui1996.toml");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.output.find("matsui1996.toml"), none.output.npos) << none.output;
+}
+
+TEST(Command, AGalleryOfAFileThatIsNotThereWritesNothing) {
+  const fs::path out = fresh("gallery") / "page";
+  const Result r = steplock("gallery nowhere.toml --out " + out.string());
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_FALSE(fs::exists(out));
 }
 
 TEST(Command, TheKeysPageInDocsIsWhatTheProgramPrints) {

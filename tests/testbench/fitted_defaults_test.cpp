@@ -43,7 +43,8 @@ TEST(FittedDefaults, AFastOneLooksMoreOften) {
   design::Settings s = motor(100'000);  // a step of 20 us
   s.control.clock_hz = 48e6;
   const auto named = fitted(s);
-  EXPECT_EQ(named.size(), 3u);
+  EXPECT_EQ(named.size(), 4u);
+  EXPECT_DOUBLE_EQ(s.control.limit_blanking_s, 1e-6);
   EXPECT_DOUBLE_EQ(s.control.pwm_hz, 35e3);                 // 0.7 of a period in a step
   EXPECT_NEAR(s.control.sample_every_s, 2e-6 / 6, 1e-12);   // of 12 us 2
   EXPECT_GT(s.control.blanking_s, s.inverter.dead_time_s + s.sensors.comparator_delay_s);
@@ -57,10 +58,10 @@ TEST(FittedDefaults, AFastOneLooksMoreOften) {
 
 TEST(FittedDefaults, WhatTheFileSaysStays) {
   design::Settings s = motor(100'000);
-  EXPECT_TRUE((fitted(s, {{"control.samples", 3}, {"control.pwm_hz", 4}})).empty());
+  EXPECT_TRUE((fitted(s, {{"control.samples", 3}, {"control.pwm_hz", 4}, {"control.limit_blanking_s", 5}})).empty());
   s = motor(100'000);
   s.sensors.limit_a = 100;
-  EXPECT_TRUE((fitted(s, {{"control.blanking_s", 3}, {"control.pwm_hz", 4}, {"inverter.bus_resistance_ohm", 5}})).empty());
+  EXPECT_TRUE((fitted(s, {{"control.blanking_s", 3}, {"control.pwm_hz", 4}, {"control.limit_blanking_s", 5}, {"inverter.bus_resistance_ohm", 6}})).empty());
 }
 
 TEST(FittedDefaults, TheBusGivesTheLimitsCurrent) {

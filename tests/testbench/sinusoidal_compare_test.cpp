@@ -3,6 +3,8 @@
 
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/compare/compare.hpp"
+#include "testbench/compare/estimator_shadow.hpp"
+#include "testbench/drive/drive.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock {
@@ -32,7 +34,7 @@ TEST(SinusoidalCompare, RtlEqualsFixedOnEveryClockAndFloatStaysWithinTheBudget) 
   EXPECT_EQ(c.lockstep.clocks, static_cast<std::uint64_t>(0.36 * start().control.clock_hz));
   EXPECT_TRUE(c.lockstep.equal()) << c.lockstep.first_port << " at " << c.lockstep.first_clock;
   EXPECT_GT(c.shadow.count, 100u);
-  EXPECT_EQ(c.shadow.signals.size(), 2u);
+  EXPECT_EQ(c.shadow.signals.size(), 4u);
   EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
   EXPECT_TRUE(c.passed());
   EXPECT_EQ(c.own.size(), 7u);
@@ -56,6 +58,20 @@ TEST_P(EitherEstimator, IsWithinTheBudgetOfItsReferenceFromTheSetSpeedToTheEndOf
     const Comparison c = compare_engines(s, {.lockstep = false});
     EXPECT_GT(c.shadow.count, 5000u);
     EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
+  }
+}
+
+// Converters of which one's gain is two thousandths off: both currents are beyond their budget.
+TEST(SinusoidalCompare, AnotherGainOfTheConvertersIsFoundInTheCurrents) {
+  const design::Settings s = loaded();
+  const RunOptions options{.engine = EngineKind::kFixed};
+  const auto record = SinusoidalDrive::run(s, options);
+  const auto blocks = SinusoidalDrive::summarise(s, options, record);
+  for (const double sense : {1.0, 1.002}) {
+    const FloatErrors e = sinusoidal::shadow_errors(s, blocks, {}, {}, sense);
+    ASSERT_EQ(e.signals.size(), 4u);
+    EXPECT_EQ(e.signals[2].budget.name, std::string("current, gamma"));
+    EXPECT_EQ(e.signals[3].within(), sense == 1) << to_text(e);
   }
 }
 
