@@ -17,6 +17,7 @@ namespace {
 std::vector<DriveFile> all_drives() {
   std::vector<DriveFile> files;
   for (const auto& entry : std::filesystem::directory_iterator(STEPLOCK_DRIVES)) {
+    if (entry.path().extension() != ".toml") continue;
     DriveFile file = load_drive_file(entry.path().string());
     if (file.settings.drive.kind == design::DriveKind::kSixStep) files.push_back(std::move(file));
   }

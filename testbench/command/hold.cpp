@@ -68,7 +68,7 @@ void add_hold_command(CLI::App& app, int& exit_code) {
   command->add_option("--page", arguments->page, "write the page of tools/decades into this file");
   command->add_option("--printed-by", arguments->printed_by, "what the page says it was printed by")->group("");
   command->add_option("--seed", arguments->seed, "of the motors, for the page")->group("");
-  command->footer("Example: steplock motors --decades --count 20 && steplock hold out/motors/*.toml");
+  command->footer("Example: steplock hold drives/bly172s.toml drives/tekin_spindle.toml");
   command->callback([arguments, &exit_code] { exit_code = hold(*arguments); });
 }
 

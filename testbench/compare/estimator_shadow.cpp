@@ -221,7 +221,8 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
     return design::BudgetRow{.name = name, .unit = unit, .rms = scatter, .bound = bias + 6 * scatter, .bias = bias};
   };
   const double place = std::ldexp(design::sinusoidal::current_range(s), -15);  // A
-  const double lasts = 0.5 * place + 2 * std::ldexp(1, -15) * std::numbers::sqrt2 * longest, scatters = kUniform * std::numbers::sqrt2 * place;
+  const double lasts = 0.5 * place + 2 * std::ldexp(1, -15) * std::numbers::sqrt2 * longest;
+  const double scatters = kUniform * std::numbers::sqrt2 * place;
   constexpr double kCut = 1.0 / 131072;  // turns: sine and cosine are those of 16 bits of the angle, cut
   result.signals = {angle.beside(row("estimated angle", "deg", 360 * (step.bias / taken_away + kCut),
                                      360 * step.scatter / std::sqrt(2 * taken_away))),

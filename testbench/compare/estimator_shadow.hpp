@@ -26,7 +26,7 @@
 namespace steplock::sinusoidal {
 
 // `blocks`: what a run of this drive came to, with the rtl or the fixed engine; it tells where the span is, and that part is
-// run again.  `reference`: parameters of the estimator in doubles if not the design's, and `sense` the gain of its converters, negative
+// run again.  `reference`: parameters of the estimator in doubles if not the design's, and `sense` the gain of its ADCs, negative
 // controls.
 FloatErrors shadow_errors(const design::Settings&, const Result& blocks,
                           const std::function<bool(double done)>& progress = {},

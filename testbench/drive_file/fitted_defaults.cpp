@@ -37,7 +37,8 @@ void fit_defaults(design::Settings& s, Lines& lines) {
   const double looks = c.blanking_s + c.samples * c.sample_every_s, part = kLooks * step / looks;
   // The off-time of a cut follows from it, and a long one leaves whole steps without a pulse.
   if (part < 1 && silent("control.limit_blanking_s")) {
-    fit("control.limit_blanking_s", c.limit_blanking_s, std::min(c.limit_blanking_s, std::max(part * c.limit_blanking_s, kLeastBlanking)), "s",
+    const double fitted = std::min(c.limit_blanking_s, std::max(part * c.limit_blanking_s, kLeastBlanking));
+    fit("control.limit_blanking_s", c.limit_blanking_s, fitted, "s",
         "shorter where a step at the set speed is short, as the off-time after a cut is then");
   }
   if (part < 1 && silent("control.blanking_s") && silent("control.sample_every_s") && silent("control.samples")) {

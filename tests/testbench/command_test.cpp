@@ -47,7 +47,8 @@ std::string write(const fs::path& path, const std::string& text) {
 
 TEST(Command, HelpOfEverySubCommandHasAnExample) {
   EXPECT_EQ(steplock("--help").exit_code, 0);
-  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys", "new", "motors", "registers", "gallery", "hold"}) {
+  for (const char* name : {"run", "sweep", "merge", "compare", "design", "plant", "keys", "new", "motors", "registers",
+                           "gallery", "hold"}) {
     const Result r = steplock(std::string(name) + " --help");
     EXPECT_EQ(r.exit_code, 0) << name;
     EXPECT_NE(r.output.find("Example: steplock " + std::string(name)), r.output.npos) << r.output;

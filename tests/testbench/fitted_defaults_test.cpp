@@ -61,7 +61,8 @@ TEST(FittedDefaults, WhatTheFileSaysStays) {
   EXPECT_TRUE((fitted(s, {{"control.samples", 3}, {"control.pwm_hz", 4}, {"control.limit_blanking_s", 5}})).empty());
   s = motor(100'000);
   s.sensors.limit_a = 100;
-  EXPECT_TRUE((fitted(s, {{"control.blanking_s", 3}, {"control.pwm_hz", 4}, {"control.limit_blanking_s", 5}, {"inverter.bus_resistance_ohm", 6}})).empty());
+  const Lines all = {{"control.blanking_s", 3}, {"control.pwm_hz", 4}, {"control.limit_blanking_s", 5}, {"inverter.bus_resistance_ohm", 6}};
+  EXPECT_TRUE(fitted(s, all).empty());
 }
 
 TEST(FittedDefaults, TheBusGivesTheLimitsCurrent) {

@@ -61,8 +61,8 @@ TEST_P(EitherEstimator, IsWithinTheBudgetOfItsReferenceFromTheSetSpeedToTheEndOf
   }
 }
 
-// Converters of which one's gain is two thousandths off: both currents are beyond their budget.
-TEST(SinusoidalCompare, AnotherGainOfTheConvertersIsFoundInTheCurrents) {
+// The reference's ADCs are two thousandths off: a current is beyond its budget.
+TEST(SinusoidalCompare, AnotherGainOfTheAdcsIsFoundInTheCurrents) {
   const design::Settings s = loaded();
   const RunOptions options{.engine = EngineKind::kFixed};
   const auto record = SinusoidalDrive::run(s, options);
