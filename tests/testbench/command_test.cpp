@@ -309,7 +309,9 @@ TEST(Command, MotorsOfAnySizeAreWrittenAndHeldOrNot) {
   const std::size_t at = blind.find("comparator_noise_v");
   blind.replace(at, blind.find('\n', at) - at, "comparator_noise_v = " + std::to_string(10));
   const Result lost = steplock("hold " + write(here / "blind.toml", blind));
-  EXPECT_NE(lost.exit_code, 0);
+  EXPECT_EQ(lost.exit_code, 1) << lost.output;
+  EXPECT_NE(lost.output.find("NOT HELD"), lost.output.npos) << lost.output;
+  EXPECT_NE(lost.output.find("  0 of 1 held\n"), lost.output.npos) << lost.output;
   const Result none = steplock("hold " STEPLOCK_DRIVES "/matsui1996.toml");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.output.find("matsui1996.toml"), none.output.npos) << none.output;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # decades_page.sh STEPLOCK ROOT WORK [FLAW]: the first motors of docs/decades.md again, with its seed: they do what the page says.
-# With a flaw, another row or another seed as if typed, that is noticed.
+# The page's totals are those of its table by speed. With a flaw, another row, seed or total as if typed, that is noticed.
 set -euo pipefail
 steplock=$1 root=$2 work=$3 flaw=${4:-none}
 "$(dirname "$0")/../empty_folder" "$work"
@@ -8,6 +8,7 @@ page=$work/page.md
 case $flaw in
   none) cp "$root/docs/decades.md" "$page" ;;
   row) sed '/^| decades_0003 /s/[0-9] | yes/7 | yes/; /^| decades_0003 /s/\.\([0-9]*\)[0-68-9] | yes/.\17 | yes/' "$root/docs/decades.md" >"$page" ;;
+  total) sed 's/^| \([0-9]*\) | [0-9.]* % |/| \1 | 99.99 % |/' "$root/docs/decades.md" >"$page" ;;
   seed) sed 's/--seed \([0-9]*\)/--seed 1\1/' "$root/docs/decades.md" >"$page" ;;
 esac
 [ "$flaw" = none ] || ! cmp -s "$page" "$root/docs/decades.md"
@@ -16,7 +17,9 @@ rows=$(first "$page" | grep -c '^| decades_')
 seed=$(sed -n 's/.*--seed \([0-9]*\)`.*/\1/p' "$page" | head -n 1)
 "$steplock" motors --decades --count "$rows" --seed "$seed" --out "$work/motors" >/dev/null
 "$steplock" hold "$work"/motors/*.toml --jobs 1 --page "$work/again.md" --printed-by again --seed "$seed" >/dev/null || [ $? = 1 ]
-if diff <(first "$page") <(first "$work/again.md"); then
+totals() { awk -F' *[|] *' '/^\| [0-9.e+]+ to /{ n += $3; held += $4 } END { printf "%d %.2f %%\n", n, 100 * held / n }' "$1"; }
+if diff <(totals "$page") <(sed -n 's/^| \([0-9]*\) | \([0-9.]* %\) |.*/\1 \2/p' "$page") &&
+   diff <(first "$page") <(first "$work/again.md"); then
   [ "$flaw" = none ]
 else
   echo "docs/decades.md is stale; print it again with the command in its first line" >&2
