@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "testbench/report/power_figure.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
 
@@ -78,6 +79,14 @@ Panel phase_errors(const Samples& samples, double scale, double origin) {
   return panel;
 }
 
+std::vector<Mark> events_of(const design::Settings& s) {
+  std::vector<Mark> marks;
+  for (const Event& e : timeline(s).events) {
+    if (e.clock > 0) marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
+  }
+  return marks;
+}
+
 Figure whole_run(const design::Settings& s, const Record& record) {
   Figure f{.name = "start", .title = s.drive.name + ": from standstill to stop", .axis = "time, s",
            .caption = "The whole scenario: speed as the drive measures it and as the rotor turns, phase "
@@ -97,11 +106,7 @@ Figure whole_run(const design::Settings& s, const Record& record) {
                       .range = {{-0.5, 10.5}},
                       .ticks = {{0, "idle"}, {1, "detect spin"}, {2, "brake"}, {3, "pre-align"}, {4, "align"}, {5, "accelerate"},
                                 {6, "pull in"}, {7, "run"}, {8, "slow down"}, {9, "retry delay"}, {10, "fault"}}});
-  for (const Event& e : timeline(s).events) {
-    if (e.clock > 0) {
-      f.marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
-    }
-  }
+  f.marks = events_of(s);
   return f;
 }
 
@@ -188,6 +193,7 @@ std::vector<Figure> run_figures(const design::Settings& s, const Summary& sum, c
     });
     if (around.size() >= kFew) all.push_back(load_step(s, around));
   }
+  if (record.overview.size() >= kFew) all.push_back(power_figure(record.overview, events_of(s)));
   return all;
 }
 

@@ -1,8 +1,9 @@
-// The figures of a run: the whole scenario, the start, two turns at set speed, the load step.
+// The figures of a run: the whole scenario, the start, two turns at set speed, the load step, where the power goes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "testbench/report/power_figure.hpp"
 #include "testbench/run/units.hpp"
 #include "testbench/sinusoidal/run.hpp"
 
@@ -65,15 +66,21 @@ class Curves {
   double scale_, origin_, from_, to_;
 };
 
+std::vector<Mark> events_of(const design::Settings& s) {
+  std::vector<Mark> marks;
+  for (const Event& e : timeline(s).events) {
+    if (e.what != "gates off") marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
+  }
+  return marks;
+}
+
 Figure whole_run(const design::Settings& s, const Record& record) {
   const Curves curves(record.overview);
   Figure run{.name = "run", .title = s.drive.name + ": the whole scenario", .axis = "time, s",
              .caption = "The whole scenario: speed, current in the rotor's axes and in the drive's, torque, and the "
                         "error of the estimated angle."};
   run.panels = {curves.speeds(), curves.axes(), curves.torques(), curves.angle_error()};
-  for (const Event& e : timeline(s).events) {
-    if (e.what != "gates off") run.marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
-  }
+  run.marks = events_of(s);
   return run;
 }
 
@@ -146,6 +153,7 @@ std::vector<Figure> figures(const design::Settings& s, const Record& record) {
   if (n.load_step_s && record.overview.size() >= kFew && record.simulated_s > *n.load_step_s) {
     all.push_back(load_step(record.overview, *n.load_step_s, n.load_off_s.value_or(n.duration_s)));
   }
+  if (record.overview.size() >= kFew) all.push_back(power_figure(record.overview, events_of(s)));
   return all;
 }
 

@@ -33,7 +33,7 @@ TEST(Report, AllFilesAreWrittenAndThePageNeedsNoOther) {
   const ReportFiles files = write_report(out, file.settings, summary, record, false);
   EXPECT_TRUE(files.warnings.empty());
   for (const char* name : {"summary.json", "run.csv", "lock.csv", "steady.csv", "start.svg", "lock.svg",
-                           "steady.svg", "load_step.svg", "report.html"}) {
+                           "steady.svg", "load_step.svg", "power.svg", "report.html"}) {
     EXPECT_GT(fs::file_size(out / name), 100u) << name;
   }
   std::string page = read(out / "report.html");
