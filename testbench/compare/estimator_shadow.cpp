@@ -36,7 +36,7 @@ class ShadowedEngine {
         p_(p),
         clock_hz_(s.control.clock_hz),
         place_(std::ldexp(design::sinusoidal::current_range(s), -15)),
-        current_lsb_(sense * adc_.current_lsb()),
+        sense_(sense),
         period_clocks_(design::sinusoidal::quantise(s).words["bridge.period"]),
         applied_(p.applied),
         current_model_(p.motor, p.current_model, p.pwm.period),
@@ -84,7 +84,7 @@ class ShadowedEngine {
       if (calibrated_++ == 0) offset_ = {};
       for (std::size_t k = 0; k < 2; ++k) offset_[k] += codes_[k] / static_cast<double>(kOffsets);
     }
-    const double u = (codes_[0] - offset_[0]) * current_lsb_, v = (codes_[1] - offset_[1]) * current_lsb_;
+    const double lsb = adc_.current_lsb(), u = (codes_[0] - offset_[0]) * lsb * sense_, v = (codes_[1] - offset_[1]) * lsb;
     const exact::Phases now{u, v, -u - v};
     const bool estimates = ordered_ == State::kStarting || ordered_ == State::kRun || ordered_ == State::kSlowDown;
     const double angle = static_cast<double>(out.angle.raw()) / (1 << 24);
@@ -133,7 +133,7 @@ class ShadowedEngine {
   FixedEngine fixed_;
   plant::Adc adc_;
   design::sinusoidal::Parameters p_;
-  double clock_hz_, place_, current_lsb_, period_clocks_;  // place_: of s0.15, A
+  double clock_hz_, place_, sense_, period_clocks_;  // place_: of s0.15, A
   exact::AppliedVoltage applied_;
   exact::CurrentModelEstimator current_model_;
   exact::VoltageModelEstimator voltage_model_;

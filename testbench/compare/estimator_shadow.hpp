@@ -26,8 +26,8 @@
 namespace steplock::sinusoidal {
 
 // `blocks`: what a run of this drive came to, with the rtl or the fixed engine; it tells where the span is, and that part is
-// run again.  `reference`: parameters of the estimator in doubles if not the design's, and `sense` the gain of its ADCs, negative
-// controls.
+// run again.  `reference`: parameters of the estimator in doubles if not the design's, and `sense` the gain of its ADC of phase u,
+// negative controls.
 FloatErrors shadow_errors(const design::Settings&, const Result& blocks,
                           const std::function<bool(double done)>& progress = {},
                           const std::optional<design::sinusoidal::Parameters>& reference = {}, double sense = 1);
