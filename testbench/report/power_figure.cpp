@@ -1,5 +1,6 @@
 #include "testbench/report/power_figure.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace steplock {
@@ -12,12 +13,12 @@ Curve curve(const std::vector<Power>& spans, const char* title, const char* colo
   return c;
 }
 
-// Of spans in which the load takes power and what comes in covers it: a rotor that slows down gives the load more.
+// Of what comes in: where a rotor slows down, its energy goes to the load beside the source's, and counts as much.
 Curve efficiency(const std::vector<Power>& spans) {
-  Curve c{"load of source", palette::kV};
+  Curve c{"load of what comes in", palette::kV};
   c.dots = true;
   for (const Power& p : spans) {
-    if (p.load > 0 && p.load < p.input) c.points.push_back({(p.from_s + p.to_s) / 2, 100 * p.efficiency()});
+    if (p.load > 0) c.points.push_back({(p.from_s + p.to_s) / 2, 100 * p.load / (p.input - std::min(0.0, p.stored))});
   }
   return c;
 }
@@ -27,7 +28,7 @@ Curve efficiency(const std::vector<Power>& spans) {
 Figure power_figure(const std::vector<Power>& spans, std::vector<Mark> marks) {
   Figure f{.name = "power", .title = "Where the power goes", .axis = "time, s",
            .caption = "Power from the source, to the load and into what is stored (rotor, windings, bus capacitor); what becomes heat on "
-                      "the way, and how much of the source's power the load gets. Iron losses are no part of the plant.",
+                      "the way, and how much of what source and store give the load gets. Iron losses are no part of the plant.",
            .marks = std::move(marks)};
   f.panels = {{.label = "power, W",
                .curves = {curve(spans, "source", palette::kTrue, [](const Power& p) { return p.input; }),

@@ -79,14 +79,6 @@ Panel phase_errors(const Samples& samples, double scale, double origin) {
   return panel;
 }
 
-std::vector<Mark> events_of(const design::Settings& s) {
-  std::vector<Mark> marks;
-  for (const Event& e : timeline(s).events) {
-    if (e.clock > 0) marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
-  }
-  return marks;
-}
-
 Figure whole_run(const design::Settings& s, const Record& record) {
   Figure f{.name = "start", .title = s.drive.name + ": from standstill to stop", .axis = "time, s",
            .caption = "The whole scenario: speed as the drive measures it and as the rotor turns, phase "
@@ -176,6 +168,13 @@ Figure load_step(const design::Settings& s, const Samples& samples) {
 }
 
 }  // namespace
+
+std::vector<Mark> events_of(const design::Settings& s) {
+  std::vector<Mark> marks;
+  for (const Event& e : timeline(s).events) marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
+  marks.erase(marks.begin());
+  return marks;
+}
 
 std::vector<Figure> run_figures(const design::Settings& s, const Summary& sum, const Record& record) {
   std::vector<Figure> all;

@@ -11,6 +11,9 @@
 
 namespace steplock {
 
+// What the host and the load do in the scenario, of either drive, from the second event on: the first is that gates are off.
+std::vector<Mark> events_of(const design::Settings&);
+
 // Those for which the record holds samples.
 std::vector<Figure> run_figures(const design::Settings&, const Summary&, const Record&);
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "testbench/report/power_figure.hpp"
+#include "testbench/report/run_figures.hpp"
 #include "testbench/run/units.hpp"
 #include "testbench/sinusoidal/run.hpp"
 
@@ -65,14 +66,6 @@ class Curves {
   const Samples& samples_;
   double scale_, origin_, from_, to_;
 };
-
-std::vector<Mark> events_of(const design::Settings& s) {
-  std::vector<Mark> marks;
-  for (const Event& e : timeline(s).events) {
-    if (e.what != "gates off") marks.push_back({static_cast<double>(e.clock) / s.control.clock_hz, e.what});
-  }
-  return marks;
-}
 
 Figure whole_run(const design::Settings& s, const Record& record) {
   const Curves curves(record.overview);
