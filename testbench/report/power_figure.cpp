@@ -15,7 +15,7 @@ Curve curve(const std::vector<Power>& spans, const char* title, const char* colo
 
 // Of what comes in: where a rotor slows down, its energy goes to the load beside the source's, and counts as much.
 Curve efficiency(const std::vector<Power>& spans) {
-  Curve c{"load of what comes in", palette::kV};
+  Curve c{"load's share", palette::kV};
   c.dots = true;
   for (const Power& p : spans) {
     if (p.load > 0) c.points.push_back({(p.from_s + p.to_s) / 2, 100 * p.load / (p.input - std::min(0.0, p.stored))});
