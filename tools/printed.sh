@@ -10,6 +10,7 @@
 #   load                    of every drive one set speed of four, drawn by the commit
 #   gallery                 three motors, drawn by the commit
 #   range                   every cell of the table, which is from 10,000 eRPM on; slower points stand in the figure alone
+#   sinusoidal_range        likewise, from 5,000 eRPM on
 #
 # Test: tests/tools/stale_print.sh
 
@@ -22,7 +23,8 @@ printed_by() {
       drives/ipm_2k2.toml ;;
     load) ls testbench/range/load_envelope.cpp; grep -L '^kind *= *"sinusoidal"' drives/*.toml ;;
     gallery) ls testbench/range/gallery.cpp drives/data_sheets/*.toml ;;
-    range) ls testbench/range/range.cpp testbench/paper/ideal_rotor.hpp drives/br2804_drone.toml ;;
+    range) ls testbench/range/range.cpp testbench/range/six_step_range.cpp testbench/paper/ideal_rotor.hpp drives/br2804_drone.toml ;;
+    sinusoidal_range) ls testbench/range/range.cpp testbench/range/sinusoidal_range.cpp drives/m2310p_sinusoidal.toml ;;
   esac
 }
 
@@ -32,7 +34,7 @@ figures_of() {
     amano2003 | matsui1996) ls "$2/papers/$1"/*.svg ;;
     load) ls "$2"/figures/load_*.svg ;;
     gallery) ls "$2"/figures/gallery_*.svg ;;
-    range) ls "$2"/figures/range.svg ;;
+    range | sinusoidal_range) ls "$2"/figures/"$1".svg ;;
   esac
 }
 
@@ -72,6 +74,7 @@ print_some() {
       # shellcheck disable=SC2046  # a list of files
       "$steplock" gallery $(printed_by gallery | grep toml | sed 's/$/ 1000/' | drawn 6000 | sort) --out "$work/docs" ;;
     range) "$steplock" range --from 10000 --out "$work/docs" ;;
+    sinusoidal_range) "$steplock" range drives/m2310p_sinusoidal.toml --from 5000 --out "$work/docs" ;;
   esac >"$work/$part.log" || { cat "$work/$part.log" >&2; return 1; }
 }
 
@@ -92,7 +95,7 @@ check_print() {
     head -n 10 "$work/$part.new" >&2
     return 1
   fi
-  case $part in load | range) return 0 ;; esac  # their figures are of all points
+  case $part in load | range | sinusoidal_range) return 0 ;; esac  # their figures are of all points
   mapfile -t figures < <(cd "$work/docs" && find . -name '*.svg' -path "*$part*")
   for figure in "${figures[@]}"; do
     cmp -s "$work/docs/$figure" "$docs/$figure" && continue

@@ -5,7 +5,7 @@
 
 #include "testbench/command/command.hpp"
 #include "testbench/command/terminal.hpp"
-#include "testbench/range/range.hpp"
+#include "testbench/drive/drive.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 
@@ -20,21 +20,21 @@ struct Arguments {
 int print_range(const Arguments& arguments) {
   namespace fs = std::filesystem;
   const DriveFile file = open_drive_file(arguments.file);
-  require_kind(file, design::DriveKind::kSixStep, "the range");
+  const RangePlan plan = with_drive(file.settings, [](auto drive) { return drive.range(); });
   Range range;
   {
     Interrupt interrupt;
     ProgressBar bar("range");
-    range = measure_range(file.settings, arguments.least_erpm, [&](double done) {
+    range = measure_range(plan, file.settings, arguments.least_erpm, [&](double done) {
       bar.show(done);
       return !interrupt.asked();
     });
   }
   const fs::path out = arguments.out;
-  draw_all({range_figure(range)}, out / "figures");
-  write_file(out / "range.md", range_page(range));
-  fmt::print("  wrote {}\n  wrote {}\n", (out / "figures" / "range.svg").string(),
-             (out / "range.md").string());
+  const fs::path figure = out / "figures" / (plan.stem + ".svg"), page = out / (plan.stem + ".md");
+  draw_all({range_figure(plan, range)}, out / "figures");
+  write_file(page, range_page(plan, range));
+  fmt::print("  wrote {}\n  wrote {}\n", figure.string(), page.string());
   return kWell;
 }
 
@@ -48,7 +48,7 @@ void add_range_command(CLI::App& app, int& exit_code) {
                       "drive file that lends what is not varied (default drives/br2804_drone.toml)");
   command->add_option("--from", arguments->least_erpm,
                       "only from this electrical speed on, r/min (default all; slow ones take longest)");
-  command->add_option("--out", arguments->out, "directory of range.md and its figure (default out/range)");
+  command->add_option("--out", arguments->out, "directory of the page and its figure (default out/range)");
   command->footer("Example: steplock range --out docs");
   command->callback([arguments, &exit_code] { exit_code = print_range(*arguments); });
 }

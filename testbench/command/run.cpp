@@ -52,6 +52,7 @@ void print_row(const Row& row, bool json) {
     j[name] = text.substr(0, comma);
     text.erase(0, comma == text.npos ? comma : comma + 1);
   });
+  if (row.matrix() == Matrix::kDisturb && row.table().sinusoidal()) j["drive_reason"] = start_reason(row);
   for (const auto& [name, value] : j.items()) {
     if (!json) fmt::print("  {:<16}{}\n", name, value.get<std::string>());
   }
@@ -73,14 +74,15 @@ template <class Drive>
 int replay(const Arguments& arguments, DriveFile file) {
   const RunSeed seed{*arguments.replay};
   if (seed.value >= kSeedEnd) refuse(file, fmt::format("--replay is {}; a sweep's seeds are below {}", seed.value, kSeedEnd));
-  if ((seed.disturbed() || seed.hard()) && !Drive::kDisturbed) {
-    refuse(file, "this seed is of the disturbance or of the hard matrix, which serve six-step drives");
+  if (seed.hard() && !Drive::kHardships) refuse(file, "this seed is of the hard matrix, which serves six-step drives");
+  DrawnRun run = drawn_run(file.settings, seed);
+  if (seed.disturbed() && !Drive::meets(run.disturbance.kind)) {
+    refuse(file, fmt::format("this seed's disturbance, {}, is of six-step drives; replay one of a sweep of this drive", name_of(run.disturbance.kind)));
   }
   const fs::path out = make_folder(arguments);
-  DrawnRun run = drawn_run(file.settings, seed);
   Interrupt interrupt;
   SimulateOptions simulation{.engine = arguments.engine, .go_on = [&] { return !interrupt.asked(); }};
-  DrawnResult result = simulate(run, simulation);
+  DrawnResult result = Drive::simulate(run, simulation);
   if (result.stopped) return kInterrupted;
   std::unique_ptr<TraceWriter> trace = make_trace(arguments, out, Drive::wave(), run.settings.motor.pole_pairs);
   const double end_s = run.seed.disturbed() ? std::max(result.findings.end_s, result.after.end_s)
@@ -89,7 +91,7 @@ int replay(const Arguments& arguments, DriveFile file) {
   Drive::record_into(simulation, record);
   simulation.trace = trace.get();
   simulation.record_s = end_s;
-  result = simulate(run, simulation);
+  result = Drive::simulate(run, simulation);
   if (result.stopped) return kInterrupted;
   trace.reset();
   design::Settings drawn = run.settings;

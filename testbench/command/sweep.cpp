@@ -10,6 +10,7 @@
 #include "testbench/command/command.hpp"
 #include "testbench/command/judged.hpp"
 #include "testbench/command/terminal.hpp"
+#include "testbench/drive/drive.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sweep_page/statistics.hpp"
 #include "testbench/sweep/sweep.hpp"
@@ -79,8 +80,8 @@ int run_sweep(Arguments arguments) {
   }
   const design::DriveKind drive_kind = arguments.drive_kind ? *arguments.drive_kind : kind_among(arguments.files);
   const bool sinusoidal = drive_kind == design::DriveKind::kSinusoidal;
-  if (sinusoidal && matrix != Matrix::kStart) {
-    throw BadInput(fmt::format("--matrix {} serves six-step drives alone; leave it out for sinusoidal ones", name_of(matrix)));
+  if (sinusoidal && matrix == Matrix::kHard) {
+    throw BadInput("--matrix hard serves six-step drives alone; leave it out for sinusoidal ones, or write --matrix disturb");
   }
   const std::vector<DriveFile> files = open_files_of(
       drive_kind, arguments.files, sinusoidal ? "a sweep of sinusoidal drives" : "a sweep");
@@ -99,14 +100,15 @@ int run_sweep(Arguments arguments) {
   {
     Interrupt interrupt;
     ProgressBar bar("sweep");
-    end = sweep(setup, files,
-                {.shard = shard, .jobs = arguments.jobs, .resume = arguments.resume,
-                 .progress = [&](std::uint64_t done, std::uint64_t all) {
-                   bar.show(all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1,
-                            fmt::format(" {}/{}", done, all));
-                   return !interrupt.asked();
-                 }},
-                folder);
+    const SweepOptions options{.shard = shard, .jobs = arguments.jobs, .resume = arguments.resume,
+                               .progress = [&](std::uint64_t done, std::uint64_t all) {
+                                 bar.show(all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1,
+                                          fmt::format(" {}/{}", done, all));
+                                 return !interrupt.asked();
+                               }};
+    end = with_drive(files.front().settings, [&](auto drive) {
+      return matrix == Matrix::kDisturb ? drive.disturb(setup, files, options, folder) : sweep(setup, files, options, folder);
+    });
   }
   const double wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -9,6 +9,8 @@
 //     shadow                   fixed against float on the same pins
 //     wave()                   the signals of its wave
 //     record_into(options, r)  where a drawn run of a sweep puts its record
+//     range                    up to which speed it is measured, and how
+//     simulate, disturb        one drawn run, and a sweep of disturbed ones; meets: which disturbances
 //
 // Rightly different, and so not here: the blocks, the references, the design rules, the verdicts and the papers.
 //

@@ -6,6 +6,9 @@
 #include <filesystem>
 
 #include "testbench/compare/estimator_shadow.hpp"
+#include "testbench/disturb/disturbance_sweep.hpp"
+#include "testbench/disturb/sinusoidal_disturbance.hpp"
+#include "testbench/range/range.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/sinusoidal/run.hpp"
@@ -16,7 +19,7 @@ namespace steplock {
 struct SinusoidalDrive {
   using Record = sinusoidal::Record;
   using Summary = sinusoidal::Result;
-  static constexpr bool kDisturbed = false;
+  static constexpr bool kHardships = false;
 
   // The words may not hold what the reference in doubles can do.
   static void check(const DriveFile& file, EngineKind engine) {
@@ -36,6 +39,15 @@ struct SinusoidalDrive {
     return sinusoidal::shadow_errors(s, summary, progress, reference);
   }
   static const WaveTable& wave() { return sinusoidal::Recording::wave(); }
+  static RangePlan range() { return sinusoidal_range(); }
+  static bool meets(Trouble kind) { return sinusoidal::meets(kind); }
+  static DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) {
+    return run.seed.disturbed() ? sinusoidal::simulate_disturbed(run, options) : steplock::simulate(run, options);
+  }
+  static SweepEnd disturb(const SweepSetup& setup, const std::vector<DriveFile>& files, const SweepOptions& options,
+                          const std::filesystem::path& folder) {
+    return sinusoidal::sweep_disturbances(setup, files, options, folder);
+  }
   static void record_into(SimulateOptions& options, Record& record) { options.sinusoidal_record = &record; }
 };
 

@@ -6,17 +6,19 @@
 #include <filesystem>
 
 #include "testbench/compare/shadow.hpp"
+#include "testbench/range/range.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/recorder.hpp"
 #include "testbench/sweep/drawn_run.hpp"
+#include "testbench/sweep/sweep.hpp"
 
 namespace steplock {
 
 struct SixStepDrive {
   using Record = steplock::Record;
   using Summary = steplock::Summary;
-  static constexpr bool kDisturbed = true;  // the sweep's disturbance matrix serves it
+  static constexpr bool kHardships = true;  // the sweep's hard matrix serves it
 
   static void check(const DriveFile&, EngineKind) {}
   static Record run(const design::Settings& s, const RunOptions& options) { return run_drive(s, options); }
@@ -33,6 +35,13 @@ struct SixStepDrive {
     return shadow_errors(s, summary, progress, reference);
   }
   static const WaveTable& wave() { return SixStepRecording::wave(); }
+  static RangePlan range() { return six_step_range(); }
+  static bool meets(Trouble) { return true; }
+  static DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) { return steplock::simulate(run, options); }
+  static SweepEnd disturb(const SweepSetup& setup, const std::vector<DriveFile>& files, const SweepOptions& options,
+                          const std::filesystem::path& folder) {
+    return sweep(setup, files, options, folder);
+  }
   static void record_into(SimulateOptions& options, Record& record) { options.record = &record; }
 };
 

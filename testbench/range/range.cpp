@@ -3,80 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
-#include "model/design/design.hpp"
-#include "model/design/words.hpp"
 #include "testbench/drive_file/drive_file.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
 #include "testbench/run/run_drive.hpp"
-#include "testbench/paper/ideal_rotor.hpp"
 
 namespace steplock {
-namespace {
-
-constexpr int kTurns = 40;  // electrical, measured
-
-// The same kind of motor, wound and geared for this speed: what the words are designed for.
-design::Settings settings_at(design::Settings s, const RangeSettings& r, double erpm) {
-  const double rpm = erpm / s.motor.pole_pairs;
-  s.control.clock_hz = r.clock_hz;
-  s.control.pwm_hz = r.pwm_hz;
-  s.control.blanking_s = r.blanking_s;
-  s.control.sample_every_s = r.sample_every_s;
-  s.control.samples = r.samples;
-  s.inverter.dead_time_s = std::min(s.inverter.dead_time_s, r.blanking_s / 4);
-  s.sensors.comparator_offset_v = {};
-  s.sensors.comparator_noise_v = 0;
-  s.sensors.comparator_delay_s = 0;
-  s.loop = {};
-  s.loop.maximum_rpm = 1.3 * rpm;
-  s.start = {};
-  s.speed = {};
-  // Half the bus at this speed, so that the PWM chops as much as it ever does.
-  const double wanted = 0.5 * s.inverter.bus_v / (rpm * std::numbers::pi / 30);
-  s.motor.flux_vs *= wanted / design::motor_constants(s).k_e;
-  s.motor.coulomb_nm = s.motor.viscous_nms = 0;
-  s.load = {};
-  s.protection.wrong_lock_s = 0;  // tells a wrong lock from the current, and there is none here
-  s.scenario = {};
-  s.scenario.speed_rpm = rpm;
-  return s;
-}
-
-}  // namespace
-
-RangePoint measure_point(const design::Settings& drive, const RangeSettings& r, double erpm) {
-  const design::Settings s = settings_at(drive, r, erpm);
-  const double turns_per_second = erpm / 60;
-  const design::Design d = design::design_drive(s);
-  FixedEngine engine(hls_words(design::quantise(d.parameters, r.clock_hz).words), r.clock_hz);
-  const IdealRotor rotor(turns_per_second);
-  // Time to catch the rotor and for the loop to settle, then the span that is judged.
-  const double settle = 0.15 + 60 / turns_per_second, span = kTurns / turns_per_second;
-  const auto steps = commutations_on(engine, rotor, r.clock_hz, settle + span);
-
-  RangePoint point{.erpm = erpm};
-  double sum = 0;
-  int count = 0, before = -1;
-  bool in_order = true;
-  for (const StepTaken& c : steps) {
-    if (c.time < settle) continue;
-    in_order = in_order && (before < 0 || (c.step - before + 6) % 6 == 1);
-    before = c.step;
-    // Pattern k is ideal from 30 + 60 k degrees on.
-    const double late = std::remainder(360 * rotor.phase(c.time) - (30 + 60 * c.step), 360);
-    sum += late;
-    point.worst_deg = std::max(point.worst_deg, std::abs(late));
-    ++count;
-  }
-  point.mean_deg = count > 0 ? sum / count : 0;
-  // A lock a step off, or one that hunts beyond half a step, is none.
-  point.locked = in_order && std::abs(count - 6 * kTurns) <= 1 && point.worst_deg < 30;
-  return point;
-}
 
 double RangeCurve::cap_erpm() const {
   double cap = 0;
@@ -87,30 +18,22 @@ double RangeCurve::cap_erpm() const {
   return cap;
 }
 
-Range measure_range(const design::Settings& drive, double least_erpm,
+Range measure_range(const RangePlan& plan, const design::Settings& drive, double least_erpm,
                     const std::function<bool(double done)>& progress) {
-  const std::vector<RangeSettings> all = {
-      {"48 MHz, 4 samples of 2 us, blanking 4 us, PWM 30 kHz (defaults)"},
-      {"48 MHz, 4 samples of 0.5 us, blanking 2 us, PWM 30 kHz", 48e6, 30e3, 2e-6, 0.5e-6, 4},
-      {"48 MHz, 2 samples of 0.25 us, blanking 1 us, PWM 48 kHz", 48e6, 48e3, 1e-6, 0.25e-6, 2},
-      {"48 MHz, 2 samples of 0.1 us, blanking 0.5 us, PWM 96 kHz", 48e6, 96e3, 0.5e-6, 0.1e-6, 2},
-      {"12 MHz, 2 samples of 0.25 us, blanking 1 us, PWM 48 kHz", 12e6, 48e3, 1e-6, 0.25e-6, 2},
-      {"100 MHz, 2 samples of 0.1 us, blanking 0.5 us, PWM 96 kHz", 100e6, 96e3, 0.5e-6, 0.1e-6, 2}};
   // Round speeds beat with a round PWM frequency: then samples always fall on the same place.
   constexpr double kNotRound = 1.0037;
-  std::vector<double> speeds = {600,   1e3,   2e3,   5e3,   10e3,  20e3, 50e3, 100e3,
-                                200e3, 300e3, 500e3, 700e3, 850e3, 1e6,  1.2e6};
+  std::vector<double> speeds = plan.erpm;
   if (!(least_erpm <= speeds.back())) {  // so that what is no number is refused, too
     throw BadInput(fmt::format("--from {:g} leaves no speed: name one up to {:g}", least_erpm, speeds.back()));
   }
   std::erase_if(speeds, [&](double erpm) { return erpm < least_erpm; });
   Range range;
   double done = 0;
-  for (const RangeSettings& r : all) {
+  for (const RangeSettings& r : plan.settings) {
     RangeCurve curve{r, {}};
     for (const double erpm : speeds) {
-      curve.points.push_back(measure_point(drive, r, kNotRound * erpm));
-      done += 1.0 / static_cast<double>(all.size() * speeds.size());
+      curve.points.push_back(plan.measure(drive, r, kNotRound * erpm));
+      done += 1.0 / static_cast<double>(plan.settings.size() * speeds.size());
       if (progress && !progress(done)) throw Stopped();
     }
     range.curves.push_back(curve);
@@ -118,13 +41,10 @@ Range measure_range(const design::Settings& drive, double least_erpm,
   return range;
 }
 
-Figure range_figure(const Range& range) {
+Figure range_figure(const RangePlan& plan, const Range& range) {
   constexpr std::array kColors = {palette::kTrue, palette::kDrive, palette::kU,
                                   palette::kV,    palette::kW,     palette::kQuiet};
-  Figure f{.name = "range", .title = "Commutation against the ideal, ideal comparators, duty 1/2",
-           .axis = "electrical r/min",
-           .caption = "Worst deviation of a commutation over forty electrical turns; a curve ends where the "
-                      "lock does. Legend: the rows of the table, in order.",
+  Figure f{.name = plan.stem, .title = plan.figure_title, .axis = "electrical r/min", .caption = plan.caption,
            .logarithmic = true};
   f.panels.push_back({.label = "worst, degrees electrical", .weight = 2.4,
                       .extra = "set yrange [0:*]\nset format x '%.0f'\n"});
@@ -138,15 +58,12 @@ Figure range_figure(const Range& range) {
   return f;
 }
 
-std::string range_page(const Range& range) {
-  std::string text =
-      "# Speed range\n\nPrinted by `steplock range`; the test `pages_are_current_range` fails when this page is stale.\n\n"
-      "The blocks (engine `fixed`, which equals the RTL on every clock) on ideal comparators of a rotor that "
-      "turns at a constant speed, at duty 1/2, so that PWM edges blank as much as they ever do. Error: the "
-      "instant of each commutation against 30 + 60 k electrical degrees, over 40 electrical turns.\n\n"
-      "| settings | locks up to, eRPM |";
+std::string range_page(const RangePlan& plan, const Range& range) {
+  std::string text = fmt::format(
+      "# {}\n\nPrinted by `{}`; the test `pages_are_current_{}` fails when this page is stale.\n\n{}\n\n| settings | locks up to, eRPM |",
+      plan.title, plan.command, plan.stem, plan.about);
   const auto& speeds = range.curves.front().points;
-  const auto shown = [](double erpm) { return erpm >= 10e3; };
+  const auto shown = [&](double erpm) { return erpm >= plan.shown_from; };
   for (const RangePoint& p : speeds) {
     if (shown(p.erpm)) text += fmt::format(" {:.0f} k |", p.erpm / 1e3);
   }
@@ -163,10 +80,7 @@ std::string range_page(const Range& range) {
     }
     text += "\n";
   }
-  return text + "\nEach cell: mean (late is positive) and worst, electrical degrees; `-` is no lock. A motor from rest to a "
-                "million: `steplock run tests/testbench/million_erpm.toml` (a test runs it).\n\n"
-                "![Commutation against the ideal](figures/range.svg)\n\n*" +
-         range_figure(range).caption + "*\n";
+  return text + fmt::format("\nEach cell: {}\n\n![{}](figures/{}.svg)\n\n*{}*\n", plan.cell, plan.figure, plan.stem, plan.caption);
 }
 
 }  // namespace steplock

@@ -1,8 +1,10 @@
-// How fast and how well: the drive on a rotor that turns as told (ideal comparators, no motor), from
-// slow to beyond a million electrical revolutions per minute, for several settings of clock, filter,
-// blanking and PWM.
+// How fast and how well, for several settings of clock and PWM:
 //
-// Doc: docs/range.md (printed)   Test: tests/testbench/range_test.cpp
+//     six-step     on a rotor that turns as told (ideal comparators, no motor), from slow to beyond a million electrical revolutions
+//                  per minute; also for several settings of filter and blanking
+//     sinusoidal   with its motor, wound for the speed; the estimate against the rotor's true angle
+//
+// Doc: docs/range.md, docs/sinusoidal_range.md (printed)   Test: tests/testbench/range_test.cpp, tests/testbench/sinusoidal_range_test.cpp
 #pragma once
 
 #include <functional>
@@ -23,9 +25,10 @@ struct RangeSettings {
 
 struct RangePoint {
   double erpm = 0;
-  bool locked = false;        // every commutation of the measured span was there, in order
-  double mean_deg = 0;        // electrical, of the commutations against the ideal; late is positive
-  double worst_deg = 0;       // greatest deviation from the ideal
+  bool locked = false;        // over the whole span that was measured
+  // Electrical: of the commutations against the ideal, late is positive; or of the true angle against the estimate.
+  double mean_deg = 0;
+  double worst_deg = 0;       // greatest deviation
 };
 
 struct RangeCurve {
@@ -34,17 +37,28 @@ struct RangeCurve {
   double cap_erpm() const;    // up to here all is locked; 0 if nothing is
 };
 
-// One point.  `drive` lends all that RangeSettings do not name.
-RangePoint measure_point(const design::Settings& drive, const RangeSettings&, double erpm);
+// What is measured of one kind of drive, and what its page says of it.
+struct RangePlan {
+  std::string stem, title, command;  // of page and figure; the page's title; what prints it
+  std::vector<RangeSettings> settings;
+  std::vector<double> erpm;
+  double shown_from = 0;             // slower ones stand in the figure alone
+  // One point.  `drive` lends all that RangeSettings do not name.
+  RangePoint (*measure)(const design::Settings& drive, const RangeSettings&, double erpm) = nullptr;
+  std::string about, cell;           // Markdown: how it was measured; what a cell holds
+  std::string figure, figure_title, caption;
+};
+RangePlan six_step_range();
+RangePlan sinusoidal_range();
 
 struct Range {
   std::vector<RangeCurve> curves;
 };
 // From `least_erpm` on.
-Range measure_range(const design::Settings& drive, double least_erpm = 0,
+Range measure_range(const RangePlan&, const design::Settings& drive, double least_erpm = 0,
                     const std::function<bool(double done)>& progress = {});
 
-Figure range_figure(const Range&);
-std::string range_page(const Range&);  // Markdown
+Figure range_figure(const RangePlan&, const Range&);
+std::string range_page(const RangePlan&, const Range&);  // Markdown
 
 }  // namespace steplock

@@ -193,10 +193,11 @@ std::vector<std::string> write_sweep_report(const SweepSetup& setup, const std::
 }
 
 std::string page_stem(const SweepSetup& setup) {
-  if (setup.kind.matrix == Matrix::kDisturb) return "disturbances";
+  const bool sinusoidal = setup.drive_kind == design::DriveKind::kSinusoidal;
+  if (setup.kind.matrix == Matrix::kDisturb) return sinusoidal ? "sinusoidal_disturbances" : "disturbances";
   if (setup.kind.matrix == Matrix::kHard) return "hard_starts";
   if (of_drawn_motors(setup)) return "motor_starts";
-  return setup.drive_kind == design::DriveKind::kSinusoidal ? "sinusoidal_starts" : "starts";
+  return sinusoidal ? "sinusoidal_starts" : "starts";
 }
 
 void write_sweep_page(const SweepSetup& setup, const std::vector<Row>& rows, const std::filesystem::path& page) {

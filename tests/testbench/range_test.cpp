@@ -19,7 +19,7 @@ const RangeSettings kQuick = {"quick", 48e6, 48e3, 1e-6, 0.25e-6, 2};
 // The goal of the drive: 1 degree up to 500,000 eRPM with ideal comparators.
 TEST(Range, CommutatesWithinADegreeUpToHalfAMillion) {
   for (const double erpm : {10037., 100370., 301110., 501850.}) {
-    const RangePoint p = measure_point(drone(), kQuick, erpm);
+    const RangePoint p = six_step_range().measure(drone(), kQuick, erpm);
     EXPECT_TRUE(p.locked) << erpm;
     EXPECT_LT(p.worst_deg, 1) << erpm;
     // Delays are compensated, so what is left has no bias: a clock, and six deviations of a mean over
@@ -31,12 +31,12 @@ TEST(Range, CommutatesWithinADegreeUpToHalfAMillion) {
 }
 
 TEST(Range, HoldsAMillion) {
-  EXPECT_TRUE(measure_point(drone(), kQuick, 1.0037e6).locked);
+  EXPECT_TRUE(six_step_range().measure(drone(), kQuick, 1.0037e6).locked);
 }
 
 // A step of 10 us cannot be seen through a filter of 8 us and 4 us of blanking.
 TEST(Range, DoesNotClaimALockThatIsNone) {
-  EXPECT_FALSE(measure_point(drone(), {"slow"}, 1.0037e6).locked);
+  EXPECT_FALSE(six_step_range().measure(drone(), {"slow"}, 1.0037e6).locked);
 }
 
 TEST(Range, CapIsTheLastSpeedBeforeTheFirstLostLock) {
@@ -47,7 +47,7 @@ TEST(Range, CapIsTheLastSpeedBeforeTheFirstLostLock) {
 
 TEST(Range, PageShowsLocksAndTheirLoss) {
   const Range r{{{{"name"}, {{10e3, true, 0.25, 0.5}, {20e3, false, 0, 0}}}}};
-  EXPECT_THAT(range_page(r), testing::HasSubstr("| name | 10000 | +0.25, 0.50 | - |"));
+  EXPECT_THAT(range_page(six_step_range(), r), testing::HasSubstr("| name | 10000 | +0.25, 0.50 | - |"));
 }
 
 }  // namespace
