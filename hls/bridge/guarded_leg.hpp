@@ -74,7 +74,7 @@ class GuardedLeg {
   using Pair = UInt<2>;  // both sides of the leg; never both bits
   static constexpr int kHigh = 0, kLow = 1;
 
-  bool counts() const { return timer_ > 1 && (gate_ != 0 || was_ != 0); }
+  bool counts() const { return timer_ > 1 && (gate_ != 0 || was_ != 0); }  // Quiet clocks: of skip()
 
   Pair gate_ = 0;      // the gates
   Pair was_ = 0;       // the request of the last clock

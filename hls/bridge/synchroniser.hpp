@@ -37,7 +37,7 @@ class Synchroniser {
     return out;
   }
 
-  // What the pins say has come through.
+  // Quiet clocks: what the pins say has come through.
   bool settled(const In& in) const { return first_ == in && second_ == in; }
   bool operator==(const Synchroniser&) const = default;
 

@@ -8,7 +8,7 @@
 //
 //     multipliers  3 products (one by a constant), one table of 256 x 15 bits read twice
 //
-// Test: tests/hls/current_control_test.cpp
+// Doc: docs/blocks/current_control.md   Test: tests/hls/current_control_test.cpp
 
 #pragma once
 

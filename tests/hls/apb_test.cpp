@@ -34,6 +34,22 @@ TEST(Apb, NothingIsAskedWithoutPselAndPenable) {
   }
 }
 
+struct Registers {
+  bool write_error = false, read_error = false;
+  UInt<32> data = 0;
+};
+
+TEST(Apb, AnErrorIsToldWithTheAnswerAlone) {
+  for (int bits = 0; bits < 16; ++bits) {
+    const bool ready = (bits & 1) != 0, write = (bits & 2) != 0;
+    const Registers drive{.write_error = (bits & 4) != 0, .read_error = (bits & 8) != 0, .data = 0x12345678};
+    const ApbAnswers out = apb_answers({.pready = ready, .request = {}}, write, drive);
+    EXPECT_EQ(out.pready, ready) << bits;
+    EXPECT_EQ(out.pslverr, ready && (write ? drive.write_error : drive.read_error)) << bits;
+    EXPECT_EQ(out.prdata, drive.data);
+  }
+}
+
 // A host that keeps psel between transfers, and one that does not, get one answer for each.
 RC_GTEST_PROP(Apb, EveryTransferHasOneAnswer, ()) {
   const auto pauses = *rc::gen::container<std::vector<std::uint8_t>>(

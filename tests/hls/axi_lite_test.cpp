@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace steplock {
@@ -62,6 +63,28 @@ TEST(AxiLite, ReadsAndWritesTakeTurns) {
   }
   EXPECT_EQ(reads, writes);
   EXPECT_EQ(reads, 1000);
+}
+
+// Of two that come at once the one goes first whose kind was not the last.
+TEST(AxiLite, AfterAWriteTheReadGoesFirstAndAfterAReadTheWrite) {
+  AxiLite dut;
+  // What is asked for, in the order in which it is taken.
+  const auto taken = [&](bool write, bool read) {
+    std::string order;
+    for (int clock = 0; clock < 12; ++clock) {
+      const auto out = dut.tick({.awvalid = write, .wvalid = write, .bready = true, .arvalid = read, .rready = true});
+      if (out.request.write) order += 'w', write = false;
+      if (out.request.read) order += 'r', read = false;
+    }
+    return order;
+  };
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(taken(true, false), "w");
+    EXPECT_EQ(taken(true, true), "rw");
+    EXPECT_EQ(taken(true, true), "rw") << "the write was the last again";
+    EXPECT_EQ(taken(false, true), "r");
+    EXPECT_EQ(taken(true, true), "wr");
+  }
 }
 
 // A host that keeps its valid up until ready, as the protocol asks, gets one answer for each

@@ -51,6 +51,15 @@ TEST(CurrentSense, OverCurrentIsSeenInEachPhase) {
   EXPECT_FALSE(sampled(dut, -101, 0, true, 1600).over) << "no currents while offsets are measured";
 }
 
+// The level itself is not beyond it, and one place more is.
+TEST(CurrentSense, OverCurrentBeginsBeyondTheLevel) {
+  CurrentSense dut;
+  EXPECT_FALSE(sampled(dut, 100, -100, false, 1600).over);
+  EXPECT_TRUE(sampled(dut, 100, -100, false, 1599).over);
+  EXPECT_FALSE(sampled(dut, -100, 0, false, 1600).over);
+  EXPECT_TRUE(sampled(dut, -100, 0, false, 1599).over);
+}
+
 TEST(CurrentSense, ItLimitsInsteadOfWrapping) {
   CurrentSense dut;
   for (int n = 0; n < 16; ++n) sampled(dut, -100, 100, true);

@@ -95,5 +95,16 @@ TEST(DriveProtection, OverCurrentAndThreeLostSamplesAreFatal) {
   EXPECT_EQ(w.sample().fatal, Reason::kOverCurrent);
 }
 
+TEST(DriveProtection, AsManyLostSamplesAsTheWordSaysAreFatalAndNoneForZero) {
+  for (const int most : {0, 1, 2, 15}) {
+    Watched w;
+    w.in.words.lost_samples = most;
+    w.sample();
+    int lost = 0;
+    while (lost < 40 && w.sample(true).fatal == Reason::kNone) ++lost;
+    EXPECT_EQ(lost, most == 0 ? 40 : most) << "the period after the last shows it";
+  }
+}
+
 }  // namespace
 }  // namespace steplock

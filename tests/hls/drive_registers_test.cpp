@@ -192,6 +192,56 @@ TYPED_TEST(DriveRegistersOf, WithoutAHeartbeatTheBridgeGoesOffAndStaysOff) {
   EXPECT_FALSE(again.run) << "nothing starts by itself";
 }
 
+// Neither what goes to another register, nor what was refused.
+TYPED_TEST(DriveRegistersOf, OnlyAHeartbeatIsOne) {
+  for (const bool refused : {false, true}) {
+    Bench<TypeParam> bench;
+    bench.write(index_of("WATCHDOG"), 3);
+    bench.write(kControl, kConfigured | kRun);
+    bench.in.tick = true;
+    bench.in.refused = refused;
+    for (int i = 0; i < 4; ++i) bench.write(refused ? index_of("HEARTBEAT") : kEnable, 0);
+    EXPECT_FALSE(bench.tick().command.configured) << refused;
+  }
+}
+
+TYPED_TEST(DriveRegistersOf, AWatchdogThatHasExpiredExpiresOnce) {
+  Bench<TypeParam> bench;
+  bench.write(index_of("WATCHDOG"), 3);
+  bench.in.tick = true;
+  for (int tick = 0; tick < 20; ++tick) bench.tick();
+  EXPECT_EQ(bench.read(kFault), 0u) << "not before the drive is configured";
+  bench.write(kControl, kConfigured | kRun);
+  for (int tick = 0; tick < 20; ++tick) bench.tick();
+  EXPECT_EQ(bench.read(kInterrupt), 2u);
+  bench.write(kInterrupt, 2);
+  for (int tick = 0; tick < 20; ++tick) bench.tick();
+  EXPECT_EQ(bench.read(kInterrupt), 0u);
+  EXPECT_EQ(bench.read(kFault), 2u);
+}
+
+// Of FAULT itself, one bit each.
+TYPED_TEST(DriveRegistersOf, OnlyAOneInAFaultsOwnPlaceClearsIt) {
+  Bench<TypeParam> bench;
+  bench.write(index_of("WATCHDOG"), 1);
+  bench.write(kControl, kConfigured | kRun);
+  bench.enter(TypeParam::State::kFault, false, TypeParam::Reason::kOverCurrent);
+  bench.in.tick = true;
+  for (int tick = 0; tick < 5; ++tick) bench.tick();
+  bench.enter(TypeParam::State::kIdle);
+  ASSERT_EQ(bench.read(kFault), 0x23u);
+  bench.write(kEnable, 3);
+  EXPECT_EQ(bench.read(kFault), 0x23u) << "a write to another register";
+  bench.in.refused = true;
+  bench.write(kFault, 3);
+  bench.in.refused = false;
+  EXPECT_EQ(bench.read(kFault), 0x23u) << "a refused one";
+  bench.write(kFault, 1);
+  EXPECT_EQ(bench.read(kFault), 0x22u);
+  EXPECT_FALSE(bench.tick().command.configured) << "the watchdog's stays";
+  EXPECT_TRUE(bench.write(kFault, 2).command.configured);
+}
+
 TYPED_TEST(DriveRegistersOf, AWatchdogSetWhileConfiguredWaitsItsWholeTime) {
   Bench<TypeParam> bench;
   bench.write(kControl, kConfigured);

@@ -56,6 +56,44 @@ TEST(Scheduled, DoneComesItsClocksAfterTheStart) {
   EXPECT_EQ(dut.tick(nothing()).sum, 103);
 }
 
+// A block some of whose outputs come first: they are those of the same sample, and the state moves once.
+class SumInTwo {
+ public:
+  using In = Sum::In;
+  struct Out {
+    struct {
+      Int<16> sum = 7;
+    } early;
+    Int<16> late = 7;
+  };
+  Out tick(const In& in) {
+    sum_ = wrap<Int<16>>(sum_ + in.x);
+    return {{sum_}, sum_};
+  }
+
+ private:
+  Int<16> sum_ = 100;
+};
+
+TEST(Scheduled, EarlyOutputsComeTheirClocksAfterTheStart) {
+  constexpr int kEarly = 3;
+  Scheduled<SumInTwo, Budget{.clocks = kClocks, .early = kEarly}> dut;
+  for (int sample = 1; sample < 4; ++sample) {
+    const int was = sample == 1 ? 7 : 97 + 3 * sample, is = 100 + 3 * sample;
+    decltype(dut)::In in;
+    in.x = 3;
+    in.start = true;
+    dut.tick(in);
+    in.x = -50;
+    in.start = false;
+    for (int clock = 1; clock <= kClocks; ++clock) {
+      const auto out = dut.tick(in);
+      EXPECT_EQ(out.early.sum, clock < kEarly ? was : is) << clock;
+      EXPECT_EQ(out.late, clock < kClocks ? was : is) << clock;
+    }
+  }
+}
+
 TEST(Scheduled, AStartWhileBusyIsMissedAndChangesNothing) {
   Dut dut, undisturbed;
   dut.tick(start(3));

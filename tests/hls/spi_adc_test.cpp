@@ -111,6 +111,17 @@ TEST(SpiAdc, ALineThatStandsStillIsAnErrorAndNoCurrent) {
   }
 }
 
+TEST(SpiAdc, AnotherChannelInAnyOfASamplesThreeFramesIsAnError) {
+  for (int frame = 0; frame < 3; ++frame) {
+    Bench b;
+    b.wake();
+    const int first = b.adc.frames;
+    b.broken = [&](bool bit) { return bit != (b.adc.frames == first + frame); };
+    EXPECT_EQ(b.sampled(2000), 0) << frame;
+    EXPECT_EQ(b.errors, 1) << frame;
+  }
+}
+
 TEST(SpiAdc, AConverterThatForgotItsChannelIsWokenAgain) {
   Bench b;
   b.wake();

@@ -20,7 +20,7 @@ struct Bench {
     bit = (data >> int(out.place.raw()) & 1) != 0;
     error = out.writing ? write_error : read_error;
     const BusRequest& r = out.request;
-    if (r.read) data = 3 * std::uint32_t(r.index.raw()), read_error = r.index == 0x3ff;
+    if (r.read) data = ones ^ 3 * std::uint32_t(r.index.raw()), read_error = r.index == 0x3ff;
     if (r.write) write_error = r.index == 0x3ff;
     if (r.read || r.write) requests.push_back(r);
     return out;
@@ -29,7 +29,7 @@ struct Bench {
 
   Spi dut;
   std::vector<BusRequest> requests;
-  std::uint32_t data = 0;
+  std::uint32_t data = 0, ones = 0;
   bool bit = false, error = false, read_error = false, write_error = false;
 };
 
@@ -52,6 +52,38 @@ TEST(Spi, AReadShowsTheAnswerAndAHoleItsMark) {
   EXPECT_EQ(spi_read(b, 4, 0xffc).status, 0x5e);
   EXPECT_EQ(spi_write(b, 4, 0xffc, 0).status, 0x5e);
   EXPECT_EQ(spi_write(b, 4, 0x000, 0).status, 0x5a);
+}
+
+// The first bit of the data is one of them.
+TEST(Spi, AReadShowsEveryBitOfTheAnswer) {
+  Bench b;
+  b.ones = ~0u;
+  for (const int index : {0, 1, 0x155, 0x2aa}) EXPECT_EQ(spi_read(b, 4, 4 * index).data, ~(3u * unsigned(index)));
+}
+
+// Mode 0: the host may take a bit as long as sclk is high.
+TEST(Spi, MisoMovesWhileSclkIsLowAndIsLowOutsideOfStatusAndData) {
+  struct Watched {
+    bool operator()(const Spi::Pins& pins) {
+      const bool now = bench.clock(pins).miso;
+      if (now != miso && !pins.cs_n) high_moves += pins.sclk;
+      if (pins.sclk && !was_high) ++bit;
+      if (now && (bit <= 16 || bit > 56)) ++stray;
+      miso = now, was_high = pins.sclk;
+      return now;
+    }
+    Bench bench;
+    bool miso = false, was_high = false;
+    int bit = 0, high_moves = 0, stray = 0;
+  };
+  for (const int head : {0x0554, 0x8554}) {
+    Watched w;
+    w.bench.ones = ~0u;
+    spi_frame(w, 9, head, 0xffffffff, 56 + 64);
+    EXPECT_EQ(w.high_moves, 0);
+    EXPECT_EQ(w.stray, 0);
+    EXPECT_EQ(w.bench.requests.size(), 1u);
+  }
 }
 
 // Phases are times of the host's own clock: sclk's halves are 4 to 12.99 clocks.

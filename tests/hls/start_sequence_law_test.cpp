@@ -42,12 +42,32 @@ class Stimulus : public RandomWords {
   }
 };
 
+// What the phase detector is to look at: decided with the state, from the words of the clock before.  A rotor that is followed is
+// looked at from the second clock on.
+struct Looks {
+  State from = State::kIdle;
+  bool hall = false, follows = false;  // of the clock before
+
+  DetectorSource at(State now) const {
+    const bool runs = now == State::kRun || now == State::kSlowDown;
+    if (now == State::kDetectSpin || (runs && hall)) return DetectorSource::kSectors;
+    if (now == State::kAccelerate && from == State::kAccelerate && follows) return DetectorSource::kSectors;
+    return now == State::kPullIn || runs ? DetectorSource::kCrossings : DetectorSource::kNone;
+  }
+};
+
+// The VCO counts while a spin is detected, and while the bridge commutates.
+bool turns(State s) {
+  return s == State::kDetectSpin || s == State::kAccelerate || s == State::kPullIn || s == State::kRun || s == State::kSlowDown;
+}
+
 // Clocks in which machine and law differ; `seen` counts what was taken: from, to.
 using Arrows = std::map<std::pair<State, State>, int>;
 int differences(Stimulus any, int clocks, bool detects_spin, Arrows* seen = nullptr, const std::function<void(In&)>& spoil = [](In&) {}) {
   StartSequence dut;
   StartSequenceLaw law;
   StartCounters counters;
+  Looks looks;
   In in;
   in.detects_spin = detects_spin;
   in.words = any.words();
@@ -71,7 +91,9 @@ int differences(Stimulus any, int clocks, bool detects_spin, Arrows* seen = null
     const auto out = dut.tick(in);
     differ += out.state != law.at || out.reason != law.reason || out.reverse != law.reverse || out.load_step != law.load_step ||
               out.began != law.began || out.failed != law.failed ||
-              out.running != (law.at == State::kRun || law.at == State::kSlowDown);
+              out.running != (law.at == State::kRun || law.at == State::kSlowDown) || out.detector_source != looks.at(law.at) ||
+              out.turn_vco != turns(law.at);
+    looks = {.from = law.at, .hall = other.source == Source::kHall, .follows = other.words.method == Method::kFollow};
     law.clock(other, counts);
     if (seen != nullptr) ++(*seen)[{from, law.at}];
     // A fault that is latched needs a host that knows how to clear it, and a drive that idles one that starts it.
@@ -126,6 +148,7 @@ TEST(StartSequenceLaw, ADifferenceIsFound) {
   EXPECT_TRUE(found([](In& in) { in.lost = false; }));
   EXPECT_TRUE(found([](In& in) { in.caught = false; }));
   EXPECT_TRUE(found([](In& in) { in.cause = Reason::kNone; }));
+  EXPECT_TRUE(found([](In& in) { in.source = Source::kBemf; }));
 }
 
 }  // namespace

@@ -43,6 +43,25 @@ TEST(Wishbone, CyclesFollowEachOtherEveryThreeClocks) {
   EXPECT_EQ(answered, 100);
 }
 
+struct Registers {
+  bool write_error = false, read_error = false;
+  UInt<32> data = 0;
+};
+
+// One of both, and neither without an answer of the bus; the error is that of the transfer's own direction.
+TEST(Wishbone, AnAnswerIsAnAckOrAnErr) {
+  for (int bits = 0; bits < 16; ++bits) {
+    const bool acks = (bits & 1) != 0, we = (bits & 2) != 0;
+    const Registers drive{.write_error = (bits & 4) != 0, .read_error = (bits & 8) != 0, .data = 0x12345678};
+    const WishboneAnswers out = wishbone_answers({.ack = acks, .stall = we, .request = {}}, we, drive);
+    const bool error = we ? drive.write_error : drive.read_error;
+    EXPECT_EQ(out.ack, acks && !error) << bits;
+    EXPECT_EQ(out.err, acks && error) << bits;
+    EXPECT_EQ(out.stall, we);
+    EXPECT_EQ(out.dat, drive.data);
+  }
+}
+
 // Standard hosts hold until ack; pipelined ones go on when stall is low: both get one answer for each
 // transfer, however they pause.
 RC_GTEST_PROP(Wishbone, EveryTransferHasOneAnswer, ()) {

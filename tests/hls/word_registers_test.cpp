@@ -78,6 +78,7 @@ TYPED_TEST(WordRegistersOf, WhatStandsElsewhereReadsZero) {
   for (int index = index_of("CONTROL"); index < kPwm; ++index) EXPECT_EQ(bench.read(index), 0u);
   bench.read(kPwm);
   EXPECT_EQ(bench.read(0x60), 0u) << "no alias of PWM";
+  EXPECT_EQ(bench.read(0x40), 0u) << "nor of ID";
 }
 
 TEST(WordRegisters, AnAnswerStaysUntilTheNextRead) {
@@ -147,6 +148,25 @@ TYPED_TEST(WordRegistersOf, EveryRegisterReadsBackItsFieldsAndNothingElse) {
   }
 }
 
+// Each row of the table, the last as well.
+TYPED_TEST(WordRegistersOf, EveryRowMovesItsWord) {
+  Bench<TypeParam> bench;
+  bench.unlock();
+  bench.boundary = true;
+  const auto check = [&]<class Row>(const Row& row) {
+    const std::uint32_t all = mask_of(row) >> row.lsb;
+    bench.write(row.address / 4, ~0u);
+    bench.words();
+    auto words = bench.words();
+    EXPECT_EQ(std::uint32_t(bits_of(Row::Word::of(words)).raw()), all) << row.group << '.' << row.name;
+    bench.write(row.address / 4, 0);
+    bench.words();
+    words = bench.words();
+    EXPECT_EQ(bits_of(Row::Word::of(words)).raw(), 0u) << row.group << '.' << row.name;
+  };
+  std::apply([&](const auto&... row) { (check(row), ...); }, TypeParam::kWordRows);
+}
+
 TEST(WordRegisters, AFieldMovesItsOwnWord) {
   Bench<> bench;
   bench.unlock();
@@ -188,6 +208,7 @@ TYPED_TEST(WordRegistersOf, HolesAndReadOnlyRegistersRefuse) {
     EXPECT_FALSE(bench.write(index, 1)) << index;
   }
   EXPECT_TRUE(bench.tick({.read = true, .index = 0x60}).hole) << "no alias of PWM";
+  EXPECT_TRUE(bench.tick({.read = true, .index = 0x40}).hole) << "nor of ID";
   EXPECT_TRUE(bench.tick({.read = true, .index = 0x3f}).hole);
   EXPECT_FALSE(bench.tick({.read = true, .index = kPwm}).hole);
 }

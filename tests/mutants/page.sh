@@ -8,8 +8,8 @@ while IFS=$'\t' read -r block listed survive; do
   now=$("$2/bin/draw_mutants" "$(ls hls/*/"$block.hpp" model/plant/"$block.cpp" 2>/dev/null)" | wc -l)
   [ "$now" -eq "$listed" ] || { echo "docs/mutants.md lists $listed mutants of $block, there are $now; run tools/mutants"; status=1; }
   [ "$survive" -eq 0 ] || { echo "docs/mutants.md: $survive mutants of $block survive"; status=1; }
-done < <(sed -n 's/^| \[\([a-z_]*\)\](.*) | \([0-9]*\) |.* | \([0-9]*\) |$/\1\t\2\t\3/p' docs/mutants.md)
-for stem in $(sed -n 's/^all=(\(.*\))$/\1/p' tools/mutants); do
+done < <(sed -n 's/^| \[\([a-z0-9_]*\)\](.*) | \([0-9]*\) |.* | \([0-9]*\) |$/\1\t\2\t\3/p' docs/mutants.md)
+for stem in $(STEPLOCK_BUILD=$2 tools/mutants --list); do
   grep -q "^| \[${stem##*/}\]" docs/mutants.md || { echo "docs/mutants.md has no ${stem##*/}; run tools/mutants"; status=1; }
 done
 # Number, file, line, column, from, to, as tools/mutants looks for them: with the code of the line, and what stands before.
