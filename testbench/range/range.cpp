@@ -80,6 +80,9 @@ std::string range_page(const RangePlan& plan, const Range& range) {
     }
     text += "\n";
   }
+  if (!std::ranges::all_of(speeds, [&](const RangePoint& p) { return shown(p.erpm); })) {
+    text += "\nSlower speeds stand in the figure alone.\n";
+  }
   return text + fmt::format("\nEach cell: {}\n\n![{}](figures/{}.svg)\n\n*{}*\n", plan.cell, plan.figure, plan.stem, plan.caption);
 }
 

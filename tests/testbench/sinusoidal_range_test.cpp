@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "testbench/drive_file/drive_file.hpp"
 #include "testbench/range/range.hpp"
 
@@ -12,16 +14,19 @@ design::Settings servo() { return load_drive_file(STEPLOCK_DRIVES "/m2310p_sinus
 
 RangePoint point(double pwm_hz, double erpm) { return sinusoidal_range().measure(servo(), {"", 24e6, pwm_hz}, erpm); }
 
-// The estimate is good to a few degrees where a turn has many samples, and no better than they allow where it has few.
-TEST(SinusoidalRange, ATurnOfManySamplesIsFollowedMoreCloselyThanOneOfFew) {
-  const RangePoint many = point(40e3, 20.1e3), few = point(5e3, 20.1e3);
+TEST(SinusoidalRange, WhereATurnHasManySamplesItIsFollowedClosely) {
+  const RangePoint many = point(40e3, 20.1e3);
   ASSERT_TRUE(many.locked);
   EXPECT_LT(many.worst_deg, 5);
-  EXPECT_TRUE(!few.locked || few.worst_deg > many.worst_deg);
+  EXPECT_LT(std::abs(many.mean_deg), many.worst_deg);
 }
 
-// A turn of less than two samples has no angle.
-TEST(SinusoidalRange, NoLockIsClaimedWhereATurnHasNoSamples) { EXPECT_FALSE(point(5e3, 200.7e3).locked); }
+// The words hold a sixteenth of a turn per sample.
+TEST(SinusoidalRange, BeyondASixteenthOfATurnPerSampleNoLockIsClaimed) {
+  EXPECT_TRUE(point(5e3, 10.04e3).locked);
+  EXPECT_FALSE(point(5e3, 20.1e3).locked);
+  EXPECT_FALSE(point(5e3, 200.7e3).locked);
+}
 
 TEST(SinusoidalRange, PageShowsLocksAndTheirLoss) {
   const Range r{{{{"name"}, {{10e3, true, 0.25, 0.5}, {20e3, false, 0, 0}}}}};
