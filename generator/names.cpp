@@ -63,6 +63,8 @@ std::string snake_case(std::string_view name) {
   return out;
 }
 
+std::string constant_name(std::string_view name) { return snake_case(name.size() > 1 && name[0] == 'k' ? name.substr(1) : name); }
+
 std::string flat_name(std::string_view path) {
   std::string out;
   for (const char c : path) {

@@ -25,6 +25,9 @@ inline constexpr std::string_view kResetPort = "rst";  // synchronous, active hi
 // CamelCase -> snake_case; a run of capitals counts as one word (PIControl -> pi_control).
 std::string snake_case(std::string_view name);
 
+// The same of a constant, without its k: kPullIn -> pull_in.
+std::string constant_name(std::string_view name);
+
 // A C++ path as one identifier: "config.kp" -> "config_kp", "history[3].x" -> "history_3_x".  A
 // trailing underscore, which C++ uses to mark private members, is dropped from each part.
 std::string flat_name(std::string_view path);

@@ -33,10 +33,10 @@ module bemf_comparator (
     input  logic        commutate_i,  // one clock, the first of a new step
     input  logic        chop_i,  // the chopped gate is meant to be on
     input  logic [15:0] phase_i,  // u0.16, turns of this step
-    input  logic [1:0]  words_sampling_i,
-    input  logic [9:0]  words_blanking_i,  // clocks after each edge of the chopped gate
-    input  logic [7:0]  words_sample_every_i,  // clocks between samples; 0 counts as 1
-    input  logic [3:0]  words_samples_i,  // of the filter, 1 to 15; 0 counts as 1
+    input  logic [1:0]  config_sampling_i,
+    input  logic [9:0]  config_blanking_i,  // clocks after each edge of the chopped gate
+    input  logic [7:0]  config_sample_every_i,  // clocks between samples; 0 counts as 1
+    input  logic [3:0]  config_samples_i,  // of the filter, 1 to 15; 0 counts as 1
     output logic        crossing_o,  // one clock, once in a step at most
     output logic [15:0] crossing_phase_o,  // u0.16, where in the step it was
     output logic        before_seen_o,  // the level from before the crossing showed in this step
@@ -64,14 +64,14 @@ module bemf_comparator (
   wire chop_xor_chop = chop_i ^ chop;  // line 59
   wire edge_ = chop_xor_chop || commutate_i;
   wire floating_w_next = step_i == 3'd0 || step_i == 3'd3;  // line 68
-  wire [3:0] full = (words_samples_i == 4'd0) ? 4'd1 : words_samples_i;  // line 109
+  wire [3:0] full = (config_samples_i == 4'd0) ? 4'd1 : config_samples_i;  // line 109
   wire [16:0] before_plus_phase = {1'b0, before_} + {1'b0, phase_i};  // line 135
 
   always_ff @(posedge clk) begin
     if (edge_) begin
-      due <= words_blanking_i[9:1] == 9'd0;
+      due <= config_blanking_i[9:1] == 9'd0;
     end else if (due) begin
-      due <= words_sample_every_i[7:1] == 7'd0;
+      due <= config_sample_every_i[7:1] == 7'd0;
     end else begin
       due <= left == 10'd2;
     end
@@ -80,7 +80,7 @@ module bemf_comparator (
     floating_w <= floating_w_next;  // line 68
     floating_rises <= reverse_i ^ step_i[0];  // line 125
     if (commutate_i) begin
-      left <= words_blanking_i;
+      left <= config_blanking_i;
       count <= full;
       before_seen <= 1'b0;
       found <= 1'b0;
@@ -90,17 +90,17 @@ module bemf_comparator (
       end
     end else begin
       if (chop_xor_chop) begin
-        left <= words_blanking_i;
+        left <= config_blanking_i;
       end else if (due) begin
-        left <= {2'd0, words_sample_every_i};
+        left <= {2'd0, config_sample_every_i};
       end else begin
         left <= left - 10'd1;
       end
       if (found) begin
         found <= 1'b1;
         crossing <= 1'b0;
-      end else if (words_sampling_i == Sampling_kBoth ||
-          ((words_sampling_i != Sampling_kOnTime) ^ chop_i)) begin
+      end else if (config_sampling_i == Sampling_kBoth ||
+          ((config_sampling_i != Sampling_kOnTime) ^ chop_i)) begin
         if (chop_xor_chop) begin
           found <= 1'b0;
           crossing <= 1'b0;
@@ -130,10 +130,10 @@ module bemf_comparator (
             found <= 1'b0;
             crossing <= 1'b0;
           end else begin
-            logic last_either;
+            logic last_so_far;
             logic last;
-            last_either = count == full - 4'd1 || count == full;  // line 134
-            last = last_either || count == 4'd15;
+            last_so_far = count == full - 4'd1 || count == full;  // line 134
+            last = last_so_far || count == 4'd15;
             if (last) begin
               count <= full;
             end else begin
@@ -146,7 +146,7 @@ module bemf_comparator (
               end
               default: begin
                 logic before_seen_both;
-                before_seen_both = before_seen && last_either;  // line 137
+                before_seen_both = before_seen && last_so_far;  // line 137
                 case (count)
                   4'd0: begin
                     found <= before_seen_both;

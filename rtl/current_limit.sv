@@ -22,8 +22,8 @@ module current_limit (
     input  logic        on_i,  // the PWM's pulse
     input  logic        comparator_i,  // synchronised: current above the limit
     input  logic        fast_i,  // while cut all gates are off
-    input  logic [7:0]  words_blanking_i,  // clocks after switch-on in which the comparator is not believed
-    input  logic [11:0] words_off_time_i,  // clocks; 0 disables the current limit
+    input  logic [7:0]  config_blanking_i,  // clocks after switch-on in which the comparator is not believed
+    input  logic [11:0] config_off_time_i,  // clocks; 0 disables the current limit
     output logic        on_o,  // what is left of the pulse
     output logic        cut_o,  // off-time
     output logic        hit_o,  // one clock, the first of an off-time
@@ -39,13 +39,13 @@ module current_limit (
 
   wire heard = on_i && none;
   wire cut_ends = cut && due;
-  wire hit_next = heard && comparator_i && words_off_time_i != 12'd0;
+  wire hit_next = heard && comparator_i && config_off_time_i != 12'd0;
   wire released_or_not_comparator = released || !comparator_i;  // line 52
 
   always_ff @(posedge clk) begin
     if (hit_next) begin
       logic [11:0] off_time;
-      off_time = fast_i ? {2'd0, words_off_time_i[11:2]} : words_off_time_i;
+      off_time = fast_i ? {2'd0, config_off_time_i[11:2]} : config_off_time_i;
       left <= off_time;
       due <= off_time[11:1] == 11'd0;
       none <= 1'b0;
@@ -56,9 +56,9 @@ module current_limit (
       end
       none <= heard || left == 12'd1;
     end else begin
-      left <= {4'd0, words_blanking_i};
-      due <= words_blanking_i[7:1] == 7'd0;
-      none <= words_blanking_i == 8'd0;
+      left <= {4'd0, config_blanking_i};
+      due <= config_blanking_i[7:1] == 7'd0;
+      none <= config_blanking_i == 8'd0;
     end
     cut <= hit_next || (cut && !due);
     released <= cut && released_or_not_comparator;

@@ -40,7 +40,7 @@ module current_sense (
 
   wire [16:0] i_w = {i_u[15], i_u} + {i_v[15], i_v};
   wire [15:0] out_over_difference = -{1'b0, over_current_i};  // line 46
-  wire out_over_either =
+  wire out_over_so_far =
       i_v < $signed(out_over_difference) || $signed({2'd0, over_current_i}) < $signed(i_w) ||
       $signed(i_w) < $signed({out_over_difference[15], out_over_difference});
 
@@ -115,7 +115,7 @@ module current_sense (
   assign over_o =
       $signed({1'b0, over_current_i}) < i_u ||
       i_u < $signed(out_over_difference) || $signed({1'b0, over_current_i}) < i_v ||
-      out_over_either;
+      out_over_so_far;
   assign i_u_o = i_u;
   assign i_v_o = i_v;
   assign v_dc_o = v_dc;

@@ -42,8 +42,8 @@ module divide_by_n (
   wire [2:0] turned = (to_high ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0} | {2'd0, !step[0]};
   wire [1:0] divide_is_one_unless_divide_is_two =  // line 58
       (divide_i == 2'd2) ? 2'd3 : {1'b0, divide_i == 2'd1};
-  wire [2:0] divide_is_one_unless_divide_is_two_wide = {1'b0, divide_is_one_unless_divide_is_two};
-  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : divide_is_one_unless_divide_is_two_wide;
+  wire [2:0] wide_divide_is_one_unless_divide_is_two = {1'b0, divide_is_one_unless_divide_is_two};
+  wire [2:0] last = (divide_i == 2'd3) ? 3'd7 : wide_divide_is_one_unless_divide_is_two;
   wire sub_below_last = sub < last;  // line 58
   wire [2:0] step_next =
       load_i ? step_i :

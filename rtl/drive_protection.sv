@@ -29,11 +29,11 @@ module drive_protection (
     input  logic        fast_i,  // fast enough for the EMF's test
     input  logic        slow_i,
     input  logic        plausible_i,  // the EMF belongs to the speed
-    input  logic [14:0] words_over_current_i,  // u0.15, any phase
-    input  logic [19:0] words_saturated_i,  // a regulator at its limit for more than this; 0: no test
-    input  logic [19:0] words_slow_i,  // slow for more than this longer than not; 0: no test
-    input  logic [19:0] words_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
-    input  logic [3:0]  words_lost_samples_i,  // in a row; 0: no test
+    input  logic [14:0] config_over_current_i,  // u0.15, any phase
+    input  logic [19:0] config_saturated_i,  // a regulator at its limit for more than this; 0: no test
+    input  logic [19:0] config_slow_i,  // slow for more than this longer than not; 0: no test
+    input  logic [19:0] config_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
+    input  logic [3:0]  config_lost_samples_i,  // in a row; 0: no test
     output logic [3:0]  fatal_o,  // ends the run
     output logic [3:0]  failed_o  // ends the attempt
 );
@@ -109,7 +109,8 @@ module drive_protection (
       end else if (period_i && awaited) begin
         logic [4:0] lost_plus_one;
         lost_plus_one = {1'b0, lost} + 5'd1;  // line 65
-        if (words_lost_samples_i == 4'd0 || lost_plus_one < {1'b0, words_lost_samples_i}) begin
+        if (config_lost_samples_i == 4'd0 ||
+            lost_plus_one < {1'b0, config_lost_samples_i}) begin
           if (!(lost_plus_one[4] && lost_plus_one[3:0] != 4'd15)) begin
             lost <= lost_plus_one[3:0];
           end
@@ -117,11 +118,11 @@ module drive_protection (
           fatal <= SinusoidalReason_kLostSample;
         end
       end
-      if (words_saturated_i != 20'd0 && words_saturated_i < saturated) begin
+      if (config_saturated_i != 20'd0 && config_saturated_i < saturated) begin
         failed <= SinusoidalReason_kSaturated;
-      end else if (words_emf_i != 20'd0 && words_emf_i < emf) begin
+      end else if (config_emf_i != 20'd0 && config_emf_i < emf) begin
         failed <= SinusoidalReason_kEmf;
-      end else if (words_slow_i != 20'd0 && words_slow_i < slow) begin
+      end else if (config_slow_i != 20'd0 && config_slow_i < slow) begin
         failed <= SinusoidalReason_kTooSlow;
       end else begin
         failed <= SinusoidalReason_kNone;
@@ -143,5 +144,5 @@ module drive_protection (
   assign failed_o = failed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_over_current_i};
+  wire unused = &{1'b0, config_over_current_i};
 endmodule

@@ -2,7 +2,7 @@
 // Do not edit: change the C++ and run hlsgen again.
 //
 // Drive registers: control, status, faults, interrupts, heartbeat watchdog and telemetry of a drive,
-// and the answer to every read; what words and constants say comes from WordRegisters.
+// and the answer to every read; what words and constants say comes from ConfigRegisters.
 //
 //     fault      sticky with its reason; a one re-arms the drive: `run` down, the cause gone
 //     watchdog   `period` ticks without a heartbeat while configured: all gates off, `run` cleared,
@@ -90,7 +90,7 @@ module drive_registers (
   wire here_4 = !hole_i && request_index_i == 10'd15;
   wire [31:0] now_3 = {drive_counts_limit_hits_i, 16'd0} | {16'd0, drive_counts_freewheel_long_i};
   wire here_5 = !hole_i && request_index_i == 10'd16;
-  wire stopped_either = drive_state_i == State_kIdle || drive_state_i == State_kFault;  // line 140
+  wire drive_state_is_idle_or_fault = drive_state_i == State_kIdle || drive_state_i == State_kFault;
 
   wire [31:0] copies_0_data;
   telemetry_copy copies_0 (
@@ -159,32 +159,34 @@ module drive_registers (
   wire beats = writes && request_index_minus_nine[9:1] == 9'd0;
   wire watch_either = period == 12'd0 || !configured || watchdog_fault;  // line 88
   wire expires = !(watch_either || !tick_i) && left == 12'd0 && !beats;
-  wire run_next_both =  // line 106
+  wire run_next_unless_control =  // line 106
       (run || (request_data_i[1] && request_index_i == 10'd17)) &&
       (!request_data_i[1] || request_index_i != 10'd18);
-  wire run_next_choice =
+  wire run_next_if_watch =
       (writes && request_strobes_i[0]) ?
-      ((request_index_i == 10'd3) ? request_data_i[1] : run_next_both) : run;
+      ((request_index_i == 10'd3) ? request_data_i[1] : run_next_unless_control) : run;
   wire clears = writes && request_index_i == 10'd5;
   wire [8:0] byte_mask = {1'b0, {8{request_strobes_i[0]}}} | (request_strobes_i[1] ? 9'd256 : 9'd0);
   wire [11:0] ones = request_data_i[11:0] & {{3{byte_mask[8]}}, byte_mask};
   wire drive_fault_next = drive_state_i == State_kFault || (drive_fault && !cleared);
-  wire watchdog_fault_next_choice = clears ? !ones[1] && watchdog_fault : watchdog_fault;
+  wire watchdog_fault_next_by_clears = clears ? !ones[1] && watchdog_fault : watchdog_fault;
   wire acknowledges = writes && request_index_i == 10'd6;
   wire [4:0] kept = acknowledges ? ~ones[4:0] : 5'd31;
   wire on = drive_state_i == State_kFault && !was_faulted;
   wire locks = drive_locked_i && !was_locked;
   wire [3:0] drive_state_plus_seven = drive_state_i + 4'd7;  // line 164
-  wire [3:0] events_choice =  // line 164
+  wire [3:0] events_by_drive_locked_or_not_was_locked =  // line 164
       (drive_locked_i || !was_locked) ? 4'd0 :
       (drive_state_plus_seven[3:1] == 3'd0) ? 4'd8 :
       4'd0;
-  wire [3:0] events_wide =  // line 167
+  wire [3:0] events_so_far =  // line 167
       {1'b0, {1'b0, (expires ? 2'd2 : 2'd0) | {1'b0, on}} | (locks ? 3'd4 : 3'd0)};
   wire on_2 = locks && starting;
-  wire [4:0] events = {1'b0, events_wide | events_choice} | (on_2 ? 5'd16 : 5'd0);
+  wire [4:0] events =
+      {1'b0, events_so_far | events_by_drive_locked_or_not_was_locked} | (on_2 ? 5'd16 : 5'd0);
   wire [8:0] not_byte_mask = ~byte_mask;  // line 112
-  wire [11:0] ones_either = ones | (period & {{3{not_byte_mask[8]}}, not_byte_mask});  // line 113
+  wire [11:0] ones_or_period_and_not_byte_mask =  // line 113
+      ones | (period & {{3{not_byte_mask[8]}}, not_byte_mask});
 
   always_ff @(posedge clk) begin
     if (writes) begin
@@ -210,7 +212,7 @@ module drive_registers (
       end
       clear <= request_index_i == 10'd5 && ones[0];
       if (request_index_i == 10'd9) begin
-        period <= ones_either;
+        period <= ones_or_period_and_not_byte_mask;
       end
       write_error <= 1'b0;
     end else begin
@@ -219,7 +221,7 @@ module drive_registers (
         write_error <= refused_i;
       end
     end
-    run <= !expires && run_next_choice;  // line 115
+    run <= !expires && run_next_if_watch;  // line 115
     if (drive_state_i != State_kFault || was_faulted) begin
       cleared <= cleared || (clears && ones[0]);
     end else begin
@@ -227,10 +229,10 @@ module drive_registers (
       fault_reason <= drive_reason_i;
     end
     drive_fault <= drive_fault_next;
-    watchdog_fault <= expires || watchdog_fault_next_choice;  // line 115
+    watchdog_fault <= expires || watchdog_fault_next_by_clears;  // line 115
     interrupts <= (interrupts & kept) | events;  // line 102
     if (writes && request_index_i == 10'd9) begin
-      left <= ones_either;
+      left <= ones_or_period_and_not_byte_mask;
     end else if (beats || watch_either) begin
       left <= period;
     end else if (tick_i && !(tick_i && left == 12'd0)) begin
@@ -245,45 +247,46 @@ module drive_registers (
       if (hole_i) begin
         data <= 32'd0;
       end else begin
-        logic [3:0] data_next_wide;
-        logic [9:0] data_next_wide_2;
+        logic [3:0] data_next_so_far;
+        logic [9:0] data_next_so_far_2;
         logic [11:0] stopped;
-        logic [11:0] data_next_wide_3;
-        logic [12:0] data_next_wide_4;
-        logic [5:0] data_next_part;
-        logic [11:0] data_next_choice;
-        logic [12:0] data_next_choice_2;
-        data_next_wide =  // line 200
+        logic [11:0] data_next_so_far_3;
+        logic [12:0] data_next_so_far_4;
+        logic [5:0] request_index_low;
+        logic [11:0] data_next_by_request_index_low;
+        logic [12:0] data_next_by_request_index_low_2;
+        data_next_so_far =  // line 200
             {1'b0, {1'b0, (run ? 2'd2 : 2'd0) | {1'b0, configured}} | (reverse ? 3'd4 : 3'd0)};
-        data_next_wide_2 =  // line 205
+        data_next_so_far_2 =  // line 205
             {1'b0,
             {1'b0, {drive_reason_i, 4'd0} | {4'd0, drive_state_i}} |
             (drive_locked_i ? 9'd256 : 9'd0)};
         stopped =  // line 140
             run ? 12'd0 :
-            stopped_either ? 12'd2048 :
+            drive_state_is_idle_or_fault ? 12'd2048 :
             12'd0;
-        data_next_wide_3 =  // line 207
+        data_next_so_far_3 =  // line 207
             {1'b0,
-            {1'b0, data_next_wide_2 | (drive_reverse_i ? 10'd512 : 10'd0)} |
+            {1'b0, data_next_so_far_2 | (drive_reverse_i ? 10'd512 : 10'd0)} |
             (unlocked_i ? 11'd1024 : 11'd0)};
-        data_next_wide_4 = {1'b0, data_next_wide_3 | stopped};  // line 208
-        data_next_part = request_index_i[5:0];  // line 196
-        case (data_next_part)
-          6'd5: data_next_choice =
+        data_next_so_far_4 = {1'b0, data_next_so_far_3 | stopped};  // line 208
+        request_index_low = request_index_i[5:0];  // line 196
+        case (request_index_low)
+          6'd5: data_next_by_request_index_low =
               {4'd0,
               {6'd0, (watchdog_fault ? 2'd2 : 2'd0) | {1'b0, drive_fault_next}} |
               {fault_reason, 4'd0}};
-          6'd6: data_next_choice = {7'd0, interrupts};
-          6'd7: data_next_choice = {7'd0, enabled};
-          6'd9: data_next_choice = period;
-          default: data_next_choice = 12'd0;
+          6'd6: data_next_by_request_index_low = {7'd0, interrupts};
+          6'd7: data_next_by_request_index_low = {7'd0, enabled};
+          6'd9: data_next_by_request_index_low = period;
+          default: data_next_by_request_index_low = 12'd0;
         endcase
-        data_next_choice_2 =
-            (data_next_part == 6'd3) ? {9'd0, data_next_wide | (brake_to_stop ? 4'd8 : 4'd0)} :
-            (data_next_part == 6'd4) ? data_next_wide_4 | (no_period_i ? 13'd4096 : 13'd0) :
-            {1'b0, data_next_choice};
-        data <= {19'd0, data_next_choice_2};
+        data_next_by_request_index_low_2 =
+            (request_index_low == 6'd3) ?
+            {9'd0, data_next_so_far | (brake_to_stop ? 4'd8 : 4'd0)} :
+            (request_index_low == 6'd4) ? data_next_so_far_4 | (no_period_i ? 13'd4096 : 13'd0) :
+            {1'b0, data_next_by_request_index_low};
+        data <= {19'd0, data_next_by_request_index_low_2};
       end
       read_error <= hole_i;
     end
@@ -317,7 +320,7 @@ module drive_registers (
   assign command_reverse_o = reverse;
   assign command_brake_to_stop_o = brake_to_stop;
   assign command_clear_fault_o = clear;
-  assign stopped_o = !run && stopped_either;
+  assign stopped_o = !run && drive_state_is_idle_or_fault;
   assign data_o = data_2 | word_i | data;
   assign read_error_o = read_error;
   assign write_error_o = write_error;

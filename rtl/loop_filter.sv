@@ -7,7 +7,7 @@
 //     p  = e' * s                                  s = frequency (per step) or `scale` (per second)
 //     x += ki p          integrator                stops while the output stands at a limit
 //     v  = x + kp p      zero
-//     y += pole (v - y)  pole                      within [minimum, maximum]; frequency = y
+//     y += alpha (v - y)  pole                     within [minimum, maximum]; frequency = y
 //
 // This is F(s) = (s R C2 + 1) / (s^2 R C1 C2 + s (C1 + C2)), Eq. (1) of Amano 2003, discretised: on
 // every tick with constant s (coefficients per second, as in the paper), or on every update with s
@@ -18,7 +18,7 @@
 // interval.  A ramp is the same with a constant error, quartered `backoff` times, and `ramp` for s.
 //
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
-//     s            its upper 22 bits: a gain needs no more; pole: its upper 15
+//     s            its upper 22 bits: a gain needs no more; alpha: its upper 15
 //     latency      24 clocks per product: about 150 from update to frequency; an update that comes
 //                  while busy is ignored
 //     registers    about 310 bits     multipliers  none (one serial)
@@ -38,7 +38,7 @@ module loop_filter (
     input  logic [9:0]  delay_i,  // clocks / 2^divide
     input  logic [15:0] ki_i,  // u2.14
     input  logic [15:0] kp_i,  // u2.14
-    input  logic [15:0] pole_i,  // u1.15
+    input  logic [15:0] alpha_i,  // u1.15
     input  logic [25:0] scale_i,  // u0.32, stands for the frequency in the per-second form
     input  logic [25:0] minimum_i,  // u0.32, VCO turns per clock
     input  logic [25:0] maximum_i,  // u0.32, VCO turns per clock
@@ -86,19 +86,19 @@ module loop_filter (
   logic at_top;  // the output stands at a limit
   logic at_bottom;
 
-  wire [14:0] factor_choice =  // line 75
-      at_bits[Stage_kPole] ? pole_i[15:1] :
-      at_bits[Stage_kKeep] ? 15'd16384 - pole_i[15:1] :
+  wire [14:0] factor_by_stage =  // line 75
+      at_bits[Stage_kPole] ? alpha_i[15:1] :
+      at_bits[Stage_kKeep] ? 15'd16384 - alpha_i[15:1] :
       15'd0;
-  wire [15:0] factor_choice_wide = {1'b0, factor_choice};  // line 75
+  wire [15:0] wide_factor_by_stage = {1'b0, factor_by_stage};  // line 75
   wire [15:0] smooth_sum = error_i + 16'd16384;  // line 128
   wire [14:0] smooth = (loop == Loop_kHall && !smooth_sum[15]) ? 15'd4096 : 15'd16384;  // line 137
   wire [15:0] smooth_2 = {1'b0, smooth};  // line 137
-  wire [15:0] factor_choice_2 =  // line 75
+  wire [15:0] factor_by_stage_2 =  // line 75
       at_bits[Stage_kIntegral] ? ((loop == Loop_kTrack) ? ki_i : smooth_2) :
       at_bits[Stage_kProportional] ? kp_i :
-      factor_choice_wide;
-  wire [21:0] factor_choice_3 =  // line 75
+      wide_factor_by_stage;
+  wire [21:0] factor_by_loop =  // line 75
       (loop == Loop_kRamp) ? {2'd0, ramp_i} :
       (loop != Loop_kTrack || bandwidth_i) ? y[29:8] :
       scale_i[25:4];
@@ -115,8 +115,8 @@ module loop_filter (
       .start_i(starts),
       .a_i(!(at_bits[Stage_kKeep] || at_bits[Stage_kDelay]) ? work : {4'd0, y}),
       .b_i(at_bits[Stage_kDelay] ? {12'd0, delay_if_track} :
-        at_bits[Stage_kScale] ? factor_choice_3 :
-        {6'd0, factor_choice_2}),
+        at_bits[Stage_kScale] ? factor_by_loop :
+        {6'd0, factor_by_stage_2}),
       .shift_i(4'd0),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
@@ -179,33 +179,33 @@ module loop_filter (
       end
     end
     if (at_bits[Stage_kIdle]) begin
-      logic [8:0] base_next_choice;
-      logic [10:0] base_next_choice_2;
-      logic [12:0] base_next_choice_wide;
-      logic [12:0] base_next_choice_3;
-      logic [15:0] base_next_choice_4;
-      base_next_choice = (backoff_i == 2'd2) ? 9'd256 : 9'd64;  // line 150
-      base_next_choice_2 = (backoff_i == 2'd1) ? 11'd1024 : {2'd0, base_next_choice};  // line 150
-      base_next_choice_wide = {2'd0, base_next_choice_2};  // line 150
-      base_next_choice_3 = (backoff_i == 2'd0) ? 13'd4096 : base_next_choice_wide;  // line 150
-      base_next_choice_4 = (loop == Loop_kRamp) ? {3'd0, base_next_choice_3} : error_i;  // line 150
-      base <= {{12{base_next_choice_4[15]}}, base_next_choice_4, 6'd0};
+      logic [8:0] base_next_by_backoff;
+      logic [10:0] base_next_by_backoff_2;
+      logic [12:0] wide_base_next_by_backoff;
+      logic [12:0] base_next_by_backoff_3;
+      logic [15:0] base_next_by_loop;
+      base_next_by_backoff = (backoff_i == 2'd2) ? 9'd256 : 9'd64;  // line 150
+      base_next_by_backoff_2 = (backoff_i == 2'd1) ? 11'd1024 : {2'd0, base_next_by_backoff};
+      wide_base_next_by_backoff = {2'd0, base_next_by_backoff_2};  // line 150
+      base_next_by_backoff_3 = (backoff_i == 2'd0) ? 13'd4096 : wide_base_next_by_backoff;
+      base_next_by_loop = (loop == Loop_kRamp) ? {3'd0, base_next_by_backoff_3} : error_i;
+      base <= {{12{base_next_by_loop[15]}}, base_next_by_loop, 6'd0};
     end else if (!at_bits[Stage_kDelay]) begin
       if (!(at_bits[Stage_kProportional] || at_bits[Stage_kIntegral])) begin
         if (at_bits[Stage_kKeep]) begin
           base <= work;
         end else begin
           logic [25:0] least;
-          logic [29:0] base_next_choice_5;
+          logic [29:0] base_next_by_stage;
           least =  // line 186
               (loop == Loop_kRamp) ? 26'd0 :
               (loop == Loop_kFollow && fresh) ? hand_over_i :
               minimum_i;
-          base_next_choice_5 =
+          base_next_by_stage =
               at_bits[Stage_kLow] ? {least, 4'd0} :
               at_bits[Stage_kHigh] ? {maximum_i, 4'd0} :
               30'd0;
-          base <= {4'd0, base_next_choice_5};
+          base <= {4'd0, base_next_by_stage};
         end
       end else begin
         base <= x;
@@ -290,6 +290,6 @@ module loop_filter (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, pole_i[0], scale_i[3:0], smooth_sum[14:0], multiplier_product[13:0],
+      &{1'b0, alpha_i[0], scale_i[3:0], smooth_sum[14:0], multiplier_product[13:0],
       multiplier_product[55:48], not_below_sum[29:0]};
 endmodule

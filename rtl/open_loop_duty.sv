@@ -87,10 +87,10 @@ module open_loop_duty (
         duty <= {2'd0, follows_both ? start[15:2] : {2'd0, start[15:4]}};
       end else if (!in_accelerate_and_follows || sure_i) begin
         if (state_bits_i[State_kAccelerate]) begin
-          logic falls_choice;
-          falls_choice =
+          logic falls_by_falls_or_not_eases;
+          falls_by_falls_or_not_eases =
               (falls || !eases) ? falls : state_bits_i[State_kAccelerate] && !commutate_i;
-          duty <= start >> falls_choice;
+          duty <= start >> falls_by_falls_or_not_eases;
         end else if (!(state_bits_i[State_kAlign] || state_bits_i[State_kPreAlign])) begin
           if (state_bits_i[State_kBrake]) begin
             duty <= brake_duty_i;
@@ -112,13 +112,13 @@ module open_loop_duty (
       was_fast <= fast;
       if (state_bits_i[State_kAccelerate]) begin
         logic follows_and_sure_and_fast;
-        logic was_fast_both;
+        logic was_fast_and_not_follows_and_sure_and_fast;
         follows_and_sure_and_fast = follows_i && sure_i && fast_i;  // line 70
-        was_fast_both = was_fast && !follows_and_sure_and_fast;  // line 71
+        was_fast_and_not_follows_and_sure_and_fast = was_fast && !follows_and_sure_and_fast;
         began <= follows_and_sure_and_fast && (began || commutate_i);
         lasted <= follows_and_sure_and_fast && (lasted || (began && commutate_i));
-        if (was_fast_both || !eases) begin
-          eases <= was_fast_both;
+        if (was_fast_and_not_follows_and_sure_and_fast || !eases) begin
+          eases <= was_fast_and_not_follows_and_sure_and_fast;
         end else begin
           eases <= !commutate_i;
         end

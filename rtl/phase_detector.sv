@@ -61,27 +61,27 @@ module phase_detector (
   logic turned;  // following: a whole turn since the last change or miss
 
   wire [16:0] magnitude = error[16:0] ^ {17{error[17]}};
-  wire out_good_choice = follows ? magnitude[16:13] == 4'd0 : magnitude < {1'b0, window_i};
+  wire out_good_by_follows = follows ? magnitude[16:13] == 4'd0 : magnitude < {1'b0, window_i};
 
   always_ff @(posedge clk) begin
     case (detector_source_i)
       DetectorSource_kCrossings, DetectorSource_kSectors: begin
         logic turned_2;
         logic not_commutate_or_before;
-        logic [15:0] place_choice;
+        logic [15:0] place_by_not_commutate_or_before;
         logic [16:0] place;
         logic elapsed_and_turned;
         logic [15:0] found;
         logic [17:0] place_minus_found;
         turned_2 = turned || elapsed_i;
         not_commutate_or_before = !commutate_i || before_;  // line 107
-        place_choice =  // line 107
+        place_by_not_commutate_or_before =  // line 107
             not_commutate_or_before ? expected_i :
             (hid || (!error[17] && error[16:13] != 4'd0)) ? lead_error_i :
             16'd0;
         place =  // line 76
             (detector_source_i == DetectorSource_kSectors) ? (turned_2 ? 17'd0 : 17'd65536) :
-            {1'b0, place_choice};
+            {1'b0, place_by_not_commutate_or_before};
         elapsed_and_turned = elapsed_i && turned;  // line 110
         found =  // line 110
             (detector_source_i == DetectorSource_kSectors) ?
@@ -114,16 +114,16 @@ module phase_detector (
             turned <= 1'b0;
           end
           default: begin  // DetectorSource_kSectors
-            logic elapsed_either;
-            elapsed_either = elapsed_and_turned || changed_i;
-            if (elapsed_either) begin
+            logic elapsed_and_turned_or_changed;
+            elapsed_and_turned_or_changed = elapsed_and_turned || changed_i;
+            if (elapsed_and_turned_or_changed) begin
               error <= place_minus_found;
             end
-            update <= elapsed_either;
+            update <= elapsed_and_turned_or_changed;
             missed <= elapsed_and_turned;
             answered <= 1'b1;
-            hid <= !elapsed_either && hid;
-            masked_lead <= !elapsed_either && masked_lead;
+            hid <= !elapsed_and_turned_or_changed && hid;
+            masked_lead <= !elapsed_and_turned_or_changed && masked_lead;
             turned <= !commutate_i && (turned ^ elapsed_i);
           end
         endcase
@@ -155,7 +155,7 @@ module phase_detector (
       (error[17:15] == 3'd0) ? error[15:0] :
       16'sd32767;
   assign update_o = update;
-  assign good_o = !(!update || missed) && out_good_choice;
+  assign good_o = !(!update || missed) && out_good_by_follows;
   assign missed_o = missed;
   assign masked_lead_o = masked_lead;
 endmodule

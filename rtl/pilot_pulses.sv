@@ -39,12 +39,12 @@ module pilot_pulses (
     input  logic        over_i,  // a current in it is beyond its limit: with `waiting`, `decayed`
     input  logic [15:0] i_gamma_i,  // s0.15, of that sample or of `a` and `b`, seen from `angle`
     input  logic        backward_i,  // i_delta of the same is negative
-    input  logic [5:0]  words_short_periods_i,  // 0 counts as 1
-    input  logic [5:0]  words_long_periods_i,  // 0 counts as 1
-    input  logic [4:0]  words_rounds_i,  // of six short pulses; even
-    input  logic [14:0] words_decayed_i,  // u0.15: below, a current is gone
-    input  logic [14:0] words_saliency_i,  // u0.15: a smaller sum is no position
-    input  logic [14:0] words_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
+    input  logic [5:0]  config_short_periods_i,  // 0 counts as 1
+    input  logic [5:0]  config_long_periods_i,  // 0 counts as 1
+    input  logic [4:0]  config_rounds_i,  // of six short pulses; even
+    input  logic [14:0] config_decayed_i,  // u0.15: below, a current is gone
+    input  logic [14:0] config_saliency_i,  // u0.15: a smaller sum is no position
+    input  logic [14:0] config_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
     output logic        pulse_o,  // gates are wanted: the legs below chopped, the others low
     output logic        high_u_o,
     output logic        high_v_o,
@@ -86,17 +86,17 @@ module pilot_pulses (
   wire idle = !(pulsing || peak || due);
   wire [23:0] twice = {angle[11:0], 12'd0};
   wire [23:0] out_angle = {angle, 11'd0};
-  wire [1:0] one_choice = (phase == Phase_kShort) ? {!round[0], 1'b0} : 2'd1;  // line 111
-  wire one = winding == one_choice;
+  wire [1:0] one_by_phase = (phase == Phase_kShort) ? {!round[0], 1'b0} : 2'd1;  // line 111
+  wire one = winding == one_by_phase;
   wire [1:0] two_choice = (phase != Phase_kShort || round[0]) ? 2'd2 : 2'd1;  // line 112
   wire two = winding == two_choice;
   wire [15:0] third =
       one ? 16'd21845 :
       two ? 16'd43690 :
       16'd0;
-  wire [15:0] out_angle_choice =  // line 115
+  wire [15:0] out_angle_by_not_half =  // line 115
       (reversed ^ (phase != Phase_kShort && round[0])) ? 16'd32768 : 16'd0;
-  wire [15:0] out_angle_differ = third ^ out_angle_choice;  // line 115
+  wire [15:0] out_angle_differ = third ^ out_angle_by_not_half;  // line 115
   wire [23:0] out_angle_2 = {out_angle_differ, 8'd0};
 
   logic [23:0] out_angle_3;  // line 75
@@ -108,7 +108,7 @@ module pilot_pulses (
     endcase
   end
 
-  wire [16:0] words_polarity_plus_a = {2'd0, words_polarity_i} + {a[15], a};  // line 180
+  wire [16:0] config_polarity_plus_a = {2'd0, config_polarity_i} + {a[15], a};  // line 180
 
   always_ff @(posedge clk) begin
     if (rest_i) begin
@@ -129,7 +129,7 @@ module pilot_pulses (
       ready <= 1'b0;
     end else if (enable_i) begin
       logic [4:0] round_plus_one;
-      logic next_short_equal;
+      logic round_plus_one_is_config_rounds;
       logic turn;
       logic [2:0] phase_choice;
       logic along;
@@ -137,55 +137,55 @@ module pilot_pulses (
       logic seen_from_and_ready;
       logic sampled_and_out_search;
       logic sampled_and_due;
-      logic [2:0] sampled_choice;
+      logic [2:0] sampled_by_sampled_and_due;
       logic not_taken_and_peak;
-      logic [3:0] sampled_choice_2;
+      logic [3:0] sampled_by_sampled_and_due_2;
       logic quiet_and_not_over;
       logic sampled_and_idle;
-      logic sampled_either;
+      logic sampled_and_due_or_sampled_and_out_search;
       logic quiet_next_either;
       logic sampled_both;
-      logic sampled_choice_3;
+      logic sampled_choice;
       round_plus_one = round + 5'd1;  // line 146
-      next_short_equal = round_plus_one == words_rounds_i;  // line 150
+      round_plus_one_is_config_rounds = round_plus_one == config_rounds_i;  // line 150
       turn = reversed && winding == 2'd2;
       phase_choice =
           (phase == Phase_kShort) ?
-          (turn ? (next_short_equal ? Phase_kSearch : phase) : Phase_kShort) :
+          (turn ? (round_plus_one_is_config_rounds ? Phase_kSearch : phase) : Phase_kShort) :
           (round == 5'd1) ? Phase_kJudge :
           phase;
-      along = $signed({1'b0, words_polarity_i}) < a;
-      along_or_against = along || words_polarity_plus_a[16];  // line 182
+      along = $signed({1'b0, config_polarity_i}) < a;
+      along_or_against = along || config_polarity_plus_a[16];  // line 182
       seen_from_and_ready = phase == Phase_kJudge && ready;  // line 89
       sampled_and_out_search = sampled_i && phase == Phase_kSearch;  // line 87
       sampled_and_due = sampled_i && due;  // line 84
-      sampled_choice =
+      sampled_by_sampled_and_due =
           sampled_and_due ? phase_choice :
           sampled_and_out_search ? ((step[11:1] == 11'd0) ? Phase_kLong : Phase_kSearch) :
           (seen_from_and_ready && along_or_against) ? Phase_kFound :
           phase;
       not_taken_and_peak = !taken_i && peak;  // line 125
-      sampled_choice_2 =
+      sampled_by_sampled_and_due_2 =
           sampled_and_due ? failed :
           sampled_and_out_search ?
-          ((step[11:1] == 11'd0 && $signed(i_gamma_i) < $signed({1'b0, words_saliency_i})) ?
+          ((step[11:1] == 11'd0 && $signed(i_gamma_i) < $signed({1'b0, config_saliency_i})) ?
           SinusoidalReason_kNoSaliency : failed) :
           (seen_from_and_ready && !along_or_against) ? SinusoidalReason_kNoPolarity :
           failed;
       quiet_and_not_over = quiet && !over_i;  // line 92
       sampled_and_idle = sampled_i && idle;
-      sampled_either = sampled_and_due || sampled_and_out_search;
+      sampled_and_due_or_sampled_and_out_search = sampled_and_due || sampled_and_out_search;
       quiet_next_either = sampled_and_due || sampled_and_out_search || seen_from_and_ready;
       sampled_both = sampled_i && !(peak || due);
-      sampled_choice_3 =
-          sampled_either ? ready :
+      sampled_choice =
+          sampled_and_due_or_sampled_and_out_search ? ready :
           seen_from_and_ready || (sampled_both ? quiet_and_not_over : ready);
-      phase <= sampled_choice;
+      phase <= sampled_by_sampled_and_due;
       if (period_i && not_taken_and_peak) begin
         failed <= SinusoidalReason_kLostSample;
         peak <= 1'b1;
       end else begin
-        failed <= sampled_choice_2;
+        failed <= sampled_by_sampled_and_due_2;
         if (period_i && pulsing) begin
           peak <= left[5:1] == 5'd0 || not_taken_and_peak;
         end else begin
@@ -199,7 +199,7 @@ module pilot_pulses (
           if (turn) begin
             a <= b;
             b <= sum;
-            if (next_short_equal) begin
+            if (round_plus_one_is_config_rounds) begin
               angle <= 13'd2048;
               step <= 12'd2048;
             end
@@ -229,17 +229,17 @@ module pilot_pulses (
               sure = angle ^ {1'b0, backward_i ? step : 12'd0};
               search_either = sure | {2'd0, step[11:1]};  // line 160
               if (step[11:1] == 11'd0) begin
-                logic reversed_next_either;
-                logic reversed_next_either_2;
-                logic reversed_next_either_3;
-                reversed_next_either =
+                logic reversed_next_so_far;
+                logic reversed_next_so_far_2;
+                logic reversed_next_so_far_3;
+                reversed_next_so_far =
                     search_either[11:8] == 4'd15 || search_either[11:8] == 4'd14 ||
                     search_either[11:8] == 4'd13;
-                reversed_next_either_2 =
-                    reversed_next_either || search_either[11:8] == 4'd12 ||
+                reversed_next_so_far_2 =
+                    reversed_next_so_far || search_either[11:8] == 4'd12 ||
                     search_either[11:8] == 4'd11 || search_either[11:8] == 4'd10;
-                reversed_next_either_3 =
-                    reversed_next_either_2 || search_either[11:8] == 4'd9 ||
+                reversed_next_so_far_3 =
+                    reversed_next_so_far_2 || search_either[11:8] == 4'd9 ||
                     search_either[11:8] == 4'd8 || search_either[11:8] == 4'd2;
                 a <= 16'd0;
                 round <= 5'd0;
@@ -249,7 +249,7 @@ module pilot_pulses (
                   winding <= search_either[11] ? 2'd1 : 2'd2;
                 end
                 reversed <=
-                    !(reversed_next_either_3 || search_either[11:8] == 4'd1 ||
+                    !(reversed_next_so_far_3 || search_either[11:8] == 4'd1 ||
                     search_either[11:8] == 4'd0) || search_either[11:8] > 4'd12;
               end
               angle <= search_either;
@@ -257,7 +257,7 @@ module pilot_pulses (
             end
           end
           Phase_kJudge: begin
-            if (ready && words_polarity_plus_a[16]) begin
+            if (ready && config_polarity_plus_a[16]) begin
               angle <= {1'b1, angle[11:0]};
             end
           end
@@ -270,31 +270,31 @@ module pilot_pulses (
             left <= left - 6'd1;
           end
           pulsing <= left[5:1] != 5'd0;
-          if (!sampled_either) begin
+          if (!sampled_and_due_or_sampled_and_out_search) begin
             ready <= seen_from_and_ready || ready;
           end
         end else begin
           if (phase == Phase_kShort) begin
-            left <= words_short_periods_i;
+            left <= config_short_periods_i;
           end else begin
-            left <= words_long_periods_i;
+            left <= config_long_periods_i;
           end
           pulsing <=
-              sampled_choice_3 && sampled_choice != Phase_kFound &&
-              !not_taken_and_peak && sampled_choice_2 == SinusoidalReason_kNone;
+              sampled_choice && sampled_by_sampled_and_due != Phase_kFound &&
+              !not_taken_and_peak && sampled_by_sampled_and_due_2 == SinusoidalReason_kNone;
           ready <= 1'b0;
         end
-      end else if (!sampled_either) begin
+      end else if (!sampled_and_due_or_sampled_and_out_search) begin
         ready <= seen_from_and_ready || (sampled_and_idle ? quiet_and_not_over : ready);
       end
       due <= (taken_i && peak) || (!sampled_i && due);
       if (period_i && !pulsing) begin
-        logic sampled_choice_4;
-        sampled_choice_4 =
+        logic sampled_choice_2;
+        sampled_choice_2 =
             quiet_next_either ? quiet :
             sampled_both ? !over_i :
             quiet;
-        quiet <= !sampled_choice_3 && sampled_choice_4;
+        quiet <= !sampled_choice && sampled_choice_2;
       end else if (!quiet_next_either && sampled_and_idle) begin
         quiet <= !over_i;
       end
@@ -331,5 +331,5 @@ module pilot_pulses (
   assign failed_o = failed;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_decayed_i, words_polarity_plus_a[15:0]};
+  wire unused = &{1'b0, config_decayed_i, config_polarity_plus_a[15:0]};
 endmodule

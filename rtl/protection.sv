@@ -46,12 +46,12 @@ module protection (
     input  logic        fault_pin_i,  // synchronised
     input  logic        hall_i,  // steps come from the Hall sensors
     input  logic        hall_illegal_i,  // their code is 000 or 111
-    input  logic [5:0]  words_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
-    input  logic [25:0] words_stall_i,  // u0.32: slower than this in speed control is a stall
-    input  logic [15:0] words_slip_i,  // duty above the back-EMF's that no right lock shows
-    input  logic [15:0] words_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
-    input  logic [11:0] words_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
-    input  logic [3:0]  words_over_current_i,  // limit hits with the comparator never released; 0 disables
+    input  logic [5:0]  config_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
+    input  logic [25:0] config_stall_i,  // u0.32: slower than this in speed control is a stall
+    input  logic [15:0] config_slip_i,  // duty above the back-EMF's that no right lock shows
+    input  logic [15:0] config_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
+    input  logic [11:0] config_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
+    input  logic [3:0]  config_over_current_i,  // limit hits with the comparator never released; 0 disables
     output logic        lost_o,  // give up this attempt
     output logic        fatal_o,  // latch a fault, in any state
     output logic [3:0]  reason_o,
@@ -84,19 +84,21 @@ module protection (
   wire step_out =
       (!running_i || ended) ? running_i : (heavy && four_end) || (strikes_2 && one_ends);
   wire slow_is_six_or_not_commutate = slow == 3'd6 || !commutate_i;  // line 77
-  wire stall_choice = slow_is_six_or_not_commutate ? slow == 3'd6 : slow_i && slow == 3'd5;
-  wire stall = running_i && stall_choice;
+  wire stall_by_slow_is_six_or_not_commutate =
+      slow_is_six_or_not_commutate ? slow == 3'd6 : slow_i && slow == 3'd5;
+  wire stall = running_i && stall_by_slow_is_six_or_not_commutate;
   wire wrong_2 = slips_i || long;
   wire wrong_tick = tick_i && wrong_2;
   wire wrong_3 =
-      running_i && words_wrong_lock_i != 12'd0 && (none_left || (wrong_tick && few_left));
+      running_i && config_wrong_lock_i != 12'd0 && (none_left || (wrong_tick && few_left));
   wire no_code = tick_i && hall_i && hall_illegal_i;
   wire hall_2 = running_i && (!(hall != 2'd2 || tick_i) || (no_code && hall != 2'd0));
-  wire over_current = words_over_current_i - 4'd1 < stuck_i;
+  wire over_current = config_over_current_i - 4'd1 < stuck_i;
   wire out_fatal = fault_pin_i || over_current;
-  wire long_next = words_freewheel_i < freewheel_i;
-  wire [1:0] change_choice = wrong_2 ? 2'd2 : 2'd1;  // line 132
-  wire [11:0] change = running_i ? {{10{change_choice[1]}}, change_choice} : words_wrong_lock_i;
+  wire long_next = config_freewheel_i < freewheel_i;
+  wire [1:0] change_by_wrong = wrong_2 ? 2'd2 : 2'd1;  // line 132
+  wire [11:0] change =
+      running_i ? {{10{change_by_wrong[1]}}, change_by_wrong} : config_wrong_lock_i;
   wire [11:0] wrong_next_sum = (running_i ? wrong : 12'd0) + change;  // line 136
 
   always_ff @(posedge clk) begin
@@ -140,13 +142,13 @@ module protection (
       hall <= 2'd0;
     end
     credit <= running_i && good_i;
-    ended <= words_misses_i != 6'd0 && {1'b0, words_misses_i} <= score;  // line 72
-    one_ends <= words_misses_i != 6'd0 && {2'd0, words_misses_i} <= {1'b0, score} + 8'd1;
-    four_end <= words_misses_i != 6'd0 && {2'd0, words_misses_i} <= {1'b0, score} + 8'd4;
+    ended <= config_misses_i != 6'd0 && {1'b0, config_misses_i} <= score;  // line 72
+    one_ends <= config_misses_i != 6'd0 && {2'd0, config_misses_i} <= {1'b0, score} + 8'd1;
+    four_end <= config_misses_i != 6'd0 && {2'd0, config_misses_i} <= {1'b0, score} + 8'd4;
     long <= long_next;  // line 64
     none_left <= wrong == 12'd0;  // line 80
     few_left <= wrong < 12'd3;  // line 81
-    all_left <= (words_wrong_lock_i <= wrong);  // line 82
+    all_left <= (config_wrong_lock_i <= wrong);  // line 82
     if (rst) begin
       score <= 7'd0;
       strikes <= 3'd0;
@@ -178,5 +180,5 @@ module protection (
   assign freewheel_long_o = commutate_i && long_next;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_stall_i, words_slip_i};
+  wire unused = &{1'b0, config_stall_i, config_slip_i};
 endmodule

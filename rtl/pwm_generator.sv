@@ -45,12 +45,12 @@ module pwm_generator (
   logic tick;  // as first_, in every `tick_periods`-th period
 
   wire [1:0] not_first_next = ~{1'b0, left[13:1] == 13'd0};  // line 65
-  wire [13:0] left_next_choice = (left[13:1] == 13'd0) ? period_i : 14'd16383;
+  wire [13:0] left_next_by_first_next = (left[13:1] == 13'd0) ? period_i : 14'd16383;
   wire rise = waiting && lead == 13'd0;
   wire on_and_not_first = on && !first;  // line 53
 
   always_ff @(posedge clk) begin
-    left <= (left & {{12{not_first_next[1]}}, not_first_next}) + left_next_choice;  // line 65
+    left <= (left & {{12{not_first_next[1]}}, not_first_next}) + left_next_by_first_next;
     if (left[13:1] == 13'd0) begin
       logic [14:0] rest;
       logic minimum_at_most_on_clocks;

@@ -134,7 +134,7 @@ module rotor_follower #(
       logic [1:0] ends_decay;
       logic [1:0] over_choice;
       logic [2:0] over_sample;
-      logic [2:0] ends_decay_wide;
+      logic [2:0] wide_ends_decay;
       logic [3:0] at_bits_see;
       logic [4:0] ends_so_far;
       logic [7:0] at_bits_hold;
@@ -142,7 +142,7 @@ module rotor_follower #(
       logic [7:0] ends_so_far_3;
       logic [8:0] at_bits_drive;
       logic [8:0] ends_so_far_4;
-      logic [7:0] count_choice;
+      logic [7:0] count_by_strobe;
       logic [1:0] now_edges;
       logic judge_both;
       logic on;
@@ -152,10 +152,10 @@ module rotor_follower #(
       logic [1:0] now_edges_2;
       logic news;
       logic goes_2;
-      logic judge_choice;
+      logic judge_by_belief_real;
       logic now_back;
       logic judge_either;
-      logic judge_choice_2;
+      logic judge_choice;
       logic judge_both_4;
       logic turns;
       logic waits;
@@ -174,7 +174,7 @@ module rotor_follower #(
       logic [2:0] now_rest_if_in_judge;
       logic now_coast_both;
       logic [1:0] belief_coast_minus_one;
-      logic goes_either;
+      logic goes_unless_stopped;
       logic goes_3;
       logic [1:0] now_coast;
       logic [1:0] now_coast_2;
@@ -195,9 +195,9 @@ module rotor_follower #(
           2'd1 << Stage_kDecay : 2'd0;
       over_choice = over ? {1'b0, at_bits[Stage_kDecay]} : {at_bits[Stage_kSample], 1'b0};
       over_sample = (over_choice == 2'd0) ? 3'd0 : 3'd1 << Stage_kSample;  // line 114
-      ends_decay_wide = {1'b0, ends_decay};  // line 116
+      wide_ends_decay = {1'b0, ends_decay};  // line 116
       at_bits_see = (at_bits[Stage_kSample] && over) ? 4'd1 << Stage_kSee : 4'd0;  // line 114
-      ends_so_far = {1'b0, {1'b0, ends_decay_wide | over_sample} | at_bits_see};  // line 118
+      ends_so_far = {1'b0, {1'b0, wide_ends_decay | over_sample} | at_bits_see};  // line 118
       at_bits_hold =  // line 114
           ((in_turn_and_belief_coast_is_zero || !at_bits[Stage_kHold]) ?
           in_turn_and_belief_coast_is_zero : !(over || ends)) ? 8'd1 << Stage_kHold : 8'd0;
@@ -211,7 +211,8 @@ module rotor_follower #(
           (!(!at_bits[Stage_kHold] || !over || ends) || (at_bits[Stage_kDrive] && !ends)) ?
           9'd1 << Stage_kDrive : 9'd0;
       ends_so_far_4 = {1'b0, ends_so_far_3} | at_bits_drive;  // line 122
-      count_choice = strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
+      count_by_strobe =  // line 191
+          strobe ? ((sample_every_i == 8'd0) ? 8'd1 : sample_every_i) : prescale - 8'd1;
       now_edges = (!belief_back && belief_edges != 2'd3) ? belief_edges + 2'd1 : belief_edges;
       judge_both =  // follow_law.hpp:165
           sight_contrary && belief_moved &&
@@ -224,15 +225,16 @@ module rotor_follower #(
           judge_both_3 ? (on ? now_edges : judge_both ? belief_edges : 2'd0) : belief_edges;
       news = belief_edges != 2'd0 || belief_back;  // follow_law.hpp:163
       goes_2 = sight_legal && !(belief_looked && sight_rests);  // follow_law.hpp:157
-      judge_choice = belief_real ? sight_legal && !sight_here && !stopped && on && news : goes_2;
+      judge_by_belief_real =  // line 96
+          belief_real ? sight_legal && !sight_here && !stopped && on && news : goes_2;
       now_back = (sight_contrary || sight_across || (sight_far && belief_far)) && !belief_back;
       judge_either = on || judge_both;  // line 96
-      judge_choice_2 =  // line 96
+      judge_choice =  // line 96
           (sight_legal && !(sight_here || stopped || judge_either)) ? now_back : belief_back;
-      judge_both_4 = belief_real && judge_choice_2;  // line 96
+      judge_both_4 = belief_real && judge_choice;  // line 96
       turns = judge_both_4 ^ belief_back;  // follow_law.hpp:172
       waits = turns && !belief_turned && belief_idle[7:2] != 6'd0;
-      judge_either_2 = judge_choice || waits;  // follow_law.hpp:174
+      judge_either_2 = judge_by_belief_real || waits;  // follow_law.hpp:174
       stands_2 = !judge_either_2 && sight_tired;  // follow_law.hpp:174
       now_edges_3 = stands_2 ? 2'd0 : now_edges_2;
       now_edges_if_in_judge = at_bits[Stage_kJudge] ? now_edges_3 : belief_edges;
@@ -250,8 +252,8 @@ module rotor_follower #(
       now_rest_if_in_judge = at_bits[Stage_kJudge] ? now_rest_3 : belief_rest;
       now_coast_both = !(!belief_real_or_now_real || judge_both_4 || turns) && !now_edges_2[1];
       belief_coast_minus_one = belief_coast - 2'd1;  // follow_law.hpp:192
-      goes_either = on || (!judge_both && !sight_across);  // follow_law.hpp:175
-      goes_3 = belief_real ? sight_legal && !sight_here && !stopped && goes_either : goes_2;
+      goes_unless_stopped = on || (!judge_both && !sight_across);  // follow_law.hpp:175
+      goes_3 = belief_real ? sight_legal && !sight_here && !stopped && goes_unless_stopped : goes_2;
       now_coast =  // follow_law.hpp:175
           goes_3 ?
           ((now_coast_both || turns) ? {2{now_coast_both}} :
@@ -263,23 +265,24 @@ module rotor_follower #(
       now_coast_if_in_judge = at_bits[Stage_kJudge] ? now_coast_2 : belief_coast;
       to_middle = (step_i[1] ^ step_i[0]) && !step_i[2];  // divide_by_n.hpp:28
       at_bits <= ends_so_far_4;
-      prescale <= count_choice;
-      strobe <= count_choice[7:1] == 7'd0;
+      prescale <= count_by_strobe;
+      strobe <= count_by_strobe[7:1] == 7'd0;
       if (ends) begin
         left <= look_i;
         none <= 1'b0;
         overdue <= 1'b0;
       end else begin
         logic [6:0] count_both;
-        logic count_choice_2;
+        logic count_by_over;
         logic count_unequal;
-        logic left_next_choice;
+        logic left_next_if_over;
         logic left_next_both;
         count_both = at_bits[7:1] & 7'h41;  // line 182
-        count_choice_2 = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 108
+        count_by_over = over ? count_both == 7'd0 && left == 16'd0 : left == 16'd0;  // line 108
         count_unequal = at_bits[Stage_kTurn] || at_bits[Stage_kOff];  // line 181
-        left_next_choice = (count_both == 7'd0) ? over && at_bits[Stage_kHold] : count_both != 7'd0;
-        left_next_both = over && left_next_choice;
+        left_next_if_over =
+            (count_both == 7'd0) ? over && at_bits[Stage_kHold] : count_both != 7'd0;
+        left_next_both = over && left_next_if_over;
         if (count_unequal || left_next_both) begin
           logic waits_2;
           logic look;
@@ -292,10 +295,10 @@ module rotor_follower #(
           end else begin
             left <= 16'd14;
           end
-        end else if (strobe && !count_choice_2) begin
+        end else if (strobe && !count_by_over) begin
           left <= left - 16'd1;
         end
-        none <= !count_unequal && count_choice_2;
+        none <= !count_unequal && count_by_over;
         overdue <= !loads && (overdue || elapsed_i);
       end
       if (at_bits[Stage_kDecay]) begin
@@ -338,7 +341,7 @@ module rotor_follower #(
                 belief_back <= judge_either ? belief_back : now_back;
                 belief_moved <= judge_either;
                 belief_far <= sight_far;
-                goes <= goes_either;
+                goes <= goes_unless_stopped;
                 out_moves <= judge_either;
               end
             end else begin
@@ -351,7 +354,7 @@ module rotor_follower #(
             goes <= goes_2;
             out_moves <= 1'b0;
           end
-          if (judge_choice) begin
+          if (judge_by_belief_real) begin
             belief_stood <= 2'd0;
             belief_turned <= 1'b0;
           end else begin
@@ -373,12 +376,12 @@ module rotor_follower #(
       belief_idle <= now_idle_if_in_judge;
       belief_coast <= now_coast_if_in_judge;
       if (at_bits[Stage_kSee]) begin
-        logic at_bits_choice;
+        logic at_bits_by_stage;
         logic clear;
         logic three_or_four;
-        logic [2:0] next_step_either;
+        logic [2:0] next_step_so_far;
         logic [2:0] next_step_if_reverse;
-        logic [1:0] code_of_choice;
+        logic [1:0] code_of_by_next_step_if_reverse;
         logic [2:0] code_of;  // follow_law.hpp:131
         logic [2:0] see_differ;
         logic [2:0] other;
@@ -386,19 +389,19 @@ module rotor_follower #(
         logic w_2;
         logic u_2;
         logic [2:0] behind;
-        logic [1:0] behind_choice;
-        logic [2:0] ahead_choice;
+        logic [1:0] behind_by_not_u;
+        logic [2:0] ahead_by_not_u;
         logic [2:0] behind_2;
         logic [2:0] behind_3;
         logic [2:0] ahead;
         logic see_equal;
-        at_bits_choice = at_bits[Stage_kJudge] ? !(stands_2 || !judge_both_4) : belief_back;
+        at_bits_by_stage = at_bits[Stage_kJudge] ? !(stands_2 || !judge_both_4) : belief_back;
         clear = u[3] == u[2] && v[3] == v[2] && w[3] == w[2];  // line 103
         three_or_four = step_i[1:0] == 2'd3 || (step_i & 3'h5) == 3'd4;  // divide_by_n.hpp:27
-        next_step_either =  // divide_by_n.hpp:30
+        next_step_so_far =  // divide_by_n.hpp:30
             {2'd0, step_i[0]} | (three_or_four ? 3'd4 : 3'd0) | {1'b0, to_middle ? 2'd2 : 2'd0};
-        next_step_if_reverse = reverse_i ? next_step_either ^ 3'h1 : step_i;  // follow_law.hpp:114
-        code_of_choice =  // follow_law.hpp:131
+        next_step_if_reverse = reverse_i ? next_step_so_far ^ 3'h1 : step_i;  // follow_law.hpp:114
+        code_of_by_next_step_if_reverse =  // follow_law.hpp:131
             (next_step_if_reverse == 3'd3) ? 2'd2 :
             (next_step_if_reverse == 3'd4) ? 2'd3 :
             2'd1;
@@ -406,9 +409,9 @@ module rotor_follower #(
           3'd0: code_of = 3'd5;
           3'd1: code_of = 3'd4;
           3'd2: code_of = 3'd6;
-          default: code_of = {1'b0, code_of_choice};
+          default: code_of = {1'b0, code_of_by_next_step_if_reverse};
         endcase
-        see_differ = code_of ^ {3{at_bits_choice}};  // follow_law.hpp:131
+        see_differ = code_of ^ {3{at_bits_by_stage}};  // follow_law.hpp:131
         other = see_differ ^ code;  // follow_law.hpp:131
         v_2 = step_i == 3'd1 || step_i == 3'd4;  // follow_law.hpp:132
         w_2 = step_i == 3'd0 || step_i == 3'd3;  // follow_law.hpp:132
@@ -416,39 +419,39 @@ module rotor_follower #(
         behind = (v_2 ? 3'd4 : 3'd0) | {1'b0, w_2 ? 2'd2 : 2'd0} | {2'd0, u_2};
         case (step_i)
           3'd0, 3'd3, 3'd1, 3'd4: begin
-            behind_choice = 2'd0;
-            ahead_choice = 3'd0;
+            behind_by_not_u = 2'd0;
+            ahead_by_not_u = 3'd0;
           end
           default: begin
-            behind_choice = 2'd2;
-            ahead_choice = 3'd4;
+            behind_by_not_u = 2'd2;
+            ahead_by_not_u = 3'd4;
           end
         endcase
-        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_choice} | {2'd0, v_2};  // follow_law.hpp:123
+        behind_2 = (w_2 ? 3'd4 : 3'd0) | {1'b0, behind_by_not_u} | {2'd0, v_2};
         behind_3 = reverse_i ? behind : behind_2;  // follow_law.hpp:133
-        ahead = ahead_choice | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:123
+        ahead = ahead_by_not_u | {1'b0, v_2 ? 2'd2 : 2'd0} | {2'd0, w_2};  // follow_law.hpp:123
         see_equal = other == ~ahead;  // follow_law.hpp:139
         sight_legal <= !(code == 3'd0 || code == 3'd7) && (clear || now_edges_if_in_judge != 2'd0);
         sight_clear <= clear;
         sight_rests <= code == now_rest_if_in_judge;
         sight_here <= see_differ == code;
-        sight_on <= other == (at_bits_choice ? behind_3 : ahead);
-        if (at_bits_choice) begin
-          logic at_bits_choice_3;
-          at_bits_choice_3 =
+        sight_on <= other == (at_bits_by_stage ? behind_3 : ahead);
+        if (at_bits_by_stage) begin
+          logic at_bits_by_stage_3;
+          at_bits_by_stage_3 =
               at_bits[Stage_kJudge] ? !stands_2 && (judge_both_3 ? sight_far : belief_far) :
               belief_far;
-          sight_skipped <= see_equal && at_bits_choice_3;
+          sight_skipped <= see_equal && at_bits_by_stage_3;
         end else begin
-          logic at_bits_choice_2;
-          at_bits_choice_2 =
+          logic at_bits_by_stage_2;
+          at_bits_by_stage_2 =
               at_bits[Stage_kJudge] ?
               !stands_2 && belief_real && (judge_both_2 ? judge_either : belief_moved) :
               belief_moved;
-          sight_skipped <= other == ~behind_3 && at_bits_choice_2;
+          sight_skipped <= other == ~behind_3 && at_bits_by_stage_2;
         end
         sight_far <= see_equal;
-        sight_contrary <= other == (at_bits_choice ? ahead : behind_3);
+        sight_contrary <= other == (at_bits_by_stage ? ahead : behind_3);
         sight_across <= other == 3'd7;
         sight_tired <=
             now_coast_if_in_judge == 2'd0 && {1'b0, still_i} <= {1'b0, now_idle_if_in_judge} + 9'd1;
@@ -469,13 +472,13 @@ module rotor_follower #(
         if (stands) begin
           logic not_way;
           logic three_or_four_2;
-          logic to_high_choice;
+          logic to_high_by_high;
           logic to_high;
           logic to_middle_2;
           not_way = reverse_i ^ belief_onward;  // follow_law.hpp:200
           three_or_four_2 = step_i[1:0] == 2'd3 || (step_i[2] && !step_i[0]);  // divide_by_n.hpp:27
-          to_high_choice = step_i[2] ? step_i[0] : !step_i[1] && !step_i[0];  // divide_by_n.hpp:29
-          to_high = not_way ? three_or_four_2 : to_high_choice;  // divide_by_n.hpp:29
+          to_high_by_high = step_i[2] ? step_i[0] : !step_i[1] && !step_i[0];  // divide_by_n.hpp:29
+          to_high = not_way ? three_or_four_2 : to_high_by_high;  // divide_by_n.hpp:29
           to_middle_2 = not_way ? to_middle : three_or_four_2;  // divide_by_n.hpp:28
           if (belief_stood == 2'd2) begin
             logic three_or_four_3;
@@ -484,7 +487,7 @@ module rotor_follower #(
             three_or_four_3 = step_i[0] ? to_high : to_middle_2;  // divide_by_n.hpp:27
             to_high_2 =  // divide_by_n.hpp:29
                 not_way ? three_or_four_3 :
-                to_high_choice ? !step_i[0] :
+                to_high_by_high ? !step_i[0] :
                 step_i[0] && !to_middle_2;
             to_middle_3 = not_way ? (to_middle_2 ^ !step_i[0]) && !to_high : three_or_four_3;
             out_step <=

@@ -37,8 +37,8 @@ module serial_multiplier_34_22 (
   logic dropping;  // b is used up; the clocks that are left shift the product
   logic done;  // the product is complete
 
-  wire last_both = last && !dropping && shift_i != 4'd0;
-  wire ends = last && !last_both;  // line 44
+  wire last_and_not_dropping_and_shift_is_not_zero = last && !dropping && shift_i != 4'd0;
+  wire ends = last && !last_and_not_dropping_and_shift_is_not_zero;  // line 44
 
   always_ff @(posedge clk) begin
     if (start_i) begin
@@ -57,7 +57,7 @@ module serial_multiplier_34_22 (
       high_plus_addend = {high[33], high} + {addend[33], addend};  // line 49
       high <= high_plus_addend[34:1];
       low <= {high_plus_addend[0], low[21:1]};
-      if (last_both) begin
+      if (last_and_not_dropping_and_shift_is_not_zero) begin
         addend <= 34'd0;
         left <= {1'b0, shift_i};
         last <= shift_i == 4'd1;
@@ -70,7 +70,7 @@ module serial_multiplier_34_22 (
         left <= left - 5'd1;
         last <= left == 5'd2;
       end
-      dropping <= dropping || last_both;
+      dropping <= dropping || last_and_not_dropping_and_shift_is_not_zero;
     end
     done <= !start_i && ends;  // line 50
     if (rst) begin

@@ -25,8 +25,8 @@ module sigma_delta (
     input  logic        data_u_i,
     input  logic        data_v_i,
     input  logic        data_dc_i,
-    input  logic [5:0]  words_half_i,  // clocks of half an mclk period; 0: off
-    input  logic [15:0] words_delay_i,  // bits from the strobe to the window
+    input  logic [5:0]  config_half_i,  // clocks of half an mclk period; 0: off
+    input  logic [15:0] config_delay_i,  // bits from the strobe to the window
     output logic        mclk_o,  // pin
     output logic        codes_valid_o,  // one clock: the codes are of a new sample
     output logic [11:0] codes_u_o,  // s0.11, current of phase u
@@ -99,8 +99,8 @@ module sigma_delta (
   );
 
   wire [18:0] out_codes_dc_sum = {dc_value[17], dc_value} + 19'd16;  // line 91
-  wire turns = words_half_i != 6'd0 && clocks == 6'd0;
-  wire [5:0] words_half_if_clocks_is_zero = (clocks == 6'd0) ? words_half_i : clocks;  // line 81
+  wire turns = config_half_i != 6'd0 && clocks == 6'd0;
+  wire [5:0] config_half_if_clocks_is_zero = (clocks == 6'd0) ? config_half_i : clocks;  // line 81
 
   always_ff @(posedge clk) begin
     first_u <= data_u_i;
@@ -110,7 +110,7 @@ module sigma_delta (
     second_v <= first_v;
     second_dc <= first_dc;
     mclk <= !(turns ^ !mclk);  // line 80
-    clocks <= words_half_if_clocks_is_zero - 6'd1;  // line 81
+    clocks <= config_half_if_clocks_is_zero - 6'd1;  // line 81
     rises <= {rises[0], 1'b0} | {1'b0, turns && !mclk};  // line 79
     if (starts) begin
       waits <= sample_i;
@@ -128,7 +128,7 @@ module sigma_delta (
       end
     end
     if (sample_i) begin
-      left <= words_delay_i;
+      left <= config_delay_i;
     end else if (!starts && waits && rises[1]) begin
       left <= left - 16'd1;
     end

@@ -51,8 +51,8 @@ module sinc3 (
       case (third)
         2'd0: done <= 1'b0;
         default: begin
-          logic [18:0] second_integral_next_sum;
-          second_integral_next_sum = second_integral + first_integral;  // line 58
+          logic [18:0] second_integral_plus_first_integral;
+          second_integral_plus_first_integral = second_integral + first_integral;  // line 58
           case (third)
             2'd1: begin
               if (bits == 6'd63) begin
@@ -60,7 +60,7 @@ module sinc3 (
                 difference <= thrice;
               end
               bits <= bits + 6'd1;
-              second_integral <= second_integral_next_sum;
+              second_integral <= second_integral_plus_first_integral;
               third_integral <= sum;
               done <= 1'b0;
             end
@@ -70,7 +70,7 @@ module sinc3 (
                 difference <= difference - thrice;
               end
               bits <= bits + 6'd1;
-              second_integral <= second_integral_next_sum;
+              second_integral <= second_integral_plus_first_integral;
               third_integral <= sum;
               done <= 1'b0;
             end
@@ -80,7 +80,7 @@ module sinc3 (
                 difference <= difference + sum;
               end
               bits <= bits + 6'd1;
-              second_integral <= second_integral_next_sum;
+              second_integral <= second_integral_plus_first_integral;
               third_integral <= sum;
               done <= bits == 6'd63;
             end

@@ -1,6 +1,6 @@
 rtl/axi_lite.sv
-rtl/word_mirror_sinusoidal.sv
-rtl/word_registers_sinusoidal.sv
+rtl/config_mirror_sinusoidal.sv
+rtl/config_registers_sinusoidal.sv
 rtl/synchroniser.sv
 rtl/pilot_pulses.sv
 rtl/current_sense.sv

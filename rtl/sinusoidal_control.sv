@@ -205,8 +205,8 @@ module sinusoidal_control (
   );
 
   wire [30:0] factor = program__data[38] ? result[30:0] : numbers_c_data[30:0];
-  wire [15:0] product_next_choice = program__data[39] ? port[15:0] : numbers_d_data[15:0];
-  wire [46:0] product_next = $signed(factor) * $signed(product_next_choice);
+  wire [15:0] product_next_by_program__data = program__data[39] ? port[15:0] : numbers_d_data[15:0];
+  wire [46:0] product_next = $signed(factor) * $signed(product_next_by_program__data);
   wire tested =
       program__data[51] ? (program__data[50] ? port[0] : sum[43]) :
       program__data[50] ? result[0] :
@@ -214,7 +214,7 @@ module sinusoidal_control (
   wire holds = tested ^ program__data[52];
   wire takes_a = program__data[40] && (!program__data[49] || holds);
   wire takes_b = program__data[43] && (!program__data[49] || !holds);
-  wire [31:0] gated_a_choice =
+  wire [31:0] gated_a_by_program__data =
       program__data[41] ? (program__data[42] ? sum[31:0] : result) : numbers_a_data;
   wire [25:0] recent_b_2_to_3 = program__data[45] ? {11'd0, table__data} : port;
   wire [43:0] operand_b =
@@ -222,7 +222,7 @@ module sinusoidal_control (
       (program__data[46] ? {{18{recent_b_2_to_3[25]}}, recent_b_2_to_3} :
       program__data[45] ? {{12{result[31]}}, result} :
       product[43:0]) : {{12{numbers_b_data[31]}}, numbers_b_data};
-  wire [31:0] gated_a = gated_a_choice & {32{takes_a}};
+  wire [31:0] gated_a = gated_a_by_program__data & {32{takes_a}};
   wire [44:0] sum_and_carry =
       {{12{gated_a[31]}}, gated_a, 1'b1} +
       {(operand_b & {44{takes_b}}) ^ {44{program__data[47]}}, program__data[48]};
@@ -297,7 +297,7 @@ module sinusoidal_control (
   wire flag_30_to_31 =
       program__data[58] ? sum[43] ^ program__data[63] : (sum == 44'd0) ^ program__data[63];
   wire flag_28_to_31 = program__data[59] && flag_30_to_31;
-  wire [3:0] part = program__data[75:72];
+  wire [3:0] top = program__data[75:72];
 
   always_ff @(posedge clk) begin
     if (step == 9'd0) begin
@@ -314,19 +314,19 @@ module sinusoidal_control (
         {31'd0, program__data[62] && program__data[61] && program__data[60] && flag_28_to_31};
     if (program__data[37]) begin
       if (program__data[36]) begin
-        logic [14:0] port_next_choice_5;
-        port_next_choice_5 =
+        logic [14:0] port_next_by_program__data_5;
+        port_next_by_program__data_5 =
             program__data[34] ? (program__data[32] ? hold_voltage_i : control_limit_i) :
             program__data[33] ? (program__data[32] ? control_emf_i : control_inductance_i) :
             program__data[32] ? control_k_i_i :
             control_k_p_i;
-        port <= {11'd0, port_next_choice_5};
+        port <= {11'd0, port_next_by_program__data_5};
       end else if (program__data[35]) begin
-        logic [14:0] port_next_choice_3;
+        logic [14:0] port_next_by_program__data_3;
         logic [15:0] port_next_44_to_47;
-        logic [15:0] port_next_choice_wide;
+        logic [15:0] wide_port_next_by_program__data;
         logic [15:0] port_next_40_to_47;
-        port_next_choice_3 =
+        port_next_by_program__data_3 =
             program__data[33] ? (program__data[32] ? speed_slow_i : speed_lock_i) :
             program__data[32] ? speed_start_current_i :
             speed_limit_i;
@@ -334,35 +334,36 @@ module sinusoidal_control (
             program__data[33] ?
             (program__data[32] ? control_set_gamma_i : {1'b0, speed_emf_high_i}) :
             {1'b0, program__data[32] ? speed_emf_low_i : speed_stop_i};
-        port_next_choice_wide = {1'b0, port_next_choice_3};
-        port_next_40_to_47 = program__data[34] ? port_next_44_to_47 : port_next_choice_wide;
+        wide_port_next_by_program__data = {1'b0, port_next_by_program__data_3};
+        port_next_40_to_47 =
+            program__data[34] ? port_next_44_to_47 : wide_port_next_by_program__data;
         port <= {{10{port_next_40_to_47[15]}}, port_next_40_to_47};
       end else begin
-        logic [14:0] port_next_choice_2;
+        logic [14:0] port_next_by_program__data_2;
         logic [24:0] port_next_32_to_39;
-        port_next_choice_2 =
+        port_next_by_program__data_2 =
             program__data[33] ? (program__data[32] ? speed_k_i_i : speed_k_p_i) :
             program__data[32] ? speed_filter_i :
             speed_slew_i;
         port_next_32_to_39 =
-            program__data[34] ? {10'd0, port_next_choice_2} :
+            program__data[34] ? {10'd0, port_next_by_program__data_2} :
             program__data[33] ? (program__data[32] ? speed_target_i : {10'd0, estimator_k_si_i}) :
             {10'd0, program__data[32] ? estimator_k_emf_i : estimator_k_speed_i};
         port <= {1'b0, port_next_32_to_39};
       end
     end else begin
-      logic [15:0] port_next_choice;
+      logic [15:0] port_next_by_program__data;
       logic [15:0] port_next_8_to_11;
-      logic port_next_choice_4;
+      logic port_next_by_program__data_4;
       logic [24:0] port_next_8_to_15;
       logic [13:0] port_next_16_to_23;
       logic [14:0] port_next_24_to_31;
       logic [24:0] port_next_0_to_31;
-      port_next_choice = program__data[32] ? i_v_i : i_u_i;
+      port_next_by_program__data = program__data[32] ? i_v_i : i_u_i;
       port_next_8_to_11 =
           program__data[33] ? (program__data[32] ? a_i : {15'd0, search_i}) :
           {15'd0, program__data[32] ? pilot_i : hold_w_i};
-      port_next_choice_4 =
+      port_next_by_program__data_4 =
           program__data[34] ?
           (program__data[33] ? (program__data[32] ? hold_v_i : hold_u_i) :
           program__data[32] ? hold_i :
@@ -372,7 +373,7 @@ module sinusoidal_control (
           estimate_i;
       port_next_8_to_15 =
           program__data[34] ?
-          (program__data[33] ? {{9{port_next_choice[15]}}, port_next_choice} :
+          (program__data[33] ? {{9{port_next_by_program__data[15]}}, port_next_by_program__data} :
           program__data[32] ? {1'b0, initial_i} :
           {{9{b_i[15]}}, b_i}) : {{9{port_next_8_to_11[15]}}, port_next_8_to_11};
       port_next_16_to_23 =
@@ -397,13 +398,13 @@ module sinusoidal_control (
           program__data[36] ?
           {10'd0, program__data[35] ? port_next_24_to_31 : {1'b0, port_next_16_to_23}} :
           program__data[35] ? port_next_8_to_15 :
-          {24'd0, port_next_choice_4};
+          {24'd0, port_next_by_program__data_4};
       port <= {port_next_0_to_31[24], port_next_0_to_31};
     end
     condition <= factor[0];
     product <= product_next;
     sum <= sum_and_carry[44:1];
-    case (part)
+    case (top)
       4'd0: ;
       4'd1: early_on_u_new <= result[13:0];
       4'd2: early_on_v_new <= result[13:0];

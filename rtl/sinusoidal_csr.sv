@@ -3,7 +3,7 @@
 //
 // The sinusoidal drive behind its registers, for any bus: wires between the blocks, and little else.
 //
-//     request -> WordRegisters -> words -> SinusoidalTop -> gates
+//     request -> ConfigRegisters -> words -> SinusoidalTop -> gates
 //            \-> DriveRegisters <- status <----/
 //
 // The map is docs/sinusoidal_registers.md.  A sample is computed over many clocks, from `valid` to the
@@ -54,66 +54,66 @@ module sinusoidal_csr (
   logic busy;  // a sample is under way, as the drive says
   logic [3:0] periods;  // begun, of a tick
 
-  wire [13:0] words_words_bridge_period;
-  wire [13:0] words_words_bridge_minimum;
-  wire [7:0] words_words_bridge_dead_time;
-  wire [11:0] words_words_bridge_dead_time_loss;
-  wire words_words_bridge_compensate;
-  wire words_words_bridge_sine_pwm;
-  wire [14:0] words_words_bridge_reciprocal;
-  wire words_words_estimator_voltage;
-  wire words_words_estimator_average;
-  wire [14:0] words_words_estimator_decay;
-  wire [14:0] words_words_estimator_gain;
-  wire [14:0] words_words_estimator_k_theta;
-  wire [14:0] words_words_estimator_k_e;
-  wire [14:0] words_words_estimator_k_speed;
-  wire [14:0] words_words_estimator_k_emf;
-  wire [14:0] words_words_estimator_k_si;
-  wire [24:0] words_words_speed_target;
-  wire [14:0] words_words_speed_slew;
-  wire [14:0] words_words_speed_filter;
-  wire [14:0] words_words_speed_k_p;
-  wire [14:0] words_words_speed_k_i;
-  wire [14:0] words_words_speed_limit;
-  wire [14:0] words_words_speed_start_current;
-  wire [14:0] words_words_speed_lock;
-  wire [14:0] words_words_speed_slow;
-  wire [14:0] words_words_speed_stop;
-  wire [14:0] words_words_speed_emf_low;
-  wire [14:0] words_words_speed_emf_high;
-  wire [15:0] words_words_control_set_gamma;
-  wire [14:0] words_words_control_k_p;
-  wire [14:0] words_words_control_k_i;
-  wire [14:0] words_words_control_inductance;
-  wire [14:0] words_words_control_emf;
-  wire [14:0] words_words_control_limit;
-  wire words_words_sequence_arbitrary;
-  wire words_words_sequence_pilot;
-  wire [14:0] words_words_sequence_hold_voltage;
-  wire [19:0] words_words_sequence_pattern;
-  wire [19:0] words_words_sequence_lock;
-  wire [19:0] words_words_sequence_give_up;
-  wire [19:0] words_words_sequence_brake;
-  wire [19:0] words_words_sequence_retry_delay;
-  wire [3:0] words_words_sequence_retries;
-  wire [5:0] words_words_pilot_short_periods;
-  wire [5:0] words_words_pilot_long_periods;
-  wire [4:0] words_words_pilot_rounds;
-  wire [14:0] words_words_pilot_decayed;
-  wire [14:0] words_words_pilot_saliency;
-  wire [14:0] words_words_pilot_polarity;
-  wire [14:0] words_words_fault_over_current;
-  wire [19:0] words_words_fault_saturated;
-  wire [19:0] words_words_fault_slow;
-  wire [19:0] words_words_fault_emf;
-  wire [3:0] words_words_fault_lost_samples;
-  wire [31:0] words_data;
-  wire words_hole;
-  wire words_refused;
-  wire words_unlocked;
-  wire words_no_period;
-  word_registers_sinusoidal words (
+  wire [13:0] config_registers_config_bridge_period;
+  wire [13:0] config_registers_config_bridge_minimum;
+  wire [7:0] config_registers_config_bridge_dead_time;
+  wire [11:0] config_registers_config_bridge_dead_time_loss;
+  wire config_registers_config_bridge_compensate;
+  wire config_registers_config_bridge_sine_pwm;
+  wire [14:0] config_registers_config_bridge_reciprocal;
+  wire config_registers_config_estimator_voltage;
+  wire config_registers_config_estimator_average;
+  wire [14:0] config_registers_config_estimator_decay;
+  wire [14:0] config_registers_config_estimator_gain;
+  wire [14:0] config_registers_config_estimator_k_theta;
+  wire [14:0] config_registers_config_estimator_k_e;
+  wire [14:0] config_registers_config_estimator_k_speed;
+  wire [14:0] config_registers_config_estimator_k_emf;
+  wire [14:0] config_registers_config_estimator_k_si;
+  wire [24:0] config_registers_config_speed_target;
+  wire [14:0] config_registers_config_speed_slew;
+  wire [14:0] config_registers_config_speed_filter;
+  wire [14:0] config_registers_config_speed_k_p;
+  wire [14:0] config_registers_config_speed_k_i;
+  wire [14:0] config_registers_config_speed_limit;
+  wire [14:0] config_registers_config_speed_start_current;
+  wire [14:0] config_registers_config_speed_lock;
+  wire [14:0] config_registers_config_speed_slow;
+  wire [14:0] config_registers_config_speed_stop;
+  wire [14:0] config_registers_config_speed_emf_low;
+  wire [14:0] config_registers_config_speed_emf_high;
+  wire [15:0] config_registers_config_control_set_gamma;
+  wire [14:0] config_registers_config_control_k_p;
+  wire [14:0] config_registers_config_control_k_i;
+  wire [14:0] config_registers_config_control_inductance;
+  wire [14:0] config_registers_config_control_emf;
+  wire [14:0] config_registers_config_control_limit;
+  wire config_registers_config_sequence_arbitrary;
+  wire config_registers_config_sequence_pilot;
+  wire [14:0] config_registers_config_sequence_hold_voltage;
+  wire [19:0] config_registers_config_sequence_pattern;
+  wire [19:0] config_registers_config_sequence_lock;
+  wire [19:0] config_registers_config_sequence_give_up;
+  wire [19:0] config_registers_config_sequence_brake;
+  wire [19:0] config_registers_config_sequence_retry_delay;
+  wire [3:0] config_registers_config_sequence_retries;
+  wire [5:0] config_registers_config_pilot_short_periods;
+  wire [5:0] config_registers_config_pilot_long_periods;
+  wire [4:0] config_registers_config_pilot_rounds;
+  wire [14:0] config_registers_config_pilot_decayed;
+  wire [14:0] config_registers_config_pilot_saliency;
+  wire [14:0] config_registers_config_pilot_polarity;
+  wire [14:0] config_registers_config_fault_over_current;
+  wire [19:0] config_registers_config_fault_saturated;
+  wire [19:0] config_registers_config_fault_slow;
+  wire [19:0] config_registers_config_fault_emf;
+  wire [3:0] config_registers_config_fault_lost_samples;
+  wire [31:0] config_registers_data;
+  wire config_registers_hole;
+  wire config_registers_refused;
+  wire config_registers_unlocked;
+  wire config_registers_no_period;
+  config_registers_sinusoidal config_registers (
       .clk(clk),
       .rst(rst),
       .request_write_i(request_write_i),
@@ -123,65 +123,65 @@ module sinusoidal_csr (
       .request_strobes_i(request_strobes_i),
       .stopped_i(stopped),
       .boundary_i(codes_valid_i && !busy),
-      .words_bridge_period_o(words_words_bridge_period),
-      .words_bridge_minimum_o(words_words_bridge_minimum),
-      .words_bridge_dead_time_o(words_words_bridge_dead_time),
-      .words_bridge_dead_time_loss_o(words_words_bridge_dead_time_loss),
-      .words_bridge_compensate_o(words_words_bridge_compensate),
-      .words_bridge_sine_pwm_o(words_words_bridge_sine_pwm),
-      .words_bridge_reciprocal_o(words_words_bridge_reciprocal),
-      .words_estimator_voltage_o(words_words_estimator_voltage),
-      .words_estimator_average_o(words_words_estimator_average),
-      .words_estimator_decay_o(words_words_estimator_decay),
-      .words_estimator_gain_o(words_words_estimator_gain),
-      .words_estimator_k_theta_o(words_words_estimator_k_theta),
-      .words_estimator_k_e_o(words_words_estimator_k_e),
-      .words_estimator_k_speed_o(words_words_estimator_k_speed),
-      .words_estimator_k_emf_o(words_words_estimator_k_emf),
-      .words_estimator_k_si_o(words_words_estimator_k_si),
-      .words_speed_target_o(words_words_speed_target),
-      .words_speed_slew_o(words_words_speed_slew),
-      .words_speed_filter_o(words_words_speed_filter),
-      .words_speed_k_p_o(words_words_speed_k_p),
-      .words_speed_k_i_o(words_words_speed_k_i),
-      .words_speed_limit_o(words_words_speed_limit),
-      .words_speed_start_current_o(words_words_speed_start_current),
-      .words_speed_lock_o(words_words_speed_lock),
-      .words_speed_slow_o(words_words_speed_slow),
-      .words_speed_stop_o(words_words_speed_stop),
-      .words_speed_emf_low_o(words_words_speed_emf_low),
-      .words_speed_emf_high_o(words_words_speed_emf_high),
-      .words_control_set_gamma_o(words_words_control_set_gamma),
-      .words_control_k_p_o(words_words_control_k_p),
-      .words_control_k_i_o(words_words_control_k_i),
-      .words_control_inductance_o(words_words_control_inductance),
-      .words_control_emf_o(words_words_control_emf),
-      .words_control_limit_o(words_words_control_limit),
-      .words_sequence_arbitrary_o(words_words_sequence_arbitrary),
-      .words_sequence_pilot_o(words_words_sequence_pilot),
-      .words_sequence_hold_voltage_o(words_words_sequence_hold_voltage),
-      .words_sequence_pattern_o(words_words_sequence_pattern),
-      .words_sequence_lock_o(words_words_sequence_lock),
-      .words_sequence_give_up_o(words_words_sequence_give_up),
-      .words_sequence_brake_o(words_words_sequence_brake),
-      .words_sequence_retry_delay_o(words_words_sequence_retry_delay),
-      .words_sequence_retries_o(words_words_sequence_retries),
-      .words_pilot_short_periods_o(words_words_pilot_short_periods),
-      .words_pilot_long_periods_o(words_words_pilot_long_periods),
-      .words_pilot_rounds_o(words_words_pilot_rounds),
-      .words_pilot_decayed_o(words_words_pilot_decayed),
-      .words_pilot_saliency_o(words_words_pilot_saliency),
-      .words_pilot_polarity_o(words_words_pilot_polarity),
-      .words_fault_over_current_o(words_words_fault_over_current),
-      .words_fault_saturated_o(words_words_fault_saturated),
-      .words_fault_slow_o(words_words_fault_slow),
-      .words_fault_emf_o(words_words_fault_emf),
-      .words_fault_lost_samples_o(words_words_fault_lost_samples),
-      .data_o(words_data),
-      .hole_o(words_hole),
-      .refused_o(words_refused),
-      .unlocked_o(words_unlocked),
-      .no_period_o(words_no_period)
+      .config_bridge_period_o(config_registers_config_bridge_period),
+      .config_bridge_minimum_o(config_registers_config_bridge_minimum),
+      .config_bridge_dead_time_o(config_registers_config_bridge_dead_time),
+      .config_bridge_dead_time_loss_o(config_registers_config_bridge_dead_time_loss),
+      .config_bridge_compensate_o(config_registers_config_bridge_compensate),
+      .config_bridge_sine_pwm_o(config_registers_config_bridge_sine_pwm),
+      .config_bridge_reciprocal_o(config_registers_config_bridge_reciprocal),
+      .config_estimator_voltage_o(config_registers_config_estimator_voltage),
+      .config_estimator_average_o(config_registers_config_estimator_average),
+      .config_estimator_decay_o(config_registers_config_estimator_decay),
+      .config_estimator_gain_o(config_registers_config_estimator_gain),
+      .config_estimator_k_theta_o(config_registers_config_estimator_k_theta),
+      .config_estimator_k_e_o(config_registers_config_estimator_k_e),
+      .config_estimator_k_speed_o(config_registers_config_estimator_k_speed),
+      .config_estimator_k_emf_o(config_registers_config_estimator_k_emf),
+      .config_estimator_k_si_o(config_registers_config_estimator_k_si),
+      .config_speed_target_o(config_registers_config_speed_target),
+      .config_speed_slew_o(config_registers_config_speed_slew),
+      .config_speed_filter_o(config_registers_config_speed_filter),
+      .config_speed_k_p_o(config_registers_config_speed_k_p),
+      .config_speed_k_i_o(config_registers_config_speed_k_i),
+      .config_speed_limit_o(config_registers_config_speed_limit),
+      .config_speed_start_current_o(config_registers_config_speed_start_current),
+      .config_speed_lock_o(config_registers_config_speed_lock),
+      .config_speed_slow_o(config_registers_config_speed_slow),
+      .config_speed_stop_o(config_registers_config_speed_stop),
+      .config_speed_emf_low_o(config_registers_config_speed_emf_low),
+      .config_speed_emf_high_o(config_registers_config_speed_emf_high),
+      .config_control_set_gamma_o(config_registers_config_control_set_gamma),
+      .config_control_k_p_o(config_registers_config_control_k_p),
+      .config_control_k_i_o(config_registers_config_control_k_i),
+      .config_control_inductance_o(config_registers_config_control_inductance),
+      .config_control_emf_o(config_registers_config_control_emf),
+      .config_control_limit_o(config_registers_config_control_limit),
+      .config_sequence_arbitrary_o(config_registers_config_sequence_arbitrary),
+      .config_sequence_pilot_o(config_registers_config_sequence_pilot),
+      .config_sequence_hold_voltage_o(config_registers_config_sequence_hold_voltage),
+      .config_sequence_pattern_o(config_registers_config_sequence_pattern),
+      .config_sequence_lock_o(config_registers_config_sequence_lock),
+      .config_sequence_give_up_o(config_registers_config_sequence_give_up),
+      .config_sequence_brake_o(config_registers_config_sequence_brake),
+      .config_sequence_retry_delay_o(config_registers_config_sequence_retry_delay),
+      .config_sequence_retries_o(config_registers_config_sequence_retries),
+      .config_pilot_short_periods_o(config_registers_config_pilot_short_periods),
+      .config_pilot_long_periods_o(config_registers_config_pilot_long_periods),
+      .config_pilot_rounds_o(config_registers_config_pilot_rounds),
+      .config_pilot_decayed_o(config_registers_config_pilot_decayed),
+      .config_pilot_saliency_o(config_registers_config_pilot_saliency),
+      .config_pilot_polarity_o(config_registers_config_pilot_polarity),
+      .config_fault_over_current_o(config_registers_config_fault_over_current),
+      .config_fault_saturated_o(config_registers_config_fault_saturated),
+      .config_fault_slow_o(config_registers_config_fault_slow),
+      .config_fault_emf_o(config_registers_config_fault_emf),
+      .config_fault_lost_samples_o(config_registers_config_fault_lost_samples),
+      .data_o(config_registers_data),
+      .hole_o(config_registers_hole),
+      .refused_o(config_registers_refused),
+      .unlocked_o(config_registers_unlocked),
+      .no_period_o(config_registers_no_period)
   );
 
   wire drive_gates_uh;
@@ -223,60 +223,60 @@ module sinusoidal_csr (
       .command_reverse_i(command_reverse),
       .command_brake_to_stop_i(command_brake_to_stop),
       .command_clear_fault_i(command_clear_fault),
-      .words_bridge_period_i(words_words_bridge_period),
-      .words_bridge_minimum_i(words_words_bridge_minimum),
-      .words_bridge_dead_time_i(words_words_bridge_dead_time),
-      .words_bridge_dead_time_loss_i(words_words_bridge_dead_time_loss),
-      .words_bridge_compensate_i(words_words_bridge_compensate),
-      .words_bridge_sine_pwm_i(words_words_bridge_sine_pwm),
-      .words_bridge_reciprocal_i(words_words_bridge_reciprocal),
-      .words_estimator_voltage_i(words_words_estimator_voltage),
-      .words_estimator_average_i(words_words_estimator_average),
-      .words_estimator_decay_i(words_words_estimator_decay),
-      .words_estimator_gain_i(words_words_estimator_gain),
-      .words_estimator_k_theta_i(words_words_estimator_k_theta),
-      .words_estimator_k_e_i(words_words_estimator_k_e),
-      .words_estimator_k_speed_i(words_words_estimator_k_speed),
-      .words_estimator_k_emf_i(words_words_estimator_k_emf),
-      .words_estimator_k_si_i(words_words_estimator_k_si),
-      .words_speed_target_i(words_words_speed_target),
-      .words_speed_slew_i(words_words_speed_slew),
-      .words_speed_filter_i(words_words_speed_filter),
-      .words_speed_k_p_i(words_words_speed_k_p),
-      .words_speed_k_i_i(words_words_speed_k_i),
-      .words_speed_limit_i(words_words_speed_limit),
-      .words_speed_start_current_i(words_words_speed_start_current),
-      .words_speed_lock_i(words_words_speed_lock),
-      .words_speed_slow_i(words_words_speed_slow),
-      .words_speed_stop_i(words_words_speed_stop),
-      .words_speed_emf_low_i(words_words_speed_emf_low),
-      .words_speed_emf_high_i(words_words_speed_emf_high),
-      .words_control_set_gamma_i(words_words_control_set_gamma),
-      .words_control_k_p_i(words_words_control_k_p),
-      .words_control_k_i_i(words_words_control_k_i),
-      .words_control_inductance_i(words_words_control_inductance),
-      .words_control_emf_i(words_words_control_emf),
-      .words_control_limit_i(words_words_control_limit),
-      .words_sequence_arbitrary_i(words_words_sequence_arbitrary),
-      .words_sequence_pilot_i(words_words_sequence_pilot),
-      .words_sequence_hold_voltage_i(words_words_sequence_hold_voltage),
-      .words_sequence_pattern_i(words_words_sequence_pattern),
-      .words_sequence_lock_i(words_words_sequence_lock),
-      .words_sequence_give_up_i(words_words_sequence_give_up),
-      .words_sequence_brake_i(words_words_sequence_brake),
-      .words_sequence_retry_delay_i(words_words_sequence_retry_delay),
-      .words_sequence_retries_i(words_words_sequence_retries),
-      .words_pilot_short_periods_i(words_words_pilot_short_periods),
-      .words_pilot_long_periods_i(words_words_pilot_long_periods),
-      .words_pilot_rounds_i(words_words_pilot_rounds),
-      .words_pilot_decayed_i(words_words_pilot_decayed),
-      .words_pilot_saliency_i(words_words_pilot_saliency),
-      .words_pilot_polarity_i(words_words_pilot_polarity),
-      .words_fault_over_current_i(words_words_fault_over_current),
-      .words_fault_saturated_i(words_words_fault_saturated),
-      .words_fault_slow_i(words_words_fault_slow),
-      .words_fault_emf_i(words_words_fault_emf),
-      .words_fault_lost_samples_i(words_words_fault_lost_samples),
+      .config_bridge_period_i(config_registers_config_bridge_period),
+      .config_bridge_minimum_i(config_registers_config_bridge_minimum),
+      .config_bridge_dead_time_i(config_registers_config_bridge_dead_time),
+      .config_bridge_dead_time_loss_i(config_registers_config_bridge_dead_time_loss),
+      .config_bridge_compensate_i(config_registers_config_bridge_compensate),
+      .config_bridge_sine_pwm_i(config_registers_config_bridge_sine_pwm),
+      .config_bridge_reciprocal_i(config_registers_config_bridge_reciprocal),
+      .config_estimator_voltage_i(config_registers_config_estimator_voltage),
+      .config_estimator_average_i(config_registers_config_estimator_average),
+      .config_estimator_decay_i(config_registers_config_estimator_decay),
+      .config_estimator_gain_i(config_registers_config_estimator_gain),
+      .config_estimator_k_theta_i(config_registers_config_estimator_k_theta),
+      .config_estimator_k_e_i(config_registers_config_estimator_k_e),
+      .config_estimator_k_speed_i(config_registers_config_estimator_k_speed),
+      .config_estimator_k_emf_i(config_registers_config_estimator_k_emf),
+      .config_estimator_k_si_i(config_registers_config_estimator_k_si),
+      .config_speed_target_i(config_registers_config_speed_target),
+      .config_speed_slew_i(config_registers_config_speed_slew),
+      .config_speed_filter_i(config_registers_config_speed_filter),
+      .config_speed_k_p_i(config_registers_config_speed_k_p),
+      .config_speed_k_i_i(config_registers_config_speed_k_i),
+      .config_speed_limit_i(config_registers_config_speed_limit),
+      .config_speed_start_current_i(config_registers_config_speed_start_current),
+      .config_speed_lock_i(config_registers_config_speed_lock),
+      .config_speed_slow_i(config_registers_config_speed_slow),
+      .config_speed_stop_i(config_registers_config_speed_stop),
+      .config_speed_emf_low_i(config_registers_config_speed_emf_low),
+      .config_speed_emf_high_i(config_registers_config_speed_emf_high),
+      .config_control_set_gamma_i(config_registers_config_control_set_gamma),
+      .config_control_k_p_i(config_registers_config_control_k_p),
+      .config_control_k_i_i(config_registers_config_control_k_i),
+      .config_control_inductance_i(config_registers_config_control_inductance),
+      .config_control_emf_i(config_registers_config_control_emf),
+      .config_control_limit_i(config_registers_config_control_limit),
+      .config_sequence_arbitrary_i(config_registers_config_sequence_arbitrary),
+      .config_sequence_pilot_i(config_registers_config_sequence_pilot),
+      .config_sequence_hold_voltage_i(config_registers_config_sequence_hold_voltage),
+      .config_sequence_pattern_i(config_registers_config_sequence_pattern),
+      .config_sequence_lock_i(config_registers_config_sequence_lock),
+      .config_sequence_give_up_i(config_registers_config_sequence_give_up),
+      .config_sequence_brake_i(config_registers_config_sequence_brake),
+      .config_sequence_retry_delay_i(config_registers_config_sequence_retry_delay),
+      .config_sequence_retries_i(config_registers_config_sequence_retries),
+      .config_pilot_short_periods_i(config_registers_config_pilot_short_periods),
+      .config_pilot_long_periods_i(config_registers_config_pilot_long_periods),
+      .config_pilot_rounds_i(config_registers_config_pilot_rounds),
+      .config_pilot_decayed_i(config_registers_config_pilot_decayed),
+      .config_pilot_saliency_i(config_registers_config_pilot_saliency),
+      .config_pilot_polarity_i(config_registers_config_pilot_polarity),
+      .config_fault_over_current_i(config_registers_config_fault_over_current),
+      .config_fault_saturated_i(config_registers_config_fault_saturated),
+      .config_fault_slow_i(config_registers_config_fault_slow),
+      .config_fault_emf_i(config_registers_config_fault_emf),
+      .config_fault_lost_samples_i(config_registers_config_fault_lost_samples),
       .gates_uh_o(drive_gates_uh),
       .gates_ul_o(drive_gates_ul),
       .gates_vh_o(drive_gates_vh),
@@ -323,11 +323,11 @@ module sinusoidal_csr (
       .request_index_i(request_index_i),
       .request_data_i(request_data_i),
       .request_strobes_i(request_strobes_i),
-      .word_i(words_data),
-      .hole_i(words_hole),
-      .refused_i(words_refused),
-      .unlocked_i(words_unlocked),
-      .no_period_i(words_no_period),
+      .word_i(config_registers_data),
+      .hole_i(config_registers_hole),
+      .refused_i(config_registers_refused),
+      .unlocked_i(config_registers_unlocked),
+      .no_period_i(config_registers_no_period),
       .tick_i(drive_sample && periods == 4'd0),
       .drive_state_i(drive_state),
       .drive_reason_i(drive_reason),

@@ -39,15 +39,15 @@ module sinusoidal_sequence (
     input  logic        still_i,  // the set speed is 0: as if `run` were down, by braking
     input  logic [3:0]  fatal_i,
     input  logic [3:0]  failed_i,
-    input  logic        words_arbitrary_i,  // no pattern before the loop is closed
-    input  logic        words_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
-    input  logic [14:0] words_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_pattern_i,  // each third of it; all pilot pulses at most
-    input  logic [19:0] words_lock_i,  // the estimate has to be trusted for so long
-    input  logic [19:0] words_give_up_i,  // no lock in this time is a failed attempt
-    input  logic [19:0] words_brake_i,
-    input  logic [19:0] words_retry_delay_i,
-    input  logic [3:0]  words_retries_i,
+    input  logic        config_arbitrary_i,  // no pattern before the loop is closed
+    input  logic        config_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
+    input  logic [14:0] config_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
+    input  logic [19:0] config_pattern_i,  // each third of it; all pilot pulses at most
+    input  logic [19:0] config_lock_i,  // the estimate has to be trusted for so long
+    input  logic [19:0] config_give_up_i,  // no lock in this time is a failed attempt
+    input  logic [19:0] config_brake_i,
+    input  logic [19:0] config_retry_delay_i,
+    input  logic [3:0]  config_retries_i,
     output logic [3:0]  state_o,
     output logic [3:0]  reason_o,
     output logic        entered_o,  // one clock: the state is new
@@ -103,62 +103,64 @@ module sinusoidal_sequence (
   wire over_and_third_is_not_two = timer == 20'd0 && third != 2'd2;  // line 176
   wire command_reverse_xor_reverse = command_reverse_i ^ reverse;  // line 140
   wire leave = !run || command_reverse_xor_reverse;
-  wire state_either = state == SinusoidalState_kFault || command_configured_i;  // line 100
-  wire state_either_2 = state_either || state == SinusoidalState_kIdle;  // line 100
+  wire state_is_fault_or_command_configured =  // line 100
+      state == SinusoidalState_kFault || command_configured_i;
+  wire state_either = state_is_fault_or_command_configured || state == SinusoidalState_kIdle;
   wire alive_and_fatal_is_not_none =  // line 98
       state != SinusoidalState_kFault && fatal_i != SinusoidalReason_kNone;
   wire alive_and_fault_pin = state != SinusoidalState_kFault && fault_pin_i;  // line 96
-  wire [19:0] timer_next_choice = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
-  wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? words_lock_i : trust;
-  wire [19:0] trust_next_choice_2 =  // line 92
+  wire [19:0] timer_next_by_period = period_i ? ((timer == 20'd0) ? 20'd0 : timer - 20'd1) : timer;
+  wire [19:0] trust_next_choice = (sampled_i && !(fast_i && plausible_i)) ? config_lock_i : trust;
+  wire [19:0] trust_next_by_period =  // line 92
       period_i ? ((trust_next_choice == 20'd0) ? 20'd0 : trust_next_choice - 20'd1) :
       trust_next_choice;
   wire [1:0] modulated_next_sum = modulated + {1'b0, period_i && regulated && modulated != 2'd3};
-  wire regulated_next_either = (sampled_i && regulating) || regulated;  // line 90
-  wire command_configured_both = command_configured_i && failed_i != SinusoidalReason_kNone;
+  wire sampled_and_regulating_or_regulated = (sampled_i && regulating) || regulated;  // line 90
+  wire command_configured_and_failed_is_not_none =
+      command_configured_i && failed_i != SinusoidalReason_kNone;
   wire command_run_either =  // line 140
       !(command_run_i && !((command_run_i && refused) || still_i)) || command_reverse_xor_reverse;
 
   always_ff @(posedge clk) begin
     if (alive_and_fault_pin || alive_and_fatal_is_not_none) begin
       state <= SinusoidalState_kFault;
-      timer <= timer_next_choice;
-      trust <= trust_next_choice_2;
+      timer <= timer_next_by_period;
+      trust <= trust_next_by_period;
       modulated <= modulated_next_sum;
-      regulated <= regulated_next_either;
-    end else if (state_either_2) begin
+      regulated <= sampled_and_regulating_or_regulated;
+    end else if (state_either) begin
       logic last;
       logic over_and_third_is_two;
       logic failed_and_found;
-      last = retries < words_retries_i;
+      last = retries < config_retries_i;
       over_and_third_is_two = timer == 20'd0 && third == 2'd2;
       failed_and_found = failed_i == SinusoidalReason_kNone && found_i;
       if (state == SinusoidalState_kIdle) begin
         if (run) begin
           state <= SinusoidalState_kCalibrate;
         end
-      end else if (state_either) begin
+      end else if (state_is_fault_or_command_configured) begin
         if (state == SinusoidalState_kCalibrate) begin
           if (run) begin
             if (measured_i) begin
               state <=
-                  words_arbitrary_i ? SinusoidalState_kStarting :
-                  words_pilot_i ? SinusoidalState_kPilot :
+                  config_arbitrary_i ? SinusoidalState_kStarting :
+                  config_pilot_i ? SinusoidalState_kPilot :
                   SinusoidalState_kPattern;
             end
           end else begin
             state <= SinusoidalState_kIdle;
           end
         end else begin
-          logic [3:0] state_next_choice;
-          logic [3:0] state_next_choice_2;
-          state_next_choice = last ? SinusoidalState_kRetryDelay : SinusoidalState_kFault;
-          state_next_choice_2 = (timer == 20'd0) ? state_next_choice : state;
+          logic [3:0] state_next_by_last;
+          logic [3:0] state_next_by_over;
+          state_next_by_last = last ? SinusoidalState_kRetryDelay : SinusoidalState_kFault;
+          state_next_by_over = (timer == 20'd0) ? state_next_by_last : state;
           if (state == SinusoidalState_kPilot) begin
             if (run) begin
               state <=
                   (failed_i == SinusoidalReason_kNone) ?
-                  (found_i ? SinusoidalState_kStarting : state_next_choice_2) : state_next_choice;
+                  (found_i ? SinusoidalState_kStarting : state_next_by_over) : state_next_by_last;
             end else begin
               state <= SinusoidalState_kIdle;
             end
@@ -168,99 +170,100 @@ module sinusoidal_sequence (
                 SinusoidalState_kIdle;
           end else begin
             logic slow_down;
-            logic [3:0] state_next_choice_3;
-            logic [3:0] state_next_choice_4;
+            logic [3:0] state_next_by_leave;
+            logic [3:0] state_next_by_state;
             slow_down = run || command_brake_to_stop_i || still_i;
-            state_next_choice_3 =
+            state_next_by_leave =
                 leave ? (slow_down ? SinusoidalState_kSlowDown : SinusoidalState_kIdle) : state;
             case (state)
-              SinusoidalState_kStarting: state_next_choice_4 =
+              SinusoidalState_kStarting: state_next_by_state =
                   leave ? SinusoidalState_kBrake :
                   (failed_i == SinusoidalReason_kNone) ?
-                  ((trust == 20'd0) ? SinusoidalState_kRun : state_next_choice_2) :
-                  state_next_choice;
-              SinusoidalState_kRun: state_next_choice_4 =
-                  (failed_i == SinusoidalReason_kNone) ? state_next_choice_3 : state_next_choice;
-              SinusoidalState_kSlowDown: state_next_choice_4 =
+                  ((trust == 20'd0) ? SinusoidalState_kRun : state_next_by_over) :
+                  state_next_by_last;
+              SinusoidalState_kRun: state_next_by_state =
+                  (failed_i == SinusoidalReason_kNone) ? state_next_by_leave : state_next_by_last;
+              SinusoidalState_kSlowDown: state_next_by_state =
                   leave ? (stopping_i ? SinusoidalState_kBrake : state) : SinusoidalState_kRun;
-              SinusoidalState_kBrake: state_next_choice_4 =
+              SinusoidalState_kBrake: state_next_by_state =
                   (timer == 20'd0) ? SinusoidalState_kIdle : state;
-              SinusoidalState_kRetryDelay: state_next_choice_4 =
+              SinusoidalState_kRetryDelay: state_next_by_state =
                   run ? ((timer == 20'd0) ? SinusoidalState_kCalibrate : state) :
                   SinusoidalState_kIdle;
-              default: state_next_choice_4 =
+              default: state_next_by_state =
                   (state == SinusoidalState_kFault &&
                   command_clear_fault_i && !(command_run_i || fault_pin_i)) ?
                   SinusoidalState_kIdle : state;
             endcase
-            state <= state_next_choice_4;
+            state <= state_next_by_state;
           end
         end
       end else begin
         state <= SinusoidalState_kIdle;
       end
       if (state == SinusoidalState_kCalibrate) begin
-        if (run && measured_i && words_arbitrary_i) begin
-          timer <= words_give_up_i;
-          trust <= words_lock_i;
+        if (run && measured_i && config_arbitrary_i) begin
+          timer <= config_give_up_i;
+          trust <= config_lock_i;
         end else begin
           if (run && measured_i) begin
-            if (words_arbitrary_i) begin
-              timer <= words_give_up_i;
+            if (config_arbitrary_i) begin
+              timer <= config_give_up_i;
             end else begin
-              timer <= words_pattern_i;
+              timer <= config_pattern_i;
             end
           end else begin
-            timer <= timer_next_choice;
+            timer <= timer_next_by_period;
           end
-          trust <= trust_next_choice_2;
+          trust <= trust_next_by_period;
         end
       end else begin
-        logic [19:0] timer_next_choice_2;
-        timer_next_choice_2 = (timer == 20'd0) ? words_retry_delay_i : timer_next_choice;
+        logic [19:0] timer_next_by_over;
+        timer_next_by_over = (timer == 20'd0) ? config_retry_delay_i : timer_next_by_period;
         if (state == SinusoidalState_kPilot) begin
           if (run && failed_and_found) begin
-            timer <= words_give_up_i;
-            trust <= words_lock_i;
+            timer <= config_give_up_i;
+            trust <= config_lock_i;
           end else begin
             if (run) begin
               if (failed_i == SinusoidalReason_kNone) begin
-                timer <= found_i ? words_give_up_i : timer_next_choice_2;
+                timer <= found_i ? config_give_up_i : timer_next_by_over;
               end else begin
-                timer <= words_retry_delay_i;
+                timer <= config_retry_delay_i;
               end
             end else begin
-              timer <= timer_next_choice;
+              timer <= timer_next_by_period;
             end
-            trust <= trust_next_choice_2;
+            trust <= trust_next_by_period;
           end
         end else begin
           logic run_and_over;
           run_and_over = run && timer == 20'd0;
           if (state == SinusoidalState_kPattern && run_and_over && third == 2'd2) begin
-            timer <= words_give_up_i;
-            trust <= words_lock_i;
+            timer <= config_give_up_i;
+            trust <= config_lock_i;
           end else begin
             if (state == SinusoidalState_kPattern) begin
               if (run_and_over) begin
-                timer <= (third == 2'd2) ? words_give_up_i : words_pattern_i;
+                timer <= (third == 2'd2) ? config_give_up_i : config_pattern_i;
               end else begin
-                timer <= timer_next_choice;
+                timer <= timer_next_by_period;
               end
             end else if (state == SinusoidalState_kStarting) begin
               timer <=
-                  leave ? words_brake_i :
+                  leave ? config_brake_i :
                   (failed_i == SinusoidalReason_kNone) ?
-                  ((trust == 20'd0) ? timer_next_choice : timer_next_choice_2) :
-                  words_retry_delay_i;
+                  ((trust == 20'd0) ? timer_next_by_period : timer_next_by_over) :
+                  config_retry_delay_i;
             end else begin
               timer <=
                   (state == SinusoidalState_kRun) ?
-                  ((failed_i == SinusoidalReason_kNone) ? timer_next_choice : words_retry_delay_i) :
-                  (state == SinusoidalState_kSlowDown && leave && stopping_i) ? words_brake_i :
-                  timer_next_choice;
+                  ((failed_i == SinusoidalReason_kNone) ? timer_next_by_period :
+                  config_retry_delay_i) :
+                  (state == SinusoidalState_kSlowDown && leave && stopping_i) ? config_brake_i :
+                  timer_next_by_period;
             end
-            trust <= trust_next_choice_2;
+            trust <= trust_next_by_period;
           end
         end
       end
@@ -269,11 +272,11 @@ module sinusoidal_sequence (
         SinusoidalState_kPattern, SinusoidalState_kStarting, SinusoidalState_kRun,
         SinusoidalState_kSlowDown: begin
           logic [3:0] retries_plus_last;
-          logic [3:0] retries_next_choice;
+          logic [3:0] retries_plus_last_if_over;
           logic sampled_or_regulated;
           logic refused_or_still;
           retries_plus_last = retries + {3'd0, last};  // line 126
-          retries_next_choice = (timer == 20'd0) ? retries_plus_last : retries;
+          retries_plus_last_if_over = (timer == 20'd0) ? retries_plus_last : retries;
           sampled_or_regulated = sampled_i || regulated;  // line 90
           refused_or_still = refused || still_i;  // line 139
           case (state)
@@ -287,14 +290,14 @@ module sinusoidal_sequence (
             SinusoidalState_kCalibrate: begin
               if (measured_i) begin
                 if (command_run_and_command_configured) begin
-                  if (!refused_or_still && words_arbitrary_i) begin
+                  if (!refused_or_still && config_arbitrary_i) begin
                     modulated <= 2'd0;
                     regulated <= 1'b0;
                   end else begin
                     modulated <= modulated_next_sum;
                     if (!refused_or_still) begin
-                      regulated <= !words_arbitrary_i && regulated;
-                      third <= words_arbitrary_i ? third : 2'd0;
+                      regulated <= !config_arbitrary_i && regulated;
+                      third <= config_arbitrary_i ? third : 2'd0;
                     end
                   end
                 end else begin
@@ -312,7 +315,7 @@ module sinusoidal_sequence (
                 end else begin
                   if (!refused_or_still) begin
                     if (failed_i == SinusoidalReason_kNone) begin
-                      retries <= found_i ? retries : retries_next_choice;
+                      retries <= found_i ? retries : retries_plus_last_if_over;
                       regulated <= !found_i && regulated;
                     end else begin
                       retries <= retries_plus_last;
@@ -349,7 +352,7 @@ module sinusoidal_sequence (
               if (command_configured_i && !command_run_either) begin
                 if (failed_i == SinusoidalReason_kNone) begin
                   if (trust != 20'd0) begin
-                    retries <= retries_next_choice;
+                    retries <= retries_plus_last_if_over;
                   end
                 end else begin
                   retries <= retries_plus_last;
@@ -359,7 +362,7 @@ module sinusoidal_sequence (
               regulated <= sampled_or_regulated;
             end
             SinusoidalState_kRun: begin
-              if (command_configured_both) begin
+              if (command_configured_and_failed_is_not_none) begin
                 retries <= retries_plus_last;
               end
               modulated <= modulated_next_sum;
@@ -375,10 +378,10 @@ module sinusoidal_sequence (
       endcase
     end else begin
       state <= SinusoidalState_kIdle;
-      timer <= timer_next_choice;
-      trust <= trust_next_choice_2;
+      timer <= timer_next_by_period;
+      trust <= trust_next_by_period;
       modulated <= modulated_next_sum;
-      regulated <= regulated_next_either;
+      regulated <= sampled_and_regulating_or_regulated;
     end
     if (alive_and_fault_pin) begin
       reason <= SinusoidalReason_kFaultPin;
@@ -387,21 +390,21 @@ module sinusoidal_sequence (
       reason <= fatal_i;
       entered <= 1'b1;
     end else begin
-      logic entered_next_choice;
+      logic entered_next_by_state;
       case (state)
-        SinusoidalState_kIdle: entered_next_choice = run;
-        SinusoidalState_kCalibrate: entered_next_choice = !run || measured_i;
-        SinusoidalState_kPilot: entered_next_choice =
+        SinusoidalState_kIdle: entered_next_by_state = run;
+        SinusoidalState_kCalibrate: entered_next_by_state = !run || measured_i;
+        SinusoidalState_kPilot: entered_next_by_state =
             !run || failed_i != SinusoidalReason_kNone || found_i || timer == 20'd0;
-        SinusoidalState_kPattern: entered_next_choice =
+        SinusoidalState_kPattern: entered_next_by_state =
             !run || (!over_and_third_is_not_two && timer == 20'd0);
-        SinusoidalState_kStarting: entered_next_choice =
+        SinusoidalState_kStarting: entered_next_by_state =
             leave || failed_i != SinusoidalReason_kNone || trust == 20'd0 || timer == 20'd0;
-        SinusoidalState_kRun: entered_next_choice = failed_i != SinusoidalReason_kNone || leave;
-        SinusoidalState_kSlowDown: entered_next_choice = !leave || stopping_i;
-        SinusoidalState_kBrake: entered_next_choice = timer == 20'd0;
-        SinusoidalState_kRetryDelay: entered_next_choice = !run || timer == 20'd0;
-        default: entered_next_choice =
+        SinusoidalState_kRun: entered_next_by_state = failed_i != SinusoidalReason_kNone || leave;
+        SinusoidalState_kSlowDown: entered_next_by_state = !leave || stopping_i;
+        SinusoidalState_kBrake: entered_next_by_state = timer == 20'd0;
+        SinusoidalState_kRetryDelay: entered_next_by_state = !run || timer == 20'd0;
+        default: entered_next_by_state =
             state == SinusoidalState_kFault &&
             command_clear_fault_i && !command_run_i && !fault_pin_i;
       endcase
@@ -435,14 +438,14 @@ module sinusoidal_sequence (
             end
           end
           SinusoidalState_kRun: begin
-            if (command_configured_both) begin
+            if (command_configured_and_failed_is_not_none) begin
               reason <= failed_i;
             end
           end
           default: ;
         endcase
       end
-      entered <= !state_either_2 || entered_next_choice;
+      entered <= !state_either || entered_next_by_state;
     end
     refused <= refused_next;
     if (rst) begin
@@ -480,5 +483,5 @@ module sinusoidal_sequence (
   assign retries_o = retries;
 
   // What nothing reads, for the linters.
-  wire unused = &{1'b0, words_hold_voltage_i};
+  wire unused = &{1'b0, config_hold_voltage_i};
 endmodule

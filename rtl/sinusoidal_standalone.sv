@@ -41,60 +41,60 @@ module sinusoidal_standalone (
     input  logic [2:0]  adc_v_i,  // channel of the current of phase v
     input  logic [2:0]  adc_dc_i,  // channel of the dc voltage
     input  logic        adc_twice_i,  // the range is twice the reference, not once
-    input  logic [13:0] words_bridge_period_i,  // clocks; 480 at least, a sample's
-    input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
-    input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
-    input  logic [11:0] words_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
-    input  logic        words_bridge_compensate_i,  // the on-times make up for it
-    input  logic        words_bridge_sine_pwm_i,  // no zero component
-    input  logic [14:0] words_bridge_reciprocal_i,  // u0.25: 1 / (3 period)
-    input  logic        words_estimator_voltage_i,  // the voltage model's estimate, else the current model's
-    input  logic        words_estimator_average_i,  // voltage model: the mean of 8 samples
-    input  logic [14:0] words_estimator_decay_i,  // u0.15, per sample
-    input  logic [14:0] words_estimator_gain_i,  // u2.13, current per voltage
-    input  logic [14:0] words_estimator_k_theta_i,  // u1.14, turns per current; K_SP L of the voltage model is the same
-    input  logic [14:0] words_estimator_k_e_i,  // u2.13, voltage per current
-    input  logic [14:0] words_estimator_k_speed_i,  // u-2.17, turns per voltage
-    input  logic [14:0] words_estimator_k_emf_i,  // u0.15, turns per current
-    input  logic [14:0] words_estimator_k_si_i,  // u-8.23, turns per current
-    input  logic [24:0] words_speed_target_i,  // u0.25
-    input  logic [14:0] words_speed_slew_i,  // u0.25, per sample
-    input  logic [14:0] words_speed_filter_i,  // u0.15, per sample
-    input  logic [14:0] words_speed_k_p_i,  // u7.8
-    input  logic [14:0] words_speed_k_i_i,  // u-2.17, per sample
-    input  logic [14:0] words_speed_limit_i,  // u0.15, of the current
-    input  logic [14:0] words_speed_start_current_i,  // u0.15: where the integral begins
-    input  logic [14:0] words_speed_lock_i,  // u0.15: above, the estimate may be trusted
-    input  logic [14:0] words_speed_slow_i,  // u0.15: below, it may not
-    input  logic [14:0] words_speed_stop_i,  // u0.15: below, the drive lets go
-    input  logic [14:0] words_speed_emf_low_i,  // u2.13
-    input  logic [14:0] words_speed_emf_high_i,  // u2.13
-    input  logic [15:0] words_control_set_gamma_i,  // s0.15
-    input  logic [14:0] words_control_k_p_i,  // u3.12
-    input  logic [14:0] words_control_k_i_i,  // u0.15, per sample
-    input  logic [14:0] words_control_inductance_i,  // u5.10, voltage per current and speed
-    input  logic [14:0] words_control_emf_i,  // u5.10, voltage per speed
-    input  logic [14:0] words_control_limit_i,  // u0.15, of the dc voltage
-    input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
-    input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
-    input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_sequence_pattern_i,  // each third of it; all pilot pulses at most
-    input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
-    input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed attempt
-    input  logic [19:0] words_sequence_brake_i,
-    input  logic [19:0] words_sequence_retry_delay_i,
-    input  logic [3:0]  words_sequence_retries_i,
-    input  logic [5:0]  words_pilot_short_periods_i,  // 0 counts as 1
-    input  logic [5:0]  words_pilot_long_periods_i,  // 0 counts as 1
-    input  logic [4:0]  words_pilot_rounds_i,  // of six short pulses; even
-    input  logic [14:0] words_pilot_decayed_i,  // u0.15: below, a current is gone
-    input  logic [14:0] words_pilot_saliency_i,  // u0.15: a smaller sum is no position
-    input  logic [14:0] words_pilot_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
-    input  logic [14:0] words_fault_over_current_i,  // u0.15, any phase
-    input  logic [19:0] words_fault_saturated_i,  // a regulator at its limit for more than this; 0: no test
-    input  logic [19:0] words_fault_slow_i,  // slow for more than this longer than not; 0: no test
-    input  logic [19:0] words_fault_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
-    input  logic [3:0]  words_fault_lost_samples_i,  // in a row; 0: no test
+    input  logic [13:0] config_bridge_period_i,  // clocks; 480 at least, a sample's
+    input  logic [13:0] config_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
+    input  logic [7:0]  config_bridge_dead_time_i,  // clocks; the guard's floor wins
+    input  logic [11:0] config_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
+    input  logic        config_bridge_compensate_i,  // the on-times make up for it
+    input  logic        config_bridge_sine_pwm_i,  // no zero component
+    input  logic [14:0] config_bridge_reciprocal_i,  // u0.25: 1 / (3 period)
+    input  logic        config_estimator_voltage_i,  // the voltage model's estimate, else the current model's
+    input  logic        config_estimator_average_i,  // voltage model: the mean of 8 samples
+    input  logic [14:0] config_estimator_decay_i,  // u0.15, per sample
+    input  logic [14:0] config_estimator_gain_i,  // u2.13, current per voltage
+    input  logic [14:0] config_estimator_k_theta_i,  // u1.14, turns per current; K_SP L of the voltage model is the same
+    input  logic [14:0] config_estimator_k_e_i,  // u2.13, voltage per current
+    input  logic [14:0] config_estimator_k_speed_i,  // u-2.17, turns per voltage
+    input  logic [14:0] config_estimator_k_emf_i,  // u0.15, turns per current
+    input  logic [14:0] config_estimator_k_si_i,  // u-8.23, turns per current
+    input  logic [24:0] config_speed_target_i,  // u0.25
+    input  logic [14:0] config_speed_slew_i,  // u0.25, per sample
+    input  logic [14:0] config_speed_filter_i,  // u0.15, per sample
+    input  logic [14:0] config_speed_k_p_i,  // u7.8
+    input  logic [14:0] config_speed_k_i_i,  // u-2.17, per sample
+    input  logic [14:0] config_speed_limit_i,  // u0.15, of the current
+    input  logic [14:0] config_speed_start_current_i,  // u0.15: where the integral begins
+    input  logic [14:0] config_speed_lock_i,  // u0.15: above, the estimate may be trusted
+    input  logic [14:0] config_speed_slow_i,  // u0.15: below, it may not
+    input  logic [14:0] config_speed_stop_i,  // u0.15: below, the drive lets go
+    input  logic [14:0] config_speed_emf_low_i,  // u2.13
+    input  logic [14:0] config_speed_emf_high_i,  // u2.13
+    input  logic [15:0] config_control_set_gamma_i,  // s0.15
+    input  logic [14:0] config_control_k_p_i,  // u3.12
+    input  logic [14:0] config_control_k_i_i,  // u0.15, per sample
+    input  logic [14:0] config_control_inductance_i,  // u5.10, voltage per current and speed
+    input  logic [14:0] config_control_emf_i,  // u5.10, voltage per speed
+    input  logic [14:0] config_control_limit_i,  // u0.15, of the dc voltage
+    input  logic        config_sequence_arbitrary_i,  // no pattern before the loop is closed
+    input  logic        config_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
+    input  logic [14:0] config_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
+    input  logic [19:0] config_sequence_pattern_i,  // each third of it; all pilot pulses at most
+    input  logic [19:0] config_sequence_lock_i,  // the estimate has to be trusted for so long
+    input  logic [19:0] config_sequence_give_up_i,  // no lock in this time is a failed attempt
+    input  logic [19:0] config_sequence_brake_i,
+    input  logic [19:0] config_sequence_retry_delay_i,
+    input  logic [3:0]  config_sequence_retries_i,
+    input  logic [5:0]  config_pilot_short_periods_i,  // 0 counts as 1
+    input  logic [5:0]  config_pilot_long_periods_i,  // 0 counts as 1
+    input  logic [4:0]  config_pilot_rounds_i,  // of six short pulses; even
+    input  logic [14:0] config_pilot_decayed_i,  // u0.15: below, a current is gone
+    input  logic [14:0] config_pilot_saliency_i,  // u0.15: a smaller sum is no position
+    input  logic [14:0] config_pilot_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
+    input  logic [14:0] config_fault_over_current_i,  // u0.15, any phase
+    input  logic [19:0] config_fault_saturated_i,  // a regulator at its limit for more than this; 0: no test
+    input  logic [19:0] config_fault_slow_i,  // slow for more than this longer than not; 0: no test
+    input  logic [19:0] config_fault_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
+    input  logic [3:0]  config_fault_lost_samples_i,  // in a row; 0: no test
     output logic        gates_uh_o,  // phase U, high side
     output logic        gates_ul_o,  // phase U, low side
     output logic        gates_vh_o,  // phase V, high side
@@ -145,12 +145,12 @@ module sinusoidal_standalone (
       .rst(rst),
       .sample_i(sampled),
       .miso_i(pins_miso_i),
-      .words_half_i(adc_half_i),
-      .words_quiet_i(adc_quiet_i),
-      .words_u_i(adc_u_i),
-      .words_v_i(adc_v_i),
-      .words_dc_i(adc_dc_i),
-      .words_twice_i(adc_twice_i),
+      .config_half_i(adc_half_i),
+      .config_quiet_i(adc_quiet_i),
+      .config_u_i(adc_u_i),
+      .config_v_i(adc_v_i),
+      .config_dc_i(adc_dc_i),
+      .config_twice_i(adc_twice_i),
       .cs_n_o(adc_cs_n),
       .sclk_o(adc_sclk),
       .mosi_o(adc_mosi),
@@ -164,8 +164,8 @@ module sinusoidal_standalone (
   );
 
   wire takes = sampled && bounce == 8'd0;
-  wire [24:0] half = {1'b0, words_speed_target_i[24:1]};
-  wire [24:0] quarter = {2'd0, words_speed_target_i[24:2]};
+  wire [24:0] half = {1'b0, config_speed_target_i[24:1]};
+  wire [24:0] quarter = {2'd0, config_speed_target_i[24:2]};
   wire [24:0] half_plus_quarter = half + quarter;
 
   logic [24:0] part;  // line 111
@@ -174,15 +174,15 @@ module sinusoidal_standalone (
       2'd2: part = half_plus_quarter;
       2'd1: part = half;
       2'd0: part = quarter;
-      default: part = words_speed_target_i;
+      default: part = config_speed_target_i;
     endcase
   end
 
-  wire [24:0] lock = {words_speed_lock_i, 10'd0};
+  wire [24:0] lock = {config_speed_lock_i, 10'd0};
   wire [26:0] least_sum =  // line 113
-      {1'b0, {1'b0, lock} + {5'd0, words_speed_lock_i, 6'd0}} + {7'd0, words_speed_lock_i, 5'd0};
+      {1'b0, {1'b0, lock} + {5'd0, config_speed_lock_i, 6'd0}} + {7'd0, config_speed_lock_i, 5'd0};
   wire [24:0] least = (least_sum[26:25] == 2'd0) ? least_sum[24:0] : 25'd33554431;
-  wire [24:0] words_speed_target = (part < least) ? least : part;
+  wire [24:0] config_speed_target = (part < least) ? least : part;
 
   wire drive_gates_uh;
   wire drive_gates_ul;
@@ -223,60 +223,60 @@ module sinusoidal_standalone (
       .command_reverse_i(taken_reverse),
       .command_brake_to_stop_i(brake_to_stop_i),
       .command_clear_fault_i(takes),
-      .words_bridge_period_i(words_bridge_period_i),
-      .words_bridge_minimum_i(words_bridge_minimum_i),
-      .words_bridge_dead_time_i(words_bridge_dead_time_i),
-      .words_bridge_dead_time_loss_i(words_bridge_dead_time_loss_i),
-      .words_bridge_compensate_i(words_bridge_compensate_i),
-      .words_bridge_sine_pwm_i(words_bridge_sine_pwm_i),
-      .words_bridge_reciprocal_i(words_bridge_reciprocal_i),
-      .words_estimator_voltage_i(words_estimator_voltage_i),
-      .words_estimator_average_i(words_estimator_average_i),
-      .words_estimator_decay_i(words_estimator_decay_i),
-      .words_estimator_gain_i(words_estimator_gain_i),
-      .words_estimator_k_theta_i(words_estimator_k_theta_i),
-      .words_estimator_k_e_i(words_estimator_k_e_i),
-      .words_estimator_k_speed_i(words_estimator_k_speed_i),
-      .words_estimator_k_emf_i(words_estimator_k_emf_i),
-      .words_estimator_k_si_i(words_estimator_k_si_i),
-      .words_speed_target_i(words_speed_target),
-      .words_speed_slew_i(words_speed_slew_i),
-      .words_speed_filter_i(words_speed_filter_i),
-      .words_speed_k_p_i(words_speed_k_p_i),
-      .words_speed_k_i_i(words_speed_k_i_i),
-      .words_speed_limit_i(words_speed_limit_i),
-      .words_speed_start_current_i(words_speed_start_current_i),
-      .words_speed_lock_i(words_speed_lock_i),
-      .words_speed_slow_i(words_speed_slow_i),
-      .words_speed_stop_i(words_speed_stop_i),
-      .words_speed_emf_low_i(words_speed_emf_low_i),
-      .words_speed_emf_high_i(words_speed_emf_high_i),
-      .words_control_set_gamma_i(words_control_set_gamma_i),
-      .words_control_k_p_i(words_control_k_p_i),
-      .words_control_k_i_i(words_control_k_i_i),
-      .words_control_inductance_i(words_control_inductance_i),
-      .words_control_emf_i(words_control_emf_i),
-      .words_control_limit_i(words_control_limit_i),
-      .words_sequence_arbitrary_i(words_sequence_arbitrary_i),
-      .words_sequence_pilot_i(words_sequence_pilot_i),
-      .words_sequence_hold_voltage_i(words_sequence_hold_voltage_i),
-      .words_sequence_pattern_i(words_sequence_pattern_i),
-      .words_sequence_lock_i(words_sequence_lock_i),
-      .words_sequence_give_up_i(words_sequence_give_up_i),
-      .words_sequence_brake_i(words_sequence_brake_i),
-      .words_sequence_retry_delay_i(words_sequence_retry_delay_i),
-      .words_sequence_retries_i(words_sequence_retries_i),
-      .words_pilot_short_periods_i(words_pilot_short_periods_i),
-      .words_pilot_long_periods_i(words_pilot_long_periods_i),
-      .words_pilot_rounds_i(words_pilot_rounds_i),
-      .words_pilot_decayed_i(words_pilot_decayed_i),
-      .words_pilot_saliency_i(words_pilot_saliency_i),
-      .words_pilot_polarity_i(words_pilot_polarity_i),
-      .words_fault_over_current_i(words_fault_over_current_i),
-      .words_fault_saturated_i(words_fault_saturated_i),
-      .words_fault_slow_i(words_fault_slow_i),
-      .words_fault_emf_i(words_fault_emf_i),
-      .words_fault_lost_samples_i(words_fault_lost_samples_i),
+      .config_bridge_period_i(config_bridge_period_i),
+      .config_bridge_minimum_i(config_bridge_minimum_i),
+      .config_bridge_dead_time_i(config_bridge_dead_time_i),
+      .config_bridge_dead_time_loss_i(config_bridge_dead_time_loss_i),
+      .config_bridge_compensate_i(config_bridge_compensate_i),
+      .config_bridge_sine_pwm_i(config_bridge_sine_pwm_i),
+      .config_bridge_reciprocal_i(config_bridge_reciprocal_i),
+      .config_estimator_voltage_i(config_estimator_voltage_i),
+      .config_estimator_average_i(config_estimator_average_i),
+      .config_estimator_decay_i(config_estimator_decay_i),
+      .config_estimator_gain_i(config_estimator_gain_i),
+      .config_estimator_k_theta_i(config_estimator_k_theta_i),
+      .config_estimator_k_e_i(config_estimator_k_e_i),
+      .config_estimator_k_speed_i(config_estimator_k_speed_i),
+      .config_estimator_k_emf_i(config_estimator_k_emf_i),
+      .config_estimator_k_si_i(config_estimator_k_si_i),
+      .config_speed_target_i(config_speed_target),
+      .config_speed_slew_i(config_speed_slew_i),
+      .config_speed_filter_i(config_speed_filter_i),
+      .config_speed_k_p_i(config_speed_k_p_i),
+      .config_speed_k_i_i(config_speed_k_i_i),
+      .config_speed_limit_i(config_speed_limit_i),
+      .config_speed_start_current_i(config_speed_start_current_i),
+      .config_speed_lock_i(config_speed_lock_i),
+      .config_speed_slow_i(config_speed_slow_i),
+      .config_speed_stop_i(config_speed_stop_i),
+      .config_speed_emf_low_i(config_speed_emf_low_i),
+      .config_speed_emf_high_i(config_speed_emf_high_i),
+      .config_control_set_gamma_i(config_control_set_gamma_i),
+      .config_control_k_p_i(config_control_k_p_i),
+      .config_control_k_i_i(config_control_k_i_i),
+      .config_control_inductance_i(config_control_inductance_i),
+      .config_control_emf_i(config_control_emf_i),
+      .config_control_limit_i(config_control_limit_i),
+      .config_sequence_arbitrary_i(config_sequence_arbitrary_i),
+      .config_sequence_pilot_i(config_sequence_pilot_i),
+      .config_sequence_hold_voltage_i(config_sequence_hold_voltage_i),
+      .config_sequence_pattern_i(config_sequence_pattern_i),
+      .config_sequence_lock_i(config_sequence_lock_i),
+      .config_sequence_give_up_i(config_sequence_give_up_i),
+      .config_sequence_brake_i(config_sequence_brake_i),
+      .config_sequence_retry_delay_i(config_sequence_retry_delay_i),
+      .config_sequence_retries_i(config_sequence_retries_i),
+      .config_pilot_short_periods_i(config_pilot_short_periods_i),
+      .config_pilot_long_periods_i(config_pilot_long_periods_i),
+      .config_pilot_rounds_i(config_pilot_rounds_i),
+      .config_pilot_decayed_i(config_pilot_decayed_i),
+      .config_pilot_saliency_i(config_pilot_saliency_i),
+      .config_pilot_polarity_i(config_pilot_polarity_i),
+      .config_fault_over_current_i(config_fault_over_current_i),
+      .config_fault_saturated_i(config_fault_saturated_i),
+      .config_fault_slow_i(config_fault_slow_i),
+      .config_fault_emf_i(config_fault_emf_i),
+      .config_fault_lost_samples_i(config_fault_lost_samples_i),
       .gates_uh_o(drive_gates_uh),
       .gates_ul_o(drive_gates_ul),
       .gates_vh_o(drive_gates_vh),

@@ -36,60 +36,60 @@ module sinusoidal_top (
     input  logic        command_reverse_i,
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
-    input  logic [13:0] words_bridge_period_i,  // clocks; 480 at least, a sample's
-    input  logic [13:0] words_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
-    input  logic [7:0]  words_bridge_dead_time_i,  // clocks; the guard's floor wins
-    input  logic [11:0] words_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
-    input  logic        words_bridge_compensate_i,  // the on-times make up for it
-    input  logic        words_bridge_sine_pwm_i,  // no zero component
-    input  logic [14:0] words_bridge_reciprocal_i,  // u0.25: 1 / (3 period)
-    input  logic        words_estimator_voltage_i,  // the voltage model's estimate, else the current model's
-    input  logic        words_estimator_average_i,  // voltage model: the mean of 8 samples
-    input  logic [14:0] words_estimator_decay_i,  // u0.15, per sample
-    input  logic [14:0] words_estimator_gain_i,  // u2.13, current per voltage
-    input  logic [14:0] words_estimator_k_theta_i,  // u1.14, turns per current; K_SP L of the voltage model is the same
-    input  logic [14:0] words_estimator_k_e_i,  // u2.13, voltage per current
-    input  logic [14:0] words_estimator_k_speed_i,  // u-2.17, turns per voltage
-    input  logic [14:0] words_estimator_k_emf_i,  // u0.15, turns per current
-    input  logic [14:0] words_estimator_k_si_i,  // u-8.23, turns per current
-    input  logic [24:0] words_speed_target_i,  // u0.25
-    input  logic [14:0] words_speed_slew_i,  // u0.25, per sample
-    input  logic [14:0] words_speed_filter_i,  // u0.15, per sample
-    input  logic [14:0] words_speed_k_p_i,  // u7.8
-    input  logic [14:0] words_speed_k_i_i,  // u-2.17, per sample
-    input  logic [14:0] words_speed_limit_i,  // u0.15, of the current
-    input  logic [14:0] words_speed_start_current_i,  // u0.15: where the integral begins
-    input  logic [14:0] words_speed_lock_i,  // u0.15: above, the estimate may be trusted
-    input  logic [14:0] words_speed_slow_i,  // u0.15: below, it may not
-    input  logic [14:0] words_speed_stop_i,  // u0.15: below, the drive lets go
-    input  logic [14:0] words_speed_emf_low_i,  // u2.13
-    input  logic [14:0] words_speed_emf_high_i,  // u2.13
-    input  logic [15:0] words_control_set_gamma_i,  // s0.15
-    input  logic [14:0] words_control_k_p_i,  // u3.12
-    input  logic [14:0] words_control_k_i_i,  // u0.15, per sample
-    input  logic [14:0] words_control_inductance_i,  // u5.10, voltage per current and speed
-    input  logic [14:0] words_control_emf_i,  // u5.10, voltage per speed
-    input  logic [14:0] words_control_limit_i,  // u0.15, of the dc voltage
-    input  logic        words_sequence_arbitrary_i,  // no pattern before the loop is closed
-    input  logic        words_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
-    input  logic [14:0] words_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
-    input  logic [19:0] words_sequence_pattern_i,  // each third of it; all pilot pulses at most
-    input  logic [19:0] words_sequence_lock_i,  // the estimate has to be trusted for so long
-    input  logic [19:0] words_sequence_give_up_i,  // no lock in this time is a failed attempt
-    input  logic [19:0] words_sequence_brake_i,
-    input  logic [19:0] words_sequence_retry_delay_i,
-    input  logic [3:0]  words_sequence_retries_i,
-    input  logic [5:0]  words_pilot_short_periods_i,  // 0 counts as 1
-    input  logic [5:0]  words_pilot_long_periods_i,  // 0 counts as 1
-    input  logic [4:0]  words_pilot_rounds_i,  // of six short pulses; even
-    input  logic [14:0] words_pilot_decayed_i,  // u0.15: below, a current is gone
-    input  logic [14:0] words_pilot_saliency_i,  // u0.15: a smaller sum is no position
-    input  logic [14:0] words_pilot_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
-    input  logic [14:0] words_fault_over_current_i,  // u0.15, any phase
-    input  logic [19:0] words_fault_saturated_i,  // a regulator at its limit for more than this; 0: no test
-    input  logic [19:0] words_fault_slow_i,  // slow for more than this longer than not; 0: no test
-    input  logic [19:0] words_fault_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
-    input  logic [3:0]  words_fault_lost_samples_i,  // in a row; 0: no test
+    input  logic [13:0] config_bridge_period_i,  // clocks; 480 at least, a sample's
+    input  logic [13:0] config_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
+    input  logic [7:0]  config_bridge_dead_time_i,  // clocks; the guard's floor wins
+    input  logic [11:0] config_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
+    input  logic        config_bridge_compensate_i,  // the on-times make up for it
+    input  logic        config_bridge_sine_pwm_i,  // no zero component
+    input  logic [14:0] config_bridge_reciprocal_i,  // u0.25: 1 / (3 period)
+    input  logic        config_estimator_voltage_i,  // the voltage model's estimate, else the current model's
+    input  logic        config_estimator_average_i,  // voltage model: the mean of 8 samples
+    input  logic [14:0] config_estimator_decay_i,  // u0.15, per sample
+    input  logic [14:0] config_estimator_gain_i,  // u2.13, current per voltage
+    input  logic [14:0] config_estimator_k_theta_i,  // u1.14, turns per current; K_SP L of the voltage model is the same
+    input  logic [14:0] config_estimator_k_e_i,  // u2.13, voltage per current
+    input  logic [14:0] config_estimator_k_speed_i,  // u-2.17, turns per voltage
+    input  logic [14:0] config_estimator_k_emf_i,  // u0.15, turns per current
+    input  logic [14:0] config_estimator_k_si_i,  // u-8.23, turns per current
+    input  logic [24:0] config_speed_target_i,  // u0.25
+    input  logic [14:0] config_speed_slew_i,  // u0.25, per sample
+    input  logic [14:0] config_speed_filter_i,  // u0.15, per sample
+    input  logic [14:0] config_speed_k_p_i,  // u7.8
+    input  logic [14:0] config_speed_k_i_i,  // u-2.17, per sample
+    input  logic [14:0] config_speed_limit_i,  // u0.15, of the current
+    input  logic [14:0] config_speed_start_current_i,  // u0.15: where the integral begins
+    input  logic [14:0] config_speed_lock_i,  // u0.15: above, the estimate may be trusted
+    input  logic [14:0] config_speed_slow_i,  // u0.15: below, it may not
+    input  logic [14:0] config_speed_stop_i,  // u0.15: below, the drive lets go
+    input  logic [14:0] config_speed_emf_low_i,  // u2.13
+    input  logic [14:0] config_speed_emf_high_i,  // u2.13
+    input  logic [15:0] config_control_set_gamma_i,  // s0.15
+    input  logic [14:0] config_control_k_p_i,  // u3.12
+    input  logic [14:0] config_control_k_i_i,  // u0.15, per sample
+    input  logic [14:0] config_control_inductance_i,  // u5.10, voltage per current and speed
+    input  logic [14:0] config_control_emf_i,  // u5.10, voltage per speed
+    input  logic [14:0] config_control_limit_i,  // u0.15, of the dc voltage
+    input  logic        config_sequence_arbitrary_i,  // no pattern before the loop is closed
+    input  logic        config_sequence_pilot_i,  // pilot pulses instead of the pattern: a salient rotor
+    input  logic [14:0] config_sequence_hold_voltage_i,  // u0.15, of the pattern's leg, or of a pilot pulse's
+    input  logic [19:0] config_sequence_pattern_i,  // each third of it; all pilot pulses at most
+    input  logic [19:0] config_sequence_lock_i,  // the estimate has to be trusted for so long
+    input  logic [19:0] config_sequence_give_up_i,  // no lock in this time is a failed attempt
+    input  logic [19:0] config_sequence_brake_i,
+    input  logic [19:0] config_sequence_retry_delay_i,
+    input  logic [3:0]  config_sequence_retries_i,
+    input  logic [5:0]  config_pilot_short_periods_i,  // 0 counts as 1
+    input  logic [5:0]  config_pilot_long_periods_i,  // 0 counts as 1
+    input  logic [4:0]  config_pilot_rounds_i,  // of six short pulses; even
+    input  logic [14:0] config_pilot_decayed_i,  // u0.15: below, a current is gone
+    input  logic [14:0] config_pilot_saliency_i,  // u0.15: a smaller sum is no position
+    input  logic [14:0] config_pilot_polarity_i,  // u0.15: a smaller difference of the long peaks is no polarity
+    input  logic [14:0] config_fault_over_current_i,  // u0.15, any phase
+    input  logic [19:0] config_fault_saturated_i,  // a regulator at its limit for more than this; 0: no test
+    input  logic [19:0] config_fault_slow_i,  // slow for more than this longer than not; 0: no test
+    input  logic [19:0] config_fault_emf_i,  // an EMF that does not belong to the speed for more; 0: no test
+    input  logic [3:0]  config_fault_lost_samples_i,  // in a row; 0: no test
     output logic        gates_uh_o,  // phase U, high side
     output logic        gates_ul_o,  // phase U, low side
     output logic        gates_vh_o,  // phase V, high side
@@ -169,12 +169,12 @@ module sinusoidal_top (
       .over_i(seen_over),
       .i_gamma_i(seen_i_gamma),
       .backward_i(seen_backward),
-      .words_short_periods_i(words_pilot_short_periods_i),
-      .words_long_periods_i(words_pilot_long_periods_i),
-      .words_rounds_i(words_pilot_rounds_i),
-      .words_decayed_i(words_pilot_decayed_i),
-      .words_saliency_i(words_pilot_saliency_i),
-      .words_polarity_i(words_pilot_polarity_i),
+      .config_short_periods_i(config_pilot_short_periods_i),
+      .config_long_periods_i(config_pilot_long_periods_i),
+      .config_rounds_i(config_pilot_rounds_i),
+      .config_decayed_i(config_pilot_decayed_i),
+      .config_saliency_i(config_pilot_saliency_i),
+      .config_polarity_i(config_pilot_polarity_i),
       .pulse_o(pilot_pulse),
       .high_u_o(pilot_high_u),
       .high_v_o(pilot_high_v),
@@ -202,7 +202,7 @@ module sinusoidal_top (
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
       .calibrate_i(orders_calibrate),
-      .over_current_i(waiting ? words_pilot_decayed_i : words_fault_over_current_i),
+      .over_current_i(waiting ? config_pilot_decayed_i : config_fault_over_current_i),
       .taken_o(sense_taken),
       .measured_o(sense_measured),
       .over_o(sense_over),
@@ -252,41 +252,41 @@ module sinusoidal_top (
       .ended_on_u_i(ended_on_u),
       .ended_on_v_i(ended_on_v),
       .ended_on_w_i(ended_on_w),
-      .bridge_period_i(words_bridge_period_i),
-      .bridge_minimum_i(words_bridge_minimum_i),
-      .bridge_dead_time_i(words_bridge_dead_time_i),
-      .bridge_dead_time_loss_i(words_bridge_dead_time_loss_i),
-      .bridge_compensate_i(words_bridge_compensate_i),
-      .bridge_sine_pwm_i(words_bridge_sine_pwm_i),
-      .bridge_reciprocal_i(words_bridge_reciprocal_i),
-      .estimator_voltage_i(words_estimator_voltage_i),
-      .estimator_average_i(words_estimator_average_i),
-      .estimator_decay_i(words_estimator_decay_i),
-      .estimator_gain_i(words_estimator_gain_i),
-      .estimator_k_theta_i(words_estimator_k_theta_i),
-      .estimator_k_e_i(words_estimator_k_e_i),
-      .estimator_k_speed_i(words_estimator_k_speed_i),
-      .estimator_k_emf_i(words_estimator_k_emf_i),
-      .estimator_k_si_i(words_estimator_k_si_i),
-      .speed_target_i(words_speed_target_i),
-      .speed_slew_i(words_speed_slew_i),
-      .speed_filter_i(words_speed_filter_i),
-      .speed_k_p_i(words_speed_k_p_i),
-      .speed_k_i_i(words_speed_k_i_i),
-      .speed_limit_i(words_speed_limit_i),
-      .speed_start_current_i(words_speed_start_current_i),
-      .speed_lock_i(words_speed_lock_i),
-      .speed_slow_i(words_speed_slow_i),
-      .speed_stop_i(words_speed_stop_i),
-      .speed_emf_low_i(words_speed_emf_low_i),
-      .speed_emf_high_i(words_speed_emf_high_i),
-      .control_set_gamma_i(words_control_set_gamma_i),
-      .control_k_p_i(words_control_k_p_i),
-      .control_k_i_i(words_control_k_i_i),
-      .control_inductance_i(words_control_inductance_i),
-      .control_emf_i(words_control_emf_i),
-      .control_limit_i(words_control_limit_i),
-      .hold_voltage_i(words_sequence_hold_voltage_i),
+      .bridge_period_i(config_bridge_period_i),
+      .bridge_minimum_i(config_bridge_minimum_i),
+      .bridge_dead_time_i(config_bridge_dead_time_i),
+      .bridge_dead_time_loss_i(config_bridge_dead_time_loss_i),
+      .bridge_compensate_i(config_bridge_compensate_i),
+      .bridge_sine_pwm_i(config_bridge_sine_pwm_i),
+      .bridge_reciprocal_i(config_bridge_reciprocal_i),
+      .estimator_voltage_i(config_estimator_voltage_i),
+      .estimator_average_i(config_estimator_average_i),
+      .estimator_decay_i(config_estimator_decay_i),
+      .estimator_gain_i(config_estimator_gain_i),
+      .estimator_k_theta_i(config_estimator_k_theta_i),
+      .estimator_k_e_i(config_estimator_k_e_i),
+      .estimator_k_speed_i(config_estimator_k_speed_i),
+      .estimator_k_emf_i(config_estimator_k_emf_i),
+      .estimator_k_si_i(config_estimator_k_si_i),
+      .speed_target_i(config_speed_target_i),
+      .speed_slew_i(config_speed_slew_i),
+      .speed_filter_i(config_speed_filter_i),
+      .speed_k_p_i(config_speed_k_p_i),
+      .speed_k_i_i(config_speed_k_i_i),
+      .speed_limit_i(config_speed_limit_i),
+      .speed_start_current_i(config_speed_start_current_i),
+      .speed_lock_i(config_speed_lock_i),
+      .speed_slow_i(config_speed_slow_i),
+      .speed_stop_i(config_speed_stop_i),
+      .speed_emf_low_i(config_speed_emf_low_i),
+      .speed_emf_high_i(config_speed_emf_high_i),
+      .control_set_gamma_i(config_control_set_gamma_i),
+      .control_k_p_i(config_control_k_p_i),
+      .control_k_i_i(config_control_k_i_i),
+      .control_inductance_i(config_control_inductance_i),
+      .control_emf_i(config_control_emf_i),
+      .control_limit_i(config_control_limit_i),
+      .hold_voltage_i(config_sequence_hold_voltage_i),
       .start_i(sense_taken),
       .early_on_u_o(control_early_on_u),
       .early_on_v_o(control_early_on_v),
@@ -315,8 +315,8 @@ module sinusoidal_top (
       .clk(clk),
       .rst(rst),
       .on_clocks_i(control_early_on_u),
-      .period_i(words_bridge_period_i),
-      .minimum_i(words_bridge_minimum_i),
+      .period_i(config_bridge_period_i),
+      .minimum_i(config_bridge_minimum_i),
       .centred_i(1'b1),
       .tick_periods_i(8'd1),
       .on_o(pwm_u_on),
@@ -368,11 +368,11 @@ module sinusoidal_top (
       .fast_i(control_speed_fast),
       .slow_i(control_speed_slow),
       .plausible_i(control_speed_plausible),
-      .words_over_current_i(words_fault_over_current_i),
-      .words_saturated_i(words_fault_saturated_i),
-      .words_slow_i(words_fault_slow_i),
-      .words_emf_i(words_fault_emf_i),
-      .words_lost_samples_i(words_fault_lost_samples_i),
+      .config_over_current_i(config_fault_over_current_i),
+      .config_saturated_i(config_fault_saturated_i),
+      .config_slow_i(config_fault_slow_i),
+      .config_emf_i(config_fault_emf_i),
+      .config_lost_samples_i(config_fault_lost_samples_i),
       .fatal_o(protection_fatal),
       .failed_o(protection_failed)
   );
@@ -413,15 +413,15 @@ module sinusoidal_top (
       .still_i(still),
       .fatal_i(protection_fatal),
       .failed_i(orders_pilot ? pilot_failed : protection_failed),
-      .words_arbitrary_i(words_sequence_arbitrary_i),
-      .words_pilot_i(words_sequence_pilot_i),
-      .words_hold_voltage_i(words_sequence_hold_voltage_i),
-      .words_pattern_i(words_sequence_pattern_i),
-      .words_lock_i(words_sequence_lock_i),
-      .words_give_up_i(words_sequence_give_up_i),
-      .words_brake_i(words_sequence_brake_i),
-      .words_retry_delay_i(words_sequence_retry_delay_i),
-      .words_retries_i(words_sequence_retries_i),
+      .config_arbitrary_i(config_sequence_arbitrary_i),
+      .config_pilot_i(config_sequence_pilot_i),
+      .config_hold_voltage_i(config_sequence_hold_voltage_i),
+      .config_pattern_i(config_sequence_pattern_i),
+      .config_lock_i(config_sequence_lock_i),
+      .config_give_up_i(config_sequence_give_up_i),
+      .config_brake_i(config_sequence_brake_i),
+      .config_retry_delay_i(config_sequence_retry_delay_i),
+      .config_retries_i(config_sequence_retries_i),
       .state_o(sequence__state),
       .reason_o(sequence__reason),
       .entered_o(sequence__entered),
@@ -451,8 +451,8 @@ module sinusoidal_top (
       .clk(clk),
       .rst(rst),
       .on_clocks_i(control_early_on_v),
-      .period_i(words_bridge_period_i),
-      .minimum_i(words_bridge_minimum_i),
+      .period_i(config_bridge_period_i),
+      .minimum_i(config_bridge_minimum_i),
       .centred_i(1'b1),
       .tick_periods_i(8'd1),
       .on_o(pwm_v_on),
@@ -469,8 +469,8 @@ module sinusoidal_top (
       .clk(clk),
       .rst(rst),
       .on_clocks_i(control_early_on_w),
-      .period_i(words_bridge_period_i),
-      .minimum_i(words_bridge_minimum_i),
+      .period_i(config_bridge_period_i),
+      .minimum_i(config_bridge_minimum_i),
       .centred_i(1'b1),
       .tick_periods_i(8'd1),
       .on_o(pwm_w_on),
@@ -497,7 +497,7 @@ module sinusoidal_top (
       .request_wl_i(sequence__brake || (not_off && !on_w)),
       .enable_i(command_configured_i),
       .fault_i(synchroniser_fault),
-      .dead_time_i(words_bridge_dead_time_i),
+      .dead_time_i(config_bridge_dead_time_i),
       .minimum_i(8'd0),
       .uh_o(guard_uh),
       .ul_o(guard_ul),
@@ -539,7 +539,7 @@ module sinusoidal_top (
     seen_backward <= control_i_delta[15];  // line 169
     busy <= busy_next;  // line 171
     restart <= sequence__entered;
-    still <= words_speed_target_i == 25'd0;  // line 161
+    still <= config_speed_target_i == 25'd0;  // line 161
     waiting <= pilot_waiting;
     if (rst) begin
       orders_reverse <= 1'b0;

@@ -211,7 +211,7 @@ module six_step_axes #(
       (read_axis != 2'd0 || read_hole) ? 32'd0 :
       read_capability ? (drives_0_data & 32'hfff8ffff) | 32'h20000 :
       drives_0_data;
-  wire out_axi_rresp_both = read_axis == 2'd0 && drives_0_read_error;  // line 73
+  wire read_axis_is_zero_and_drives_0_read_error = read_axis == 2'd0 && drives_0_read_error;
 
   always_ff @(posedge clk) begin
     if (axi_request_write) begin
@@ -262,7 +262,8 @@ module six_step_axes #(
       drives_1_data;
   assign axi_rresp_o =
       read_hole ? 2'd2 :
-      (read_axis == 2'd1) ? ((drives_1_read_error || out_axi_rresp_both) ? 2'd2 : 2'd0) :
-      out_axi_rresp_both ? 2'd2 :
+      (read_axis == 2'd1) ?
+      ((drives_1_read_error || read_axis_is_zero_and_drives_0_read_error) ? 2'd2 : 2'd0) :
+      read_axis_is_zero_and_drives_0_read_error ? 2'd2 :
       2'd0;
 endmodule

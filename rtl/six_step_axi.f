@@ -1,6 +1,6 @@
 rtl/axi_lite.sv
-rtl/word_mirror.sv
-rtl/word_registers.sv
+rtl/config_mirror.sv
+rtl/config_registers.sv
 rtl/pwm_generator.sv
 rtl/synchroniser.sv
 rtl/hall_decoder.sv

@@ -3,7 +3,7 @@
 //
 // The six-step drive behind its registers, for any bus: wires between the blocks, and nothing else.
 //
-//     request -> WordRegisters -> words -> SixStepTop -> gates
+//     request -> ConfigRegisters -> words -> SixStepTop -> gates
 //            \-> DriveRegisters <- status <-/
 //
 // The map is docs/six_step_registers.md.  A second PwmGenerator with the drive's own period runs in step
@@ -57,72 +57,72 @@ module six_step_csr #(
   logic boundary;
   logic read_capability;
 
-  wire [13:0] words_words_pwm_period;
-  wire [13:0] words_words_pwm_minimum;
-  wire words_words_pwm_centred;
-  wire words_words_pwm_complementary;
-  wire [7:0] words_words_pwm_dead_time;
-  wire [7:0] words_words_pwm_tick_periods;
-  wire [7:0] words_words_limit_blanking;
-  wire [11:0] words_words_limit_off_time;
-  wire [1:0] words_words_bemf_sampling;
-  wire [9:0] words_words_bemf_blanking;
-  wire [7:0] words_words_bemf_sample_every;
-  wire [3:0] words_words_bemf_samples;
-  wire words_words_loop_detector;
-  wire words_words_loop_bandwidth;
-  wire [1:0] words_words_loop_divide;
-  wire [15:0] words_words_loop_expected;
-  wire [15:0] words_words_loop_lead_error;
-  wire [9:0] words_words_loop_delay;
-  wire [15:0] words_words_loop_ki;
-  wire [15:0] words_words_loop_kp;
-  wire [15:0] words_words_loop_pole;
-  wire [25:0] words_words_loop_scale;
-  wire [25:0] words_words_loop_minimum;
-  wire [25:0] words_words_loop_maximum;
-  wire words_words_start_method;
-  wire [11:0] words_words_start_pre_align;
-  wire [11:0] words_words_start_align;
-  wire [15:0] words_words_start_align_duty;
-  wire [15:0] words_words_start_start_duty;
-  wire [19:0] words_words_start_ramp;
-  wire [15:0] words_words_start_look;
-  wire [15:0] words_words_start_probe;
-  wire [7:0] words_words_start_still;
-  wire [25:0] words_words_start_hand_over;
-  wire [15:0] words_words_start_window;
-  wire [5:0] words_words_start_good_crossings;
-  wire [11:0] words_words_start_pull_in;
-  wire [11:0] words_words_start_detect_spin;
-  wire [11:0] words_words_start_slow_down;
-  wire [11:0] words_words_start_brake;
-  wire [15:0] words_words_start_brake_duty;
-  wire [11:0] words_words_start_retry_delay;
-  wire [3:0] words_words_start_retries;
-  wire [25:0] words_words_speed_target;
-  wire [19:0] words_words_speed_slew;
-  wire [3:0] words_words_speed_shift;
-  wire [15:0] words_words_speed_kp;
-  wire [15:0] words_words_speed_ki;
-  wire [15:0] words_words_speed_bemf;
-  wire [15:0] words_words_speed_loaded;
-  wire [15:0] words_words_speed_minimum;
-  wire [15:0] words_words_speed_maximum;
-  wire [11:0] words_words_speed_duty_slew;
-  wire [5:0] words_words_protection_misses;
-  wire [25:0] words_words_protection_stall;
-  wire [15:0] words_words_protection_slip;
-  wire [15:0] words_words_protection_freewheel;
-  wire [11:0] words_words_protection_wrong_lock;
-  wire [3:0] words_words_protection_over_current;
-  wire words_words_source;
-  wire [31:0] words_data;
-  wire words_hole;
-  wire words_refused;
-  wire words_unlocked;
-  wire words_no_period;
-  word_registers words (
+  wire [13:0] config_registers_config_pwm_period;
+  wire [13:0] config_registers_config_pwm_minimum;
+  wire config_registers_config_pwm_centred;
+  wire config_registers_config_pwm_complementary;
+  wire [7:0] config_registers_config_pwm_dead_time;
+  wire [7:0] config_registers_config_pwm_tick_periods;
+  wire [7:0] config_registers_config_limit_blanking;
+  wire [11:0] config_registers_config_limit_off_time;
+  wire [1:0] config_registers_config_bemf_sampling;
+  wire [9:0] config_registers_config_bemf_blanking;
+  wire [7:0] config_registers_config_bemf_sample_every;
+  wire [3:0] config_registers_config_bemf_samples;
+  wire config_registers_config_loop_detector;
+  wire config_registers_config_loop_bandwidth;
+  wire [1:0] config_registers_config_loop_divide;
+  wire [15:0] config_registers_config_loop_expected;
+  wire [15:0] config_registers_config_loop_lead_error;
+  wire [9:0] config_registers_config_loop_delay;
+  wire [15:0] config_registers_config_loop_ki;
+  wire [15:0] config_registers_config_loop_kp;
+  wire [15:0] config_registers_config_loop_alpha;
+  wire [25:0] config_registers_config_loop_scale;
+  wire [25:0] config_registers_config_loop_minimum;
+  wire [25:0] config_registers_config_loop_maximum;
+  wire config_registers_config_start_method;
+  wire [11:0] config_registers_config_start_pre_align;
+  wire [11:0] config_registers_config_start_align;
+  wire [15:0] config_registers_config_start_align_duty;
+  wire [15:0] config_registers_config_start_start_duty;
+  wire [19:0] config_registers_config_start_ramp;
+  wire [15:0] config_registers_config_start_look;
+  wire [15:0] config_registers_config_start_probe;
+  wire [7:0] config_registers_config_start_still;
+  wire [25:0] config_registers_config_start_hand_over;
+  wire [15:0] config_registers_config_start_window;
+  wire [5:0] config_registers_config_start_good_crossings;
+  wire [11:0] config_registers_config_start_pull_in;
+  wire [11:0] config_registers_config_start_detect_spin;
+  wire [11:0] config_registers_config_start_slow_down;
+  wire [11:0] config_registers_config_start_brake;
+  wire [15:0] config_registers_config_start_brake_duty;
+  wire [11:0] config_registers_config_start_retry_delay;
+  wire [3:0] config_registers_config_start_retries;
+  wire [25:0] config_registers_config_speed_target;
+  wire [19:0] config_registers_config_speed_slew;
+  wire [3:0] config_registers_config_speed_shift;
+  wire [15:0] config_registers_config_speed_kp;
+  wire [15:0] config_registers_config_speed_ki;
+  wire [15:0] config_registers_config_speed_bemf;
+  wire [15:0] config_registers_config_speed_loaded;
+  wire [15:0] config_registers_config_speed_minimum;
+  wire [15:0] config_registers_config_speed_maximum;
+  wire [11:0] config_registers_config_speed_duty_slew;
+  wire [5:0] config_registers_config_protection_misses;
+  wire [25:0] config_registers_config_protection_stall;
+  wire [15:0] config_registers_config_protection_slip;
+  wire [15:0] config_registers_config_protection_freewheel;
+  wire [11:0] config_registers_config_protection_wrong_lock;
+  wire [3:0] config_registers_config_protection_over_current;
+  wire config_registers_config_source;
+  wire [31:0] config_registers_data;
+  wire config_registers_hole;
+  wire config_registers_refused;
+  wire config_registers_unlocked;
+  wire config_registers_no_period;
+  config_registers config_registers (
       .clk(clk),
       .rst(rst),
       .request_write_i(request_write_i),
@@ -132,71 +132,71 @@ module six_step_csr #(
       .request_strobes_i(request_strobes_i),
       .stopped_i(stopped),
       .boundary_i(boundary),
-      .words_pwm_period_o(words_words_pwm_period),
-      .words_pwm_minimum_o(words_words_pwm_minimum),
-      .words_pwm_centred_o(words_words_pwm_centred),
-      .words_pwm_complementary_o(words_words_pwm_complementary),
-      .words_pwm_dead_time_o(words_words_pwm_dead_time),
-      .words_pwm_tick_periods_o(words_words_pwm_tick_periods),
-      .words_limit_blanking_o(words_words_limit_blanking),
-      .words_limit_off_time_o(words_words_limit_off_time),
-      .words_bemf_sampling_o(words_words_bemf_sampling),
-      .words_bemf_blanking_o(words_words_bemf_blanking),
-      .words_bemf_sample_every_o(words_words_bemf_sample_every),
-      .words_bemf_samples_o(words_words_bemf_samples),
-      .words_loop_detector_o(words_words_loop_detector),
-      .words_loop_bandwidth_o(words_words_loop_bandwidth),
-      .words_loop_divide_o(words_words_loop_divide),
-      .words_loop_expected_o(words_words_loop_expected),
-      .words_loop_lead_error_o(words_words_loop_lead_error),
-      .words_loop_delay_o(words_words_loop_delay),
-      .words_loop_ki_o(words_words_loop_ki),
-      .words_loop_kp_o(words_words_loop_kp),
-      .words_loop_pole_o(words_words_loop_pole),
-      .words_loop_scale_o(words_words_loop_scale),
-      .words_loop_minimum_o(words_words_loop_minimum),
-      .words_loop_maximum_o(words_words_loop_maximum),
-      .words_start_method_o(words_words_start_method),
-      .words_start_pre_align_o(words_words_start_pre_align),
-      .words_start_align_o(words_words_start_align),
-      .words_start_align_duty_o(words_words_start_align_duty),
-      .words_start_start_duty_o(words_words_start_start_duty),
-      .words_start_ramp_o(words_words_start_ramp),
-      .words_start_look_o(words_words_start_look),
-      .words_start_probe_o(words_words_start_probe),
-      .words_start_still_o(words_words_start_still),
-      .words_start_hand_over_o(words_words_start_hand_over),
-      .words_start_window_o(words_words_start_window),
-      .words_start_good_crossings_o(words_words_start_good_crossings),
-      .words_start_pull_in_o(words_words_start_pull_in),
-      .words_start_detect_spin_o(words_words_start_detect_spin),
-      .words_start_slow_down_o(words_words_start_slow_down),
-      .words_start_brake_o(words_words_start_brake),
-      .words_start_brake_duty_o(words_words_start_brake_duty),
-      .words_start_retry_delay_o(words_words_start_retry_delay),
-      .words_start_retries_o(words_words_start_retries),
-      .words_speed_target_o(words_words_speed_target),
-      .words_speed_slew_o(words_words_speed_slew),
-      .words_speed_shift_o(words_words_speed_shift),
-      .words_speed_kp_o(words_words_speed_kp),
-      .words_speed_ki_o(words_words_speed_ki),
-      .words_speed_bemf_o(words_words_speed_bemf),
-      .words_speed_loaded_o(words_words_speed_loaded),
-      .words_speed_minimum_o(words_words_speed_minimum),
-      .words_speed_maximum_o(words_words_speed_maximum),
-      .words_speed_duty_slew_o(words_words_speed_duty_slew),
-      .words_protection_misses_o(words_words_protection_misses),
-      .words_protection_stall_o(words_words_protection_stall),
-      .words_protection_slip_o(words_words_protection_slip),
-      .words_protection_freewheel_o(words_words_protection_freewheel),
-      .words_protection_wrong_lock_o(words_words_protection_wrong_lock),
-      .words_protection_over_current_o(words_words_protection_over_current),
-      .words_source_o(words_words_source),
-      .data_o(words_data),
-      .hole_o(words_hole),
-      .refused_o(words_refused),
-      .unlocked_o(words_unlocked),
-      .no_period_o(words_no_period)
+      .config_pwm_period_o(config_registers_config_pwm_period),
+      .config_pwm_minimum_o(config_registers_config_pwm_minimum),
+      .config_pwm_centred_o(config_registers_config_pwm_centred),
+      .config_pwm_complementary_o(config_registers_config_pwm_complementary),
+      .config_pwm_dead_time_o(config_registers_config_pwm_dead_time),
+      .config_pwm_tick_periods_o(config_registers_config_pwm_tick_periods),
+      .config_limit_blanking_o(config_registers_config_limit_blanking),
+      .config_limit_off_time_o(config_registers_config_limit_off_time),
+      .config_bemf_sampling_o(config_registers_config_bemf_sampling),
+      .config_bemf_blanking_o(config_registers_config_bemf_blanking),
+      .config_bemf_sample_every_o(config_registers_config_bemf_sample_every),
+      .config_bemf_samples_o(config_registers_config_bemf_samples),
+      .config_loop_detector_o(config_registers_config_loop_detector),
+      .config_loop_bandwidth_o(config_registers_config_loop_bandwidth),
+      .config_loop_divide_o(config_registers_config_loop_divide),
+      .config_loop_expected_o(config_registers_config_loop_expected),
+      .config_loop_lead_error_o(config_registers_config_loop_lead_error),
+      .config_loop_delay_o(config_registers_config_loop_delay),
+      .config_loop_ki_o(config_registers_config_loop_ki),
+      .config_loop_kp_o(config_registers_config_loop_kp),
+      .config_loop_alpha_o(config_registers_config_loop_alpha),
+      .config_loop_scale_o(config_registers_config_loop_scale),
+      .config_loop_minimum_o(config_registers_config_loop_minimum),
+      .config_loop_maximum_o(config_registers_config_loop_maximum),
+      .config_start_method_o(config_registers_config_start_method),
+      .config_start_pre_align_o(config_registers_config_start_pre_align),
+      .config_start_align_o(config_registers_config_start_align),
+      .config_start_align_duty_o(config_registers_config_start_align_duty),
+      .config_start_start_duty_o(config_registers_config_start_start_duty),
+      .config_start_ramp_o(config_registers_config_start_ramp),
+      .config_start_look_o(config_registers_config_start_look),
+      .config_start_probe_o(config_registers_config_start_probe),
+      .config_start_still_o(config_registers_config_start_still),
+      .config_start_hand_over_o(config_registers_config_start_hand_over),
+      .config_start_window_o(config_registers_config_start_window),
+      .config_start_good_crossings_o(config_registers_config_start_good_crossings),
+      .config_start_pull_in_o(config_registers_config_start_pull_in),
+      .config_start_detect_spin_o(config_registers_config_start_detect_spin),
+      .config_start_slow_down_o(config_registers_config_start_slow_down),
+      .config_start_brake_o(config_registers_config_start_brake),
+      .config_start_brake_duty_o(config_registers_config_start_brake_duty),
+      .config_start_retry_delay_o(config_registers_config_start_retry_delay),
+      .config_start_retries_o(config_registers_config_start_retries),
+      .config_speed_target_o(config_registers_config_speed_target),
+      .config_speed_slew_o(config_registers_config_speed_slew),
+      .config_speed_shift_o(config_registers_config_speed_shift),
+      .config_speed_kp_o(config_registers_config_speed_kp),
+      .config_speed_ki_o(config_registers_config_speed_ki),
+      .config_speed_bemf_o(config_registers_config_speed_bemf),
+      .config_speed_loaded_o(config_registers_config_speed_loaded),
+      .config_speed_minimum_o(config_registers_config_speed_minimum),
+      .config_speed_maximum_o(config_registers_config_speed_maximum),
+      .config_speed_duty_slew_o(config_registers_config_speed_duty_slew),
+      .config_protection_misses_o(config_registers_config_protection_misses),
+      .config_protection_stall_o(config_registers_config_protection_stall),
+      .config_protection_slip_o(config_registers_config_protection_slip),
+      .config_protection_freewheel_o(config_registers_config_protection_freewheel),
+      .config_protection_wrong_lock_o(config_registers_config_protection_wrong_lock),
+      .config_protection_over_current_o(config_registers_config_protection_over_current),
+      .config_source_o(config_registers_config_source),
+      .data_o(config_registers_data),
+      .hole_o(config_registers_hole),
+      .refused_o(config_registers_refused),
+      .unlocked_o(config_registers_unlocked),
+      .no_period_o(config_registers_no_period)
   );
 
   wire unused_pwm_on;
@@ -206,10 +206,10 @@ module six_step_csr #(
       .clk(clk),
       .rst(rst),
       .on_clocks_i(14'd0),
-      .period_i(words_words_pwm_period),
+      .period_i(config_registers_config_pwm_period),
       .minimum_i(14'd0),
       .centred_i(1'b0),
-      .tick_periods_i(words_words_pwm_tick_periods),
+      .tick_periods_i(config_registers_config_pwm_tick_periods),
       .on_o(unused_pwm_on),
       .start_o(pwm_start),
       .tick_o(pwm_tick)
@@ -259,66 +259,66 @@ module six_step_csr #(
       .command_reverse_i(command_reverse),
       .command_brake_to_stop_i(command_brake_to_stop),
       .command_clear_fault_i(command_clear_fault),
-      .words_pwm_period_i(words_words_pwm_period),
-      .words_pwm_minimum_i(words_words_pwm_minimum),
-      .words_pwm_centred_i(words_words_pwm_centred),
-      .words_pwm_complementary_i(words_words_pwm_complementary),
-      .words_pwm_dead_time_i(words_words_pwm_dead_time),
-      .words_pwm_tick_periods_i(words_words_pwm_tick_periods),
-      .words_limit_blanking_i(words_words_limit_blanking),
-      .words_limit_off_time_i(words_words_limit_off_time),
-      .words_bemf_sampling_i(words_words_bemf_sampling),
-      .words_bemf_blanking_i(words_words_bemf_blanking),
-      .words_bemf_sample_every_i(words_words_bemf_sample_every),
-      .words_bemf_samples_i(words_words_bemf_samples),
-      .words_loop_detector_i(words_words_loop_detector),
-      .words_loop_bandwidth_i(words_words_loop_bandwidth),
-      .words_loop_divide_i(words_words_loop_divide),
-      .words_loop_expected_i(words_words_loop_expected),
-      .words_loop_lead_error_i(words_words_loop_lead_error),
-      .words_loop_delay_i(words_words_loop_delay),
-      .words_loop_ki_i(words_words_loop_ki),
-      .words_loop_kp_i(words_words_loop_kp),
-      .words_loop_pole_i(words_words_loop_pole),
-      .words_loop_scale_i(words_words_loop_scale),
-      .words_loop_minimum_i(words_words_loop_minimum),
-      .words_loop_maximum_i(words_words_loop_maximum),
-      .words_start_method_i(words_words_start_method),
-      .words_start_pre_align_i(words_words_start_pre_align),
-      .words_start_align_i(words_words_start_align),
-      .words_start_align_duty_i(words_words_start_align_duty),
-      .words_start_start_duty_i(words_words_start_start_duty),
-      .words_start_ramp_i(words_words_start_ramp),
-      .words_start_look_i(words_words_start_look),
-      .words_start_probe_i(words_words_start_probe),
-      .words_start_still_i(words_words_start_still),
-      .words_start_hand_over_i(words_words_start_hand_over),
-      .words_start_window_i(words_words_start_window),
-      .words_start_good_crossings_i(words_words_start_good_crossings),
-      .words_start_pull_in_i(words_words_start_pull_in),
-      .words_start_detect_spin_i(words_words_start_detect_spin),
-      .words_start_slow_down_i(words_words_start_slow_down),
-      .words_start_brake_i(words_words_start_brake),
-      .words_start_brake_duty_i(words_words_start_brake_duty),
-      .words_start_retry_delay_i(words_words_start_retry_delay),
-      .words_start_retries_i(words_words_start_retries),
-      .words_speed_target_i(words_words_speed_target),
-      .words_speed_slew_i(words_words_speed_slew),
-      .words_speed_shift_i(words_words_speed_shift),
-      .words_speed_kp_i(words_words_speed_kp),
-      .words_speed_ki_i(words_words_speed_ki),
-      .words_speed_bemf_i(words_words_speed_bemf),
-      .words_speed_loaded_i(words_words_speed_loaded),
-      .words_speed_minimum_i(words_words_speed_minimum),
-      .words_speed_maximum_i(words_words_speed_maximum),
-      .words_speed_duty_slew_i(words_words_speed_duty_slew),
-      .words_protection_misses_i(words_words_protection_misses),
-      .words_protection_stall_i(words_words_protection_stall),
-      .words_protection_slip_i(words_words_protection_slip),
-      .words_protection_freewheel_i(words_words_protection_freewheel),
-      .words_protection_wrong_lock_i(words_words_protection_wrong_lock),
-      .words_protection_over_current_i(words_words_protection_over_current),
-      .words_source_i(words_words_source),
+      .config_pwm_period_i(config_registers_config_pwm_period),
+      .config_pwm_minimum_i(config_registers_config_pwm_minimum),
+      .config_pwm_centred_i(config_registers_config_pwm_centred),
+      .config_pwm_complementary_i(config_registers_config_pwm_complementary),
+      .config_pwm_dead_time_i(config_registers_config_pwm_dead_time),
+      .config_pwm_tick_periods_i(config_registers_config_pwm_tick_periods),
+      .config_limit_blanking_i(config_registers_config_limit_blanking),
+      .config_limit_off_time_i(config_registers_config_limit_off_time),
+      .config_bemf_sampling_i(config_registers_config_bemf_sampling),
+      .config_bemf_blanking_i(config_registers_config_bemf_blanking),
+      .config_bemf_sample_every_i(config_registers_config_bemf_sample_every),
+      .config_bemf_samples_i(config_registers_config_bemf_samples),
+      .config_loop_detector_i(config_registers_config_loop_detector),
+      .config_loop_bandwidth_i(config_registers_config_loop_bandwidth),
+      .config_loop_divide_i(config_registers_config_loop_divide),
+      .config_loop_expected_i(config_registers_config_loop_expected),
+      .config_loop_lead_error_i(config_registers_config_loop_lead_error),
+      .config_loop_delay_i(config_registers_config_loop_delay),
+      .config_loop_ki_i(config_registers_config_loop_ki),
+      .config_loop_kp_i(config_registers_config_loop_kp),
+      .config_loop_alpha_i(config_registers_config_loop_alpha),
+      .config_loop_scale_i(config_registers_config_loop_scale),
+      .config_loop_minimum_i(config_registers_config_loop_minimum),
+      .config_loop_maximum_i(config_registers_config_loop_maximum),
+      .config_start_method_i(config_registers_config_start_method),
+      .config_start_pre_align_i(config_registers_config_start_pre_align),
+      .config_start_align_i(config_registers_config_start_align),
+      .config_start_align_duty_i(config_registers_config_start_align_duty),
+      .config_start_start_duty_i(config_registers_config_start_start_duty),
+      .config_start_ramp_i(config_registers_config_start_ramp),
+      .config_start_look_i(config_registers_config_start_look),
+      .config_start_probe_i(config_registers_config_start_probe),
+      .config_start_still_i(config_registers_config_start_still),
+      .config_start_hand_over_i(config_registers_config_start_hand_over),
+      .config_start_window_i(config_registers_config_start_window),
+      .config_start_good_crossings_i(config_registers_config_start_good_crossings),
+      .config_start_pull_in_i(config_registers_config_start_pull_in),
+      .config_start_detect_spin_i(config_registers_config_start_detect_spin),
+      .config_start_slow_down_i(config_registers_config_start_slow_down),
+      .config_start_brake_i(config_registers_config_start_brake),
+      .config_start_brake_duty_i(config_registers_config_start_brake_duty),
+      .config_start_retry_delay_i(config_registers_config_start_retry_delay),
+      .config_start_retries_i(config_registers_config_start_retries),
+      .config_speed_target_i(config_registers_config_speed_target),
+      .config_speed_slew_i(config_registers_config_speed_slew),
+      .config_speed_shift_i(config_registers_config_speed_shift),
+      .config_speed_kp_i(config_registers_config_speed_kp),
+      .config_speed_ki_i(config_registers_config_speed_ki),
+      .config_speed_bemf_i(config_registers_config_speed_bemf),
+      .config_speed_loaded_i(config_registers_config_speed_loaded),
+      .config_speed_minimum_i(config_registers_config_speed_minimum),
+      .config_speed_maximum_i(config_registers_config_speed_maximum),
+      .config_speed_duty_slew_i(config_registers_config_speed_duty_slew),
+      .config_protection_misses_i(config_registers_config_protection_misses),
+      .config_protection_stall_i(config_registers_config_protection_stall),
+      .config_protection_slip_i(config_registers_config_protection_slip),
+      .config_protection_freewheel_i(config_registers_config_protection_freewheel),
+      .config_protection_wrong_lock_i(config_registers_config_protection_wrong_lock),
+      .config_protection_over_current_i(config_registers_config_protection_over_current),
+      .config_source_i(config_registers_config_source),
       .gates_uh_o(drive_gates_uh),
       .gates_ul_o(drive_gates_ul),
       .gates_vh_o(drive_gates_vh),
@@ -367,11 +367,11 @@ module six_step_csr #(
       .request_index_i(request_index_i),
       .request_data_i(request_data_i),
       .request_strobes_i(request_strobes_i),
-      .word_i(words_data),
-      .hole_i(words_hole),
-      .refused_i(words_refused),
-      .unlocked_i(words_unlocked),
-      .no_period_i(words_no_period),
+      .word_i(config_registers_data),
+      .hole_i(config_registers_hole),
+      .refused_i(config_registers_refused),
+      .unlocked_i(config_registers_unlocked),
+      .no_period_i(config_registers_no_period),
       .tick_i(pwm_tick),
       .drive_state_i(drive_state),
       .drive_reason_i(drive_reason),

@@ -36,66 +36,66 @@ module six_step_standalone #(
     input  logic        controls_reverse_i,
     input  logic [1:0]  controls_speed_i,  // 0 to 3: a quarter to the whole of the set speed
     input  logic        brake_to_stop_i,  // else coast; fixed at synthesis, as are the words
-    input  logic [13:0] words_pwm_period_i,  // clocks; 0 keeps the high sides off; taken at the period's start
-    input  logic [13:0] words_pwm_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
-    input  logic        words_pwm_centred_i,  // pulses centred in the period instead of at its start
-    input  logic        words_pwm_complementary_i,  // the chopped leg's low side conducts in the off-time
-    input  logic [7:0]  words_pwm_dead_time_i,  // clocks; the floor fixed at synthesis wins
-    input  logic [7:0]  words_pwm_tick_periods_i,  // PWM periods per tick; 0 counts as 1
-    input  logic [7:0]  words_limit_blanking_i,  // clocks after switch-on in which the comparator is not believed
-    input  logic [11:0] words_limit_off_time_i,  // clocks; 0 disables the current limit
-    input  logic [1:0]  words_bemf_sampling_i,
-    input  logic [9:0]  words_bemf_blanking_i,  // clocks after each edge of the chopped gate
-    input  logic [7:0]  words_bemf_sample_every_i,  // clocks between samples; 0 counts as 1
-    input  logic [3:0]  words_bemf_samples_i,  // of the filter, 1 to 15; 0 counts as 1
-    input  logic        words_loop_detector_i,
-    input  logic        words_loop_bandwidth_i,
-    input  logic [1:0]  words_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
-    input  logic [15:0] words_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error of a rotor that led and hides the level before
-    input  logic [9:0]  words_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
-    input  logic [15:0] words_loop_ki_i,  // u2.14
-    input  logic [15:0] words_loop_kp_i,  // u2.14
-    input  logic [15:0] words_loop_pole_i,  // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole; last bit unused
-    input  logic [25:0] words_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
-    input  logic [25:0] words_loop_minimum_i,  // limits of the integrator and of the output
-    input  logic [25:0] words_loop_maximum_i,
-    input  logic        words_start_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_start_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
-    input  logic [11:0] words_start_align_i,  // alignment pattern: t_r of Eq. (22)
-    input  logic [15:0] words_start_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
-    input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
-    input  logic [15:0] words_start_look_i,  // sample_every clocks, less one, with gates off until no current flows
-    input  logic [15:0] words_start_probe_i,  // sample_every clocks of a drive between two looks
-    input  logic [7:0]  words_start_still_i,  // looks without news after which the step moves on
-    input  logic [25:0] words_start_hand_over_i,  // f_a: fast enough for the PLL
-    input  logic [15:0] words_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
-    input  logic [5:0]  words_start_good_crossings_i,  // in a row, for lock (and for catching)
-    input  logic [11:0] words_start_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_start_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
-    input  logic [11:0] words_start_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
-    input  logic [11:0] words_start_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_start_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_start_retry_delay_i,  // gates off between a failure and the next attempt
-    input  logic [3:0]  words_start_retries_i,  // failed attempts before the fault latches
-    input  logic [25:0] words_speed_target_i,  // u0.32
-    input  logic [19:0] words_speed_slew_i,  // u0.32 per tick
-    input  logic [3:0]  words_speed_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
-    input  logic [15:0] words_speed_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
-    input  logic [15:0] words_speed_ki_i,  // u0.16 per tick
-    input  logic [15:0] words_speed_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
-    input  logic [15:0] words_speed_loaded_i,  // u4.12: the same, and of commutating the largest current
-    input  logic [15:0] words_speed_minimum_i,
-    input  logic [15:0] words_speed_maximum_i,
-    input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
-    input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
-    input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
-    input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
-    input  logic [11:0] words_protection_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
-    input  logic [3:0]  words_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
-    input  logic        words_source_i,
+    input  logic [13:0] config_pwm_period_i,  // clocks; 0 keeps the high sides off; taken at the period's start
+    input  logic [13:0] config_pwm_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
+    input  logic        config_pwm_centred_i,  // pulses centred in the period instead of at its start
+    input  logic        config_pwm_complementary_i,  // the chopped leg's low side conducts in the off-time
+    input  logic [7:0]  config_pwm_dead_time_i,  // clocks; the floor fixed at synthesis wins
+    input  logic [7:0]  config_pwm_tick_periods_i,  // PWM periods per tick; 0 counts as 1
+    input  logic [7:0]  config_limit_blanking_i,  // clocks after switch-on in which the comparator is not believed
+    input  logic [11:0] config_limit_off_time_i,  // clocks; 0 disables the current limit
+    input  logic [1:0]  config_bemf_sampling_i,
+    input  logic [9:0]  config_bemf_blanking_i,  // clocks after each edge of the chopped gate
+    input  logic [7:0]  config_bemf_sample_every_i,  // clocks between samples; 0 counts as 1
+    input  logic [3:0]  config_bemf_samples_i,  // of the filter, 1 to 15; 0 counts as 1
+    input  logic        config_loop_detector_i,
+    input  logic        config_loop_bandwidth_i,
+    input  logic [1:0]  config_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
+    input  logic [15:0] config_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
+    input  logic [15:0] config_loop_lead_error_i,  // u0.16: error of a rotor that led and hides the level before
+    input  logic [9:0]  config_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
+    input  logic [15:0] config_loop_ki_i,  // u2.14
+    input  logic [15:0] config_loop_kp_i,  // u2.14
+    input  logic [15:0] config_loop_alpha_i,  // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole; last bit unused
+    input  logic [25:0] config_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
+    input  logic [25:0] config_loop_minimum_i,  // limits of the integrator and of the output
+    input  logic [25:0] config_loop_maximum_i,
+    input  logic        config_start_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] config_start_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] config_start_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] config_start_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
+    input  logic [15:0] config_start_start_duty_i,  // during acceleration and pull-in
+    input  logic [19:0] config_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
+    input  logic [15:0] config_start_look_i,  // sample_every clocks, less one, with gates off until no current flows
+    input  logic [15:0] config_start_probe_i,  // sample_every clocks of a drive between two looks
+    input  logic [7:0]  config_start_still_i,  // looks without news after which the step moves on
+    input  logic [25:0] config_start_hand_over_i,  // f_a: fast enough for the PLL
+    input  logic [15:0] config_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
+    input  logic [5:0]  config_start_good_crossings_i,  // in a row, for lock (and for catching)
+    input  logic [11:0] config_start_pull_in_i,  // time limit from hand-over to lock
+    input  logic [11:0] config_start_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] config_start_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
+    input  logic [11:0] config_start_brake_i,  // one braking interval, between two looks
+    input  logic [15:0] config_start_brake_duty_i,  // from which the back-EMF's is taken
+    input  logic [11:0] config_start_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  config_start_retries_i,  // failed attempts before the fault latches
+    input  logic [25:0] config_speed_target_i,  // u0.32
+    input  logic [19:0] config_speed_slew_i,  // u0.32 per tick
+    input  logic [3:0]  config_speed_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
+    input  logic [15:0] config_speed_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
+    input  logic [15:0] config_speed_ki_i,  // u0.16 per tick
+    input  logic [15:0] config_speed_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
+    input  logic [15:0] config_speed_loaded_i,  // u4.12: the same, and of commutating the largest current
+    input  logic [15:0] config_speed_minimum_i,
+    input  logic [15:0] config_speed_maximum_i,
+    input  logic [11:0] config_speed_duty_slew_i,  // u1.15 per tick
+    input  logic [5:0]  config_protection_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
+    input  logic [25:0] config_protection_stall_i,  // u0.32: slower than this in speed control is a stall
+    input  logic [15:0] config_protection_slip_i,  // duty above the back-EMF's that no right lock shows
+    input  logic [15:0] config_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
+    input  logic [11:0] config_protection_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
+    input  logic [3:0]  config_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
+    input  logic        config_source_i,
     output logic        gates_uh_o,  // phase U, high side
     output logic        gates_ul_o,  // phase U, low side
     output logic        gates_vh_o,  // phase V, high side
@@ -130,22 +130,23 @@ module six_step_standalone #(
   logic [16:0] bounce;
 
   wire [25:0] bounded =  // line 92
-      ({2'd0, words_speed_target_i[25:2]} < words_start_hand_over_i) ? words_start_hand_over_i :
-      {2'd0, words_speed_target_i[25:2]};
+      ({2'd0, config_speed_target_i[25:2]} < config_start_hand_over_i) ? config_start_hand_over_i :
+      {2'd0, config_speed_target_i[25:2]};
   wire [25:0] bounded_2 =  // line 92
-      ({1'b0, words_speed_target_i[25:1]} < words_start_hand_over_i) ? words_start_hand_over_i :
-      {1'b0, words_speed_target_i[25:1]};
-  wire [25:0] part = {1'b0, words_speed_target_i[25:1]} + {2'd0, words_speed_target_i[25:2]};
+      ({1'b0, config_speed_target_i[25:1]} < config_start_hand_over_i) ? config_start_hand_over_i :
+      {1'b0, config_speed_target_i[25:1]};
+  wire [25:0] part = {1'b0, config_speed_target_i[25:1]} + {2'd0, config_speed_target_i[25:2]};
 
-  logic [25:0] words_speed_target;  // line 50
+  logic [25:0] config_speed_target;  // line 50
   always_comb begin
     case (taken_speed)
-      2'd0: words_speed_target = bounded;
-      2'd1: words_speed_target = bounded_2;
-      2'd2: words_speed_target = (part < words_start_hand_over_i) ? words_start_hand_over_i : part;
-      default: words_speed_target =
-          (words_speed_target_i < words_start_hand_over_i) ? words_start_hand_over_i :
-          words_speed_target_i;
+      2'd0: config_speed_target = bounded;
+      2'd1: config_speed_target = bounded_2;
+      2'd2: config_speed_target =
+          (part < config_start_hand_over_i) ? config_start_hand_over_i : part;
+      default: config_speed_target =
+          (config_speed_target_i < config_start_hand_over_i) ? config_start_hand_over_i :
+          config_speed_target_i;
     endcase
   end
 
@@ -193,66 +194,66 @@ module six_step_standalone #(
       .command_reverse_i(taken_reverse),
       .command_brake_to_stop_i(brake_to_stop_i),
       .command_clear_fault_i(takes && !run),
-      .words_pwm_period_i(words_pwm_period_i),
-      .words_pwm_minimum_i(words_pwm_minimum_i),
-      .words_pwm_centred_i(words_pwm_centred_i),
-      .words_pwm_complementary_i(words_pwm_complementary_i),
-      .words_pwm_dead_time_i(words_pwm_dead_time_i),
-      .words_pwm_tick_periods_i(words_pwm_tick_periods_i),
-      .words_limit_blanking_i(words_limit_blanking_i),
-      .words_limit_off_time_i(words_limit_off_time_i),
-      .words_bemf_sampling_i(words_bemf_sampling_i),
-      .words_bemf_blanking_i(words_bemf_blanking_i),
-      .words_bemf_sample_every_i(words_bemf_sample_every_i),
-      .words_bemf_samples_i(words_bemf_samples_i),
-      .words_loop_detector_i(words_loop_detector_i),
-      .words_loop_bandwidth_i(words_loop_bandwidth_i),
-      .words_loop_divide_i(words_loop_divide_i),
-      .words_loop_expected_i(words_loop_expected_i),
-      .words_loop_lead_error_i(words_loop_lead_error_i),
-      .words_loop_delay_i(words_loop_delay_i),
-      .words_loop_ki_i(words_loop_ki_i),
-      .words_loop_kp_i(words_loop_kp_i),
-      .words_loop_pole_i(words_loop_pole_i),
-      .words_loop_scale_i(words_loop_scale_i),
-      .words_loop_minimum_i(words_loop_minimum_i),
-      .words_loop_maximum_i(words_loop_maximum_i),
-      .words_start_method_i(words_start_method_i),
-      .words_start_pre_align_i(words_start_pre_align_i),
-      .words_start_align_i(words_start_align_i),
-      .words_start_align_duty_i(words_start_align_duty_i),
-      .words_start_start_duty_i(words_start_start_duty_i),
-      .words_start_ramp_i(words_start_ramp_i),
-      .words_start_look_i(words_start_look_i),
-      .words_start_probe_i(words_start_probe_i),
-      .words_start_still_i(words_start_still_i),
-      .words_start_hand_over_i(words_start_hand_over_i),
-      .words_start_window_i(words_start_window_i),
-      .words_start_good_crossings_i(words_start_good_crossings_i),
-      .words_start_pull_in_i(words_start_pull_in_i),
-      .words_start_detect_spin_i(words_start_detect_spin_i),
-      .words_start_slow_down_i(words_start_slow_down_i),
-      .words_start_brake_i(words_start_brake_i),
-      .words_start_brake_duty_i(words_start_brake_duty_i),
-      .words_start_retry_delay_i(words_start_retry_delay_i),
-      .words_start_retries_i(words_start_retries_i),
-      .words_speed_target_i(words_speed_target),
-      .words_speed_slew_i(words_speed_slew_i),
-      .words_speed_shift_i(words_speed_shift_i),
-      .words_speed_kp_i(words_speed_kp_i),
-      .words_speed_ki_i(words_speed_ki_i),
-      .words_speed_bemf_i(words_speed_bemf_i),
-      .words_speed_loaded_i(words_speed_loaded_i),
-      .words_speed_minimum_i(words_speed_minimum_i),
-      .words_speed_maximum_i(words_speed_maximum_i),
-      .words_speed_duty_slew_i(words_speed_duty_slew_i),
-      .words_protection_misses_i(words_protection_misses_i),
-      .words_protection_stall_i(words_protection_stall_i),
-      .words_protection_slip_i(words_protection_slip_i),
-      .words_protection_freewheel_i(words_protection_freewheel_i),
-      .words_protection_wrong_lock_i(words_protection_wrong_lock_i),
-      .words_protection_over_current_i(words_protection_over_current_i),
-      .words_source_i(words_source_i),
+      .config_pwm_period_i(config_pwm_period_i),
+      .config_pwm_minimum_i(config_pwm_minimum_i),
+      .config_pwm_centred_i(config_pwm_centred_i),
+      .config_pwm_complementary_i(config_pwm_complementary_i),
+      .config_pwm_dead_time_i(config_pwm_dead_time_i),
+      .config_pwm_tick_periods_i(config_pwm_tick_periods_i),
+      .config_limit_blanking_i(config_limit_blanking_i),
+      .config_limit_off_time_i(config_limit_off_time_i),
+      .config_bemf_sampling_i(config_bemf_sampling_i),
+      .config_bemf_blanking_i(config_bemf_blanking_i),
+      .config_bemf_sample_every_i(config_bemf_sample_every_i),
+      .config_bemf_samples_i(config_bemf_samples_i),
+      .config_loop_detector_i(config_loop_detector_i),
+      .config_loop_bandwidth_i(config_loop_bandwidth_i),
+      .config_loop_divide_i(config_loop_divide_i),
+      .config_loop_expected_i(config_loop_expected_i),
+      .config_loop_lead_error_i(config_loop_lead_error_i),
+      .config_loop_delay_i(config_loop_delay_i),
+      .config_loop_ki_i(config_loop_ki_i),
+      .config_loop_kp_i(config_loop_kp_i),
+      .config_loop_alpha_i(config_loop_alpha_i),
+      .config_loop_scale_i(config_loop_scale_i),
+      .config_loop_minimum_i(config_loop_minimum_i),
+      .config_loop_maximum_i(config_loop_maximum_i),
+      .config_start_method_i(config_start_method_i),
+      .config_start_pre_align_i(config_start_pre_align_i),
+      .config_start_align_i(config_start_align_i),
+      .config_start_align_duty_i(config_start_align_duty_i),
+      .config_start_start_duty_i(config_start_start_duty_i),
+      .config_start_ramp_i(config_start_ramp_i),
+      .config_start_look_i(config_start_look_i),
+      .config_start_probe_i(config_start_probe_i),
+      .config_start_still_i(config_start_still_i),
+      .config_start_hand_over_i(config_start_hand_over_i),
+      .config_start_window_i(config_start_window_i),
+      .config_start_good_crossings_i(config_start_good_crossings_i),
+      .config_start_pull_in_i(config_start_pull_in_i),
+      .config_start_detect_spin_i(config_start_detect_spin_i),
+      .config_start_slow_down_i(config_start_slow_down_i),
+      .config_start_brake_i(config_start_brake_i),
+      .config_start_brake_duty_i(config_start_brake_duty_i),
+      .config_start_retry_delay_i(config_start_retry_delay_i),
+      .config_start_retries_i(config_start_retries_i),
+      .config_speed_target_i(config_speed_target),
+      .config_speed_slew_i(config_speed_slew_i),
+      .config_speed_shift_i(config_speed_shift_i),
+      .config_speed_kp_i(config_speed_kp_i),
+      .config_speed_ki_i(config_speed_ki_i),
+      .config_speed_bemf_i(config_speed_bemf_i),
+      .config_speed_loaded_i(config_speed_loaded_i),
+      .config_speed_minimum_i(config_speed_minimum_i),
+      .config_speed_maximum_i(config_speed_maximum_i),
+      .config_speed_duty_slew_i(config_speed_duty_slew_i),
+      .config_protection_misses_i(config_protection_misses_i),
+      .config_protection_stall_i(config_protection_stall_i),
+      .config_protection_slip_i(config_protection_slip_i),
+      .config_protection_freewheel_i(config_protection_freewheel_i),
+      .config_protection_wrong_lock_i(config_protection_wrong_lock_i),
+      .config_protection_over_current_i(config_protection_over_current_i),
+      .config_source_i(config_source_i),
       .gates_uh_o(drive_gates_uh),
       .gates_ul_o(drive_gates_ul),
       .gates_vh_o(drive_gates_vh),

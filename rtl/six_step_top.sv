@@ -43,66 +43,66 @@ module six_step_top #(
     input  logic        command_reverse_i,
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
-    input  logic [13:0] words_pwm_period_i,  // clocks; 0 keeps the high sides off; taken at the period's start
-    input  logic [13:0] words_pwm_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
-    input  logic        words_pwm_centred_i,  // pulses centred in the period instead of at its start
-    input  logic        words_pwm_complementary_i,  // the chopped leg's low side conducts in the off-time
-    input  logic [7:0]  words_pwm_dead_time_i,  // clocks; the floor fixed at synthesis wins
-    input  logic [7:0]  words_pwm_tick_periods_i,  // PWM periods per tick; 0 counts as 1
-    input  logic [7:0]  words_limit_blanking_i,  // clocks after switch-on in which the comparator is not believed
-    input  logic [11:0] words_limit_off_time_i,  // clocks; 0 disables the current limit
-    input  logic [1:0]  words_bemf_sampling_i,
-    input  logic [9:0]  words_bemf_blanking_i,  // clocks after each edge of the chopped gate
-    input  logic [7:0]  words_bemf_sample_every_i,  // clocks between samples; 0 counts as 1
-    input  logic [3:0]  words_bemf_samples_i,  // of the filter, 1 to 15; 0 counts as 1
-    input  logic        words_loop_detector_i,
-    input  logic        words_loop_bandwidth_i,
-    input  logic [1:0]  words_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
-    input  logic [15:0] words_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
-    input  logic [15:0] words_loop_lead_error_i,  // u0.16: error of a rotor that led and hides the level before
-    input  logic [9:0]  words_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
-    input  logic [15:0] words_loop_ki_i,  // u2.14
-    input  logic [15:0] words_loop_kp_i,  // u2.14
-    input  logic [15:0] words_loop_pole_i,  // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole; last bit unused
-    input  logic [25:0] words_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
-    input  logic [25:0] words_loop_minimum_i,  // limits of the integrator and of the output
-    input  logic [25:0] words_loop_maximum_i,
-    input  logic        words_start_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_start_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
-    input  logic [11:0] words_start_align_i,  // alignment pattern: t_r of Eq. (22)
-    input  logic [15:0] words_start_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
-    input  logic [15:0] words_start_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
-    input  logic [15:0] words_start_look_i,  // sample_every clocks, less one, with gates off until no current flows
-    input  logic [15:0] words_start_probe_i,  // sample_every clocks of a drive between two looks
-    input  logic [7:0]  words_start_still_i,  // looks without news after which the step moves on
-    input  logic [25:0] words_start_hand_over_i,  // f_a: fast enough for the PLL
-    input  logic [15:0] words_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
-    input  logic [5:0]  words_start_good_crossings_i,  // in a row, for lock (and for catching)
-    input  logic [11:0] words_start_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_start_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
-    input  logic [11:0] words_start_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
-    input  logic [11:0] words_start_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_start_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_start_retry_delay_i,  // gates off between a failure and the next attempt
-    input  logic [3:0]  words_start_retries_i,  // failed attempts before the fault latches
-    input  logic [25:0] words_speed_target_i,  // u0.32
-    input  logic [19:0] words_speed_slew_i,  // u0.32 per tick
-    input  logic [3:0]  words_speed_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
-    input  logic [15:0] words_speed_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
-    input  logic [15:0] words_speed_ki_i,  // u0.16 per tick
-    input  logic [15:0] words_speed_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
-    input  logic [15:0] words_speed_loaded_i,  // u4.12: the same, and of commutating the largest current
-    input  logic [15:0] words_speed_minimum_i,
-    input  logic [15:0] words_speed_maximum_i,
-    input  logic [11:0] words_speed_duty_slew_i,  // u1.15 per tick
-    input  logic [5:0]  words_protection_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
-    input  logic [25:0] words_protection_stall_i,  // u0.32: slower than this in speed control is a stall
-    input  logic [15:0] words_protection_slip_i,  // duty above the back-EMF's that no right lock shows
-    input  logic [15:0] words_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
-    input  logic [11:0] words_protection_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
-    input  logic [3:0]  words_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
-    input  logic        words_source_i,
+    input  logic [13:0] config_pwm_period_i,  // clocks; 0 keeps the high sides off; taken at the period's start
+    input  logic [13:0] config_pwm_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
+    input  logic        config_pwm_centred_i,  // pulses centred in the period instead of at its start
+    input  logic        config_pwm_complementary_i,  // the chopped leg's low side conducts in the off-time
+    input  logic [7:0]  config_pwm_dead_time_i,  // clocks; the floor fixed at synthesis wins
+    input  logic [7:0]  config_pwm_tick_periods_i,  // PWM periods per tick; 0 counts as 1
+    input  logic [7:0]  config_limit_blanking_i,  // clocks after switch-on in which the comparator is not believed
+    input  logic [11:0] config_limit_off_time_i,  // clocks; 0 disables the current limit
+    input  logic [1:0]  config_bemf_sampling_i,
+    input  logic [9:0]  config_bemf_blanking_i,  // clocks after each edge of the chopped gate
+    input  logic [7:0]  config_bemf_sample_every_i,  // clocks between samples; 0 counts as 1
+    input  logic [3:0]  config_bemf_samples_i,  // of the filter, 1 to 15; 0 counts as 1
+    input  logic        config_loop_detector_i,
+    input  logic        config_loop_bandwidth_i,
+    input  logic [1:0]  config_loop_divide_i,  // N = 6 * 2^divide VCO turns per electrical turn
+    input  logic [15:0] config_loop_expected_i,  // u0.16: the crossing's place in the step; 1/2 + advance / 60 deg
+    input  logic [15:0] config_loop_lead_error_i,  // u0.16: error of a rotor that led and hides the level before
+    input  logic [9:0]  config_loop_delay_i,  // clocks from the crossing at the motor to the sample, taken back
+    input  logic [15:0] config_loop_ki_i,  // u2.14
+    input  logic [15:0] config_loop_kp_i,  // u2.14
+    input  logic [15:0] config_loop_alpha_i,  // u1.15: 1 - exp(-omega_p T); 0x8000 is no pole; last bit unused
+    input  logic [25:0] config_loop_scale_i,  // u0.32: for the frequency, per second; last four bits unused
+    input  logic [25:0] config_loop_minimum_i,  // limits of the integrator and of the output
+    input  logic [25:0] config_loop_maximum_i,
+    input  logic        config_start_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] config_start_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] config_start_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] config_start_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
+    input  logic [15:0] config_start_start_duty_i,  // during acceleration and pull-in
+    input  logic [19:0] config_start_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
+    input  logic [15:0] config_start_look_i,  // sample_every clocks, less one, with gates off until no current flows
+    input  logic [15:0] config_start_probe_i,  // sample_every clocks of a drive between two looks
+    input  logic [7:0]  config_start_still_i,  // looks without news after which the step moves on
+    input  logic [25:0] config_start_hand_over_i,  // f_a: fast enough for the PLL
+    input  logic [15:0] config_start_window_i,  // u0.16: a crossing closer than this to its place is a good one
+    input  logic [5:0]  config_start_good_crossings_i,  // in a row, for lock (and for catching)
+    input  logic [11:0] config_start_pull_in_i,  // time limit from hand-over to lock
+    input  logic [11:0] config_start_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] config_start_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
+    input  logic [11:0] config_start_brake_i,  // one braking interval, between two looks
+    input  logic [15:0] config_start_brake_duty_i,  // from which the back-EMF's is taken
+    input  logic [11:0] config_start_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  config_start_retries_i,  // failed attempts before the fault latches
+    input  logic [25:0] config_speed_target_i,  // u0.32
+    input  logic [19:0] config_speed_slew_i,  // u0.32 per tick
+    input  logic [3:0]  config_speed_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
+    input  logic [15:0] config_speed_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
+    input  logic [15:0] config_speed_ki_i,  // u0.16 per tick
+    input  logic [15:0] config_speed_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
+    input  logic [15:0] config_speed_loaded_i,  // u4.12: the same, and of commutating the largest current
+    input  logic [15:0] config_speed_minimum_i,
+    input  logic [15:0] config_speed_maximum_i,
+    input  logic [11:0] config_speed_duty_slew_i,  // u1.15 per tick
+    input  logic [5:0]  config_protection_misses_i,  // lost lock: score of missed (4), hidden or far (1), good (-1) crossings; 0: off
+    input  logic [25:0] config_protection_stall_i,  // u0.32: slower than this in speed control is a stall
+    input  logic [15:0] config_protection_slip_i,  // duty above the back-EMF's that no right lock shows
+    input  logic [15:0] config_protection_freewheel_i,  // u0.16: freewheeling for longer than this part of a step is wrong
+    input  logic [11:0] config_protection_wrong_lock_i,  // a wrong tick takes two of them; 0 disables the test
+    input  logic [3:0]  config_protection_over_current_i,  // limit hits with the comparator never released; 0 disables
+    input  logic        config_source_i,
     output logic        gates_uh_o,  // phase U, high side
     output logic        gates_ul_o,  // phase U, low side
     output logic        gates_vh_o,  // phase V, high side
@@ -163,7 +163,7 @@ module six_step_top #(
   logic fatal;
   logic [3:0] cause;
 
-  wire hall_2 = WITH_HALL_DECODER && words_source_i;
+  wire hall_2 = WITH_HALL_DECODER && config_source_i;
 
   wire synchroniser_comparator_u;
   wire synchroniser_comparator_v;
@@ -194,11 +194,11 @@ module six_step_top #(
       .hall_w_o(synchroniser_hall_w)
   );
 
-  wire has_method = words_start_method_i ? WITH_FOLLOWER : WITH_RAMP;
+  wire has_method = config_start_method_i ? WITH_FOLLOWER : WITH_RAMP;
   wire command_configured =
-      (!command_configured_i || hall_2) ? command_configured_i : !words_source_i && has_method;
-  wire start_words_method = !WITH_RAMP || words_start_method_i;
-  wire start_words_method_2 = WITH_FOLLOWER && start_words_method;
+      (!command_configured_i || hall_2) ? command_configured_i : !config_source_i && has_method;
+  wire start_config_method = !WITH_RAMP || config_start_method_i;
+  wire start_config_method_2 = WITH_FOLLOWER && start_config_method;
 
   wire [2:0] hall_sector;
   wire hall_legal;
@@ -212,7 +212,7 @@ module six_step_top #(
       .u_i(hall_2 ? synchroniser_hall_u : synchroniser_comparator_u),
       .v_i(hall_2 ? synchroniser_hall_v : synchroniser_comparator_v),
       .w_i(hall_2 ? synchroniser_hall_w : synchroniser_comparator_w),
-      .hold_i(words_bemf_blanking_i),
+      .hold_i(config_bemf_blanking_i),
       .sector_o(hall_sector),
       .legal_o(hall_legal),
       .moved_o(hall_moved),
@@ -247,10 +247,10 @@ module six_step_top #(
       .steady_i(steady),
       .step_i(divided_step),
       .reverse_i(reverse),
-      .sample_every_i(words_bemf_sample_every_i),
-      .look_i(words_start_look_i),
-      .probe_i(words_start_probe_i),
-      .still_i(words_start_still_i),
+      .sample_every_i(config_bemf_sample_every_i),
+      .look_i(config_start_look_i),
+      .probe_i(config_start_probe_i),
+      .still_i(config_start_still_i),
       .drive_o(rotor_drive),
       .load_o(rotor_load),
       .step_o(rotor_step),
@@ -262,7 +262,7 @@ module six_step_top #(
       .blocked_o(rotor_blocked)
   );
 
-  wire [2:0] hall_step_choice = (hall_sector < 3'd3) ? 3'd3 : 3'd5;  // line 135
+  wire [2:0] hall_step_by_hall_sector = (hall_sector < 3'd3) ? 3'd3 : 3'd5;  // line 135
 
   wire [3:0] start_state;
   wire [3:0] start_reason;
@@ -292,26 +292,26 @@ module six_step_top #(
       .command_reverse_i(command_reverse_i),
       .command_brake_to_stop_i(command_brake_to_stop_i),
       .command_clear_fault_i(command_clear_fault_i),
-      .source_i(words_source_i),
-      .words_method_i(start_words_method_2),
-      .words_pre_align_i(words_start_pre_align_i),
-      .words_align_i(words_start_align_i),
-      .words_align_duty_i(words_start_align_duty_i),
-      .words_start_duty_i(words_start_start_duty_i),
-      .words_ramp_i(words_start_ramp_i),
-      .words_look_i(words_start_look_i),
-      .words_probe_i(words_start_probe_i),
-      .words_still_i(words_start_still_i),
-      .words_hand_over_i(words_start_hand_over_i),
-      .words_window_i(words_start_window_i),
-      .words_good_crossings_i(words_start_good_crossings_i),
-      .words_pull_in_i(words_start_pull_in_i),
-      .words_detect_spin_i(words_start_detect_spin_i),
-      .words_slow_down_i(words_start_slow_down_i),
-      .words_brake_i(words_start_brake_i),
-      .words_brake_duty_i(words_start_brake_duty_i),
-      .words_retry_delay_i(words_start_retry_delay_i),
-      .words_retries_i(words_start_retries_i),
+      .source_i(config_source_i),
+      .config_method_i(start_config_method_2),
+      .config_pre_align_i(config_start_pre_align_i),
+      .config_align_i(config_start_align_i),
+      .config_align_duty_i(config_start_align_duty_i),
+      .config_start_duty_i(config_start_start_duty_i),
+      .config_ramp_i(config_start_ramp_i),
+      .config_look_i(config_start_look_i),
+      .config_probe_i(config_start_probe_i),
+      .config_still_i(config_start_still_i),
+      .config_hand_over_i(config_start_hand_over_i),
+      .config_window_i(config_start_window_i),
+      .config_good_crossings_i(config_start_good_crossings_i),
+      .config_pull_in_i(config_start_pull_in_i),
+      .config_detect_spin_i(config_start_detect_spin_i),
+      .config_slow_down_i(config_start_slow_down_i),
+      .config_brake_i(config_start_brake_i),
+      .config_brake_duty_i(config_start_brake_duty_i),
+      .config_retry_delay_i(config_start_retry_delay_i),
+      .config_retries_i(config_start_retries_i),
       .fast_i(fast),
       .slow_i(slow),
       .commutate_i(divided_commutate),
@@ -351,7 +351,7 @@ module six_step_top #(
       .failed_o(start_failed)
   );
 
-  wire [2:0] hall_step = start_reverse ? hall_sector + hall_step_choice : hall_sector;
+  wire [2:0] hall_step = start_reverse ? hall_sector + hall_step_by_hall_sector : hall_sector;
   wire [2:0] step = hall_2 ? hall_step : divided_step;
 
   wire bemf_crossing;
@@ -369,10 +369,10 @@ module six_step_top #(
       .commutate_i(divided_commutate || rotor_restart),
       .chop_i(chop),
       .phase_i(divided_phase),
-      .words_sampling_i(words_bemf_sampling_i),
-      .words_blanking_i(words_bemf_blanking_i),
-      .words_sample_every_i(words_bemf_sample_every_i),
-      .words_samples_i(words_bemf_samples_i),
+      .config_sampling_i(config_bemf_sampling_i),
+      .config_blanking_i(config_bemf_blanking_i),
+      .config_sample_every_i(config_bemf_sample_every_i),
+      .config_samples_i(config_bemf_samples_i),
       .crossing_o(bemf_crossing),
       .crossing_phase_o(bemf_crossing_phase),
       .before_seen_o(bemf_before_seen),
@@ -397,10 +397,10 @@ module six_step_top #(
       .changed_i(follow ? rotor_changed : hall_moved),
       .elapsed_i(divided_elapsed),
       .phase_i(divided_phase),
-      .detector_i(words_loop_detector_i),
-      .expected_i(words_loop_expected_i),
-      .lead_error_i(words_loop_lead_error_i),
-      .window_i(words_start_window_i),
+      .detector_i(config_loop_detector_i),
+      .expected_i(config_loop_expected_i),
+      .lead_error_i(config_loop_lead_error_i),
+      .window_i(config_start_window_i),
       .error_o(detector_error),
       .update_o(detector_update),
       .good_o(detector_good),
@@ -423,18 +423,18 @@ module six_step_top #(
       .error_i(detector_error),
       .update_i(detector_update),
       .tick_i(tick),
-      .ramp_i(words_start_ramp_i),
+      .ramp_i(config_start_ramp_i),
       .backoff_i(start_backoff),
-      .bandwidth_i(words_loop_bandwidth_i),
-      .delay_i(words_loop_delay_i >> words_loop_divide_i),
-      .ki_i(words_loop_ki_i),
-      .kp_i(words_loop_kp_i),
-      .pole_i(words_loop_pole_i),
-      .scale_i(words_loop_scale_i),
-      .minimum_i(words_loop_minimum_i),
-      .maximum_i(words_loop_maximum_i),
-      .hand_over_i(words_start_hand_over_i),
-      .stall_i(words_protection_stall_i),
+      .bandwidth_i(config_loop_bandwidth_i),
+      .delay_i(config_loop_delay_i >> config_loop_divide_i),
+      .ki_i(config_loop_ki_i),
+      .kp_i(config_loop_kp_i),
+      .alpha_i(config_loop_alpha_i),
+      .scale_i(config_loop_scale_i),
+      .minimum_i(config_loop_minimum_i),
+      .maximum_i(config_loop_maximum_i),
+      .hand_over_i(config_start_hand_over_i),
+      .stall_i(config_protection_stall_i),
       .frequency_o(filter_frequency),
       .fast_o(filter_fast),
       .slow_o(filter_slow),
@@ -448,7 +448,7 @@ module six_step_top #(
       .rst(rst),
       .enable_i(start_turn_vco),
       .load_i(load),
-      .half_i(start_load_step && words_loop_divide_i == 2'd0),
+      .half_i(start_load_step && config_loop_divide_i == 2'd0),
       .frequency_i(filter_frequency),
       .phase_o(vco_phase),
       .pulse_o(vco_pulse)
@@ -466,22 +466,22 @@ module six_step_top #(
       .mode_i(start_mode),
       .fixed_duty_i(start_duty),
       .frequency_i(filter_frequency),
-      .target_i(start_stop ? 26'd0 : words_speed_target_i),
+      .target_i(start_stop ? 26'd0 : config_speed_target_i),
       .limited_i(limited || unknown),
       .masked_lead_i(masked_lead),
       .freewheels_i(freewheels),
-      .period_i(words_pwm_period_i),
-      .slip_i(words_protection_slip_i),
-      .words_target_i(words_speed_target_i),
-      .words_slew_i(words_speed_slew_i),
-      .words_shift_i(words_speed_shift_i),
-      .words_kp_i(words_speed_kp_i),
-      .words_ki_i(words_speed_ki_i),
-      .words_bemf_i(words_speed_bemf_i),
-      .words_loaded_i(words_speed_loaded_i),
-      .words_minimum_i(words_speed_minimum_i),
-      .words_maximum_i(words_speed_maximum_i),
-      .words_duty_slew_i(words_speed_duty_slew_i),
+      .period_i(config_pwm_period_i),
+      .slip_i(config_protection_slip_i),
+      .config_target_i(config_speed_target_i),
+      .config_slew_i(config_speed_slew_i),
+      .config_shift_i(config_speed_shift_i),
+      .config_kp_i(config_speed_kp_i),
+      .config_ki_i(config_speed_ki_i),
+      .config_bemf_i(config_speed_bemf_i),
+      .config_loaded_i(config_speed_loaded_i),
+      .config_minimum_i(config_speed_minimum_i),
+      .config_maximum_i(config_speed_maximum_i),
+      .config_duty_slew_i(config_speed_duty_slew_i),
       .duty_o(speed_duty),
       .on_clocks_o(speed_on_clocks),
       .slips_o(speed_slips)
@@ -494,10 +494,10 @@ module six_step_top #(
       .clk(clk),
       .rst(rst),
       .on_clocks_i(speed_on_clocks),
-      .period_i(words_pwm_period_i),
-      .minimum_i(words_pwm_minimum_i),
-      .centred_i(words_pwm_centred_i),
-      .tick_periods_i(words_pwm_tick_periods_i),
+      .period_i(config_pwm_period_i),
+      .minimum_i(config_pwm_minimum_i),
+      .centred_i(config_pwm_centred_i),
+      .tick_periods_i(config_pwm_tick_periods_i),
       .on_o(pwm_on),
       .start_o(unused_pwm_start),
       .tick_o(pwm_tick)
@@ -513,8 +513,8 @@ module six_step_top #(
       .on_i(pwm_on),
       .comparator_i(synchroniser_limit),
       .fast_i(start_running || (follow && !rotor_sure)),
-      .words_blanking_i(words_limit_blanking_i),
-      .words_off_time_i(words_limit_off_time_i),
+      .config_blanking_i(config_limit_blanking_i),
+      .config_off_time_i(config_limit_off_time_i),
       .on_o(limit_on),
       .cut_o(limit_cut),
       .hit_o(limit_hit),
@@ -539,7 +539,7 @@ module six_step_top #(
       .legs_wh_i(hall_2 ? hall_step[2] && !hall_step[1] : legs_wh),
       .legs_wl_i(hall_2 ? hall_step_minus_one[2:1] == 2'd0 : legs_wl),
       .chop_i(limit_on),
-      .complementary_i(words_pwm_complementary_i),
+      .complementary_i(config_pwm_complementary_i),
       .uh_o(commutation_uh),
       .ul_o(commutation_ul),
       .vh_o(commutation_vh),
@@ -569,12 +569,12 @@ module six_step_top #(
       .fault_pin_i(synchroniser_fault),
       .hall_i(hall_2),
       .hall_illegal_i(!hall_legal),
-      .words_misses_i(words_protection_misses_i),
-      .words_stall_i(words_protection_stall_i),
-      .words_slip_i(words_protection_slip_i),
-      .words_freewheel_i(words_protection_freewheel_i),
-      .words_wrong_lock_i(words_protection_wrong_lock_i),
-      .words_over_current_i(words_protection_over_current_i),
+      .config_misses_i(config_protection_misses_i),
+      .config_stall_i(config_protection_stall_i),
+      .config_slip_i(config_protection_slip_i),
+      .config_freewheel_i(config_protection_freewheel_i),
+      .config_wrong_lock_i(config_protection_wrong_lock_i),
+      .config_over_current_i(config_protection_over_current_i),
       .lost_o(protection_lost),
       .fatal_o(protection_fatal),
       .reason_o(protection_reason),
@@ -598,8 +598,8 @@ module six_step_top #(
       .request_wl_i(commutation_wl),
       .enable_i(start_enable && command_configured),
       .fault_i(synchroniser_fault),
-      .dead_time_i(words_pwm_dead_time_i),
-      .minimum_i((words_pwm_minimum_i[13:8] == 6'd0) ? words_pwm_minimum_i[7:0] : 8'd255),
+      .dead_time_i(config_pwm_dead_time_i),
+      .minimum_i((config_pwm_minimum_i[13:8] == 6'd0) ? config_pwm_minimum_i[7:0] : 8'd255),
       .uh_o(guard_uh),
       .ul_o(guard_ul),
       .vh_o(guard_vh),
@@ -639,7 +639,7 @@ module six_step_top #(
       .rst(rst),
       .pulse_i(vco_pulse),
       .phase_i(vco_phase),
-      .divide_i(words_loop_divide_i),
+      .divide_i(config_loop_divide_i),
       .reverse_i(start_reverse),
       .hold_i(hold),
       .load_i(load),
@@ -659,7 +659,7 @@ module six_step_top #(
   wire [2:0] step_minus_one = step_2 - 3'd1;  // commutation.hpp:43
 
   always_ff @(posedge clk) begin
-    still <= words_speed_target_i == 26'd0;  // line 174
+    still <= config_speed_target_i == 26'd0;  // line 174
     tick <= pwm_tick;
     chop <= limit_on;
     limited <= limit_hit;

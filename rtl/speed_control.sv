@@ -11,7 +11,7 @@
 //     slips      = duty > slip + (loaded frequency >> shift)    more than any right lock takes
 //
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose mean voltage equals the
-// back-EMF (kAboveBemf: the current stays the same while the rotor speeds up), or less that one (kBelowBemf: a brake, likewise).
+// back-EMF (kFeedForwardDrive: the current stays the same while the rotor speeds up), or less that one (kFeedForwardBrake).
 // Integral and reference follow, so that control begins without a jump, after a start as after catching a rotor.  It begins once
 // more that way where a rotor has come down to a lower target: it coasts, and what the integral lost in vain meanwhile would
 // take it far below.
@@ -42,23 +42,23 @@ module speed_control (
     input  logic        freewheels_i,  // freewheeling took 15/32 of the last step, or more
     input  logic [13:0] period_i,  // clocks per PWM period
     input  logic [15:0] slip_i,  // u1.15, above what speed and commutation take
-    input  logic [25:0] words_target_i,  // u0.32
-    input  logic [19:0] words_slew_i,  // u0.32 per tick
-    input  logic [3:0]  words_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
-    input  logic [15:0] words_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
-    input  logic [15:0] words_ki_i,  // u0.16 per tick
-    input  logic [15:0] words_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
-    input  logic [15:0] words_loaded_i,  // u4.12: the same, and of commutating the largest current
-    input  logic [15:0] words_minimum_i,
-    input  logic [15:0] words_maximum_i,
-    input  logic [11:0] words_duty_slew_i,  // u1.15 per tick
+    input  logic [25:0] config_target_i,  // u0.32
+    input  logic [19:0] config_slew_i,  // u0.32 per tick
+    input  logic [3:0]  config_shift_i,  // speeds are normalised: frequency >> shift fits 15 bits
+    input  logic [15:0] config_kp_i,  // u4.12: duty per normalised speed error (s1.15 against u1.15)
+    input  logic [15:0] config_ki_i,  // u0.16 per tick
+    input  logic [15:0] config_bemf_i,  // u4.12: duty of mean voltage equal to the back-EMF, per speed
+    input  logic [15:0] config_loaded_i,  // u4.12: the same, and of commutating the largest current
+    input  logic [15:0] config_minimum_i,
+    input  logic [15:0] config_maximum_i,
+    input  logic [11:0] config_duty_slew_i,  // u1.15 per tick
     output logic [15:0] duty_o,  // u1.15
     output logic [13:0] on_clocks_o,  // clocks of on-time per period
     output logic        slips_o  // in speed control: more than slip above what the speed takes
 );
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
-  localparam logic [1:0] SpeedMode_kBelowBemf = 2'd3;
+  localparam logic [1:0] SpeedMode_kFeedForwardBrake = 2'd3;
   localparam logic [4:0] Stage_kIdle = 5'd0;
   localparam logic [4:0] Stage_kSlew = 5'd1;
   localparam logic [4:0] Stage_kReach = 5'd2;
@@ -116,9 +116,9 @@ module speed_control (
   logic at_high;  // integral or duty wanted to be higher than they may
   logic at_low;  // or lower
 
-  wire [26:0] multiplicand_choice =  // line 124
+  wire [26:0] multiplicand_by_of_error =  // line 124
       of_error ? reference[26:0] : {11'd0, at_bits[Stage_kOnClocks] ? duty : 16'd0};
-  wire [26:0] multiplicand_choice_2 =  // line 127
+  wire [26:0] multiplicand_by_of_error_2 =  // line 127
       of_error ? ~{1'b0, frequency_i} : {1'b0, at_bits[Stage_kOnClocks] ? 26'd0 : frequency_i};
   wire [16:0] at_bits_next_so_far = {at_bits[15:0], at_bits[Stage_kOnClocks]};  // line 96
 
@@ -130,12 +130,12 @@ module speed_control (
       .clk(clk),
       .rst(rst),
       .start_i(starts),
-      .a_i(multiplicand_choice + multiplicand_choice_2),
-      .b_i(at_bits[Stage_kBemf] ? (control ? words_loaded_i : words_bemf_i) :
-        at_bits[Stage_kIntegral] ? words_ki_i :
-        at_bits[Stage_kProportional] ? words_kp_i :
+      .a_i(multiplicand_by_of_error + multiplicand_by_of_error_2),
+      .b_i(at_bits[Stage_kBemf] ? (control ? config_loaded_i : config_bemf_i) :
+        at_bits[Stage_kIntegral] ? config_ki_i :
+        at_bits[Stage_kProportional] ? config_kp_i :
         {2'd0, period_i}),
-      .shift_i(at_bits[Stage_kOnClocks] ? 4'd0 : words_shift_i),
+      .shift_i(at_bits[Stage_kOnClocks] ? 4'd0 : config_shift_i),
       .product_o(multiplier_product),
       .done_o(multiplier_done),
       .busy_o(unused_multiplier_busy),
@@ -150,7 +150,7 @@ module speed_control (
   wire resumes_next = (control || !at_bits[Stage_kDuty]) && integrated_choice;  // line 217
   wire resumes_next_and_mode_is_control = resumes_next && mode_i == SpeedMode_kControl;  // line 217
   wire presets_next = at_bits[Stage_kIdle] ? resumes_next_and_mode_is_control : presets;
-  wire [16:0] at_bits_next_choice =
+  wire [16:0] at_bits_next_by_control =
       control ? at_bits_next_so_far :
       at_bits[Stage_kBemf] ? 17'd1 << Stage_kUp :
       (presets_next || !at_bits[Stage_kUp]) ? at_bits_next_so_far :
@@ -159,37 +159,37 @@ module speed_control (
   wire at_high_2 = at_high || (high_was && !below);
   wire [15:0] duty_next = at_bits[Stage_kDuty] ? (work[20] ? 16'd0 : work[15:0]) : duty;
   wire falls_2 = !at_bits[Stage_kProportional] || yields;
-  wire [13:0] slew = {2'd0, words_duty_slew_i} << fast;
+  wire [13:0] slew = {2'd0, config_duty_slew_i} << fast;
   wire held_next = integrated ? limited : held;
-  wire [13:0] moved_choice =  // line 238
+  wire [13:0] moved_by_falls =  // line 238
       falls_2 ? ~slew :
       held_next ? 14'd0 :
       slew;
-  wire [17:0] moved_2 = {2'd0, duty_next} + {{4{moved_choice[13]}}, moved_choice};
+  wire [17:0] moved_2 = {2'd0, duty_next} + {{4{moved_by_falls[13]}}, moved_by_falls};
   wire [16:0] bound_choice =  // line 196
       (!(at_bits[Stage_kUp] || at_bits[Stage_kHigh]) && !at_bits[Stage_kDown]) ?
       {1'b0, duty_next} : moved;
-  wire [16:0] bound_choice_2 =  // line 196
+  wire [16:0] bound_by_control =  // line 196
       control ? bound_choice :
-      presets_next ? (at_bits[Stage_kUp] ? {1'b0, words_maximum_i} : bound_choice) :
-      at_bits[Stage_kBemf] ? {1'b0, words_maximum_i} :
+      presets_next ? (at_bits[Stage_kUp] ? {1'b0, config_maximum_i} : bound_choice) :
+      at_bits[Stage_kBemf] ? {1'b0, config_maximum_i} :
       bound_choice;
-  wire [16:0] bound_choice_3 =  // line 196
-      !(at_bits[Stage_kProportional] || at_bits[Stage_kWholeLow]) ? bound_choice_2 :
-      {1'b0, words_maximum_i};
+  wire [16:0] bound_choice_2 =  // line 196
+      !(at_bits[Stage_kProportional] || at_bits[Stage_kWholeLow]) ? bound_by_control :
+      {1'b0, config_maximum_i};
   wire [16:0] bound =  // line 196
-      (!at_bits[Stage_kWhole] && !(control && at_bits[Stage_kDown])) ? bound_choice_3 :
-      {1'b0, words_minimum_i};
+      (!at_bits[Stage_kWhole] && !(control && at_bits[Stage_kDown])) ? bound_choice_2 :
+      {1'b0, config_minimum_i};
   wire [28:0] not_lower_sum = {1'b0, reference ^ 28'h8000000} + {2'd0, not_target} + 29'd1;
-  wire asks_next_either = held_next || at_high || (!addend[33] && addend[32:18] != 15'd0);
+  wire asks_next_if_in_add = held_next || at_high || (!addend[33] && addend[32:18] != 15'd0);
   wire in_bemf_and_starts = at_bits[Stage_kBemf] && starts;  // line 214
   wire falls_and_not_passes = falls && !passes;  // line 214
-  wire fast_next = (at_bits[Stage_kAdd] ? asks_next_either : asks) && freewheels_i;  // line 240
+  wire fast_next = (at_bits[Stage_kAdd] ? asks_next_if_in_add : asks) && freewheels_i;  // line 240
 
   always_ff @(posedge clk) begin
     if (at_bits[Stage_kIdle]) begin
       if (tick_i) begin
-        at_bits <= at_bits_next_choice;
+        at_bits <= at_bits_next_by_control;
       end
       falls <= not_lower_sum[28];
       rises <= !(not_lower_sum[28] || held_next);
@@ -198,7 +198,7 @@ module speed_control (
       logic multiplies;
       multiplies = !(of_error || at_bits[Stage_kOnClocks]) && !at_bits[Stage_kBemf];
       if (multiplies || multiplier_done) begin
-        at_bits <= at_bits_next_choice;
+        at_bits <= at_bits_next_by_control;
       end
     end
     of_error <= at_bits[Stage_kSlip] || at_bits[Stage_kWholeHigh] || (of_error && !multiplier_done);
@@ -208,7 +208,7 @@ module speed_control (
     control <= mode_i == SpeedMode_kControl && !presets_next;  // line 89
     whole <= at_bits[Stage_kProportional] || at_bits[Stage_kAdd];  // line 86
     alone <= mode_i == SpeedMode_kFixed || at_bits[Stage_kAdd];  // line 87
-    less <= mode_i == SpeedMode_kBelowBemf;  // line 88
+    less <= mode_i == SpeedMode_kFeedForwardBrake;  // line 88
     if (not_below_sum[21] ? high : low) begin
       if (sums) begin
         logic [17:0] base;
@@ -252,7 +252,7 @@ module speed_control (
     not_limit <= ~bound;  // line 196
     if (at_bits[Stage_kSlew]) begin
       logic [20:0] moved_3;
-      moved_3 = {1'b0, rises ? words_slew_i : 20'd0} | (falls ? ~{1'b0, words_slew_i} : 21'd0);
+      moved_3 = {1'b0, rises ? config_slew_i : 20'd0} | (falls ? ~{1'b0, config_slew_i} : 21'd0);
       reference <= reference + {{7{moved_3[20]}}, moved_3};
     end else if (!at_bits[Stage_kReach] || control) begin
       if (passes) begin
@@ -286,32 +286,34 @@ module speed_control (
       limited <= !integrated && control;
     end
     if (at_bits[Stage_kAdd]) begin
-      asks <= asks_next_either;
+      asks <= asks_next_if_in_add;
       sums <= 1'b1;
       low <= 1'b1;
       high <= 1'b1;
     end else begin
-      logic high_next_choice;
-      logic at_bits_inverse;
-      logic at_bits_both_2;
+      logic high_next_by_presets_next;
+      logic multiplier_ends_and_in_bemf;
+      logic multiplier_ends_and_in_proportional;
       logic at_bits_either;
       logic at_bits_either_2;
-      high_next_choice =
+      high_next_by_presets_next =
           presets_next ? at_bits[Stage_kUp] : !control && multiplier_done && at_bits[Stage_kBemf];
-      at_bits_inverse = !(!multiplier_ends || !at_bits[Stage_kBemf]);
-      at_bits_both_2 = multiplier_ends && at_bits[Stage_kProportional];  // line 204
-      at_bits_either = at_bits_both_2 || at_bits[Stage_kWhole] || at_bits[Stage_kDown];  // line 205
-      at_bits_either_2 = at_bits_inverse || (at_bits_either && at_bits_both_2);
+      multiplier_ends_and_in_bemf = !(!multiplier_ends || !at_bits[Stage_kBemf]);
+      multiplier_ends_and_in_proportional = multiplier_ends && at_bits[Stage_kProportional];
+      at_bits_either =  // line 205
+          multiplier_ends_and_in_proportional || at_bits[Stage_kWhole] || at_bits[Stage_kDown];
+      at_bits_either_2 =
+          multiplier_ends_and_in_bemf || (at_bits_either && multiplier_ends_and_in_proportional);
       sums <= at_bits_either_2;
       low <=
-          at_bits_inverse ||
+          multiplier_ends_and_in_bemf ||
           at_bits_either ||
           (control && at_bits[Stage_kUp]) ||
           (presets_next && multiplier_done && at_bits[Stage_kBemf]);
       high <=
           at_bits_either_2 || at_bits[Stage_kWholeLow] ||
           at_bits[Stage_kHigh] || (multiplier_done && at_bits[Stage_kProportional]) ||
-          high_next_choice;
+          high_next_by_presets_next;
     end
     if (in_bemf_and_starts) begin
       far <= falls_and_not_passes;
@@ -373,5 +375,5 @@ module speed_control (
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, words_target_i, multiplier_product[42:32], not_below_sum[20:0], not_lower_sum[27:0]};
+      &{1'b0, config_target_i, multiplier_product[42:32], not_below_sum[20:0], not_lower_sum[27:0]};
 endmodule

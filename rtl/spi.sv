@@ -78,9 +78,9 @@ module spi (
           logic headed_choice;
           headed_choice = headed ? shift[15] : write;  // line 69
           if ((headed_choice ? 3'd6 : 3'd2) == bits[5:3]) begin
-            logic miso_next_either;
-            miso_next_either = bits[2:0] == 3'd1 || bits[2:0] == 3'd3 || bits[2:0] == 3'd4;
-            miso <= miso_next_either || bits[2:0] == 3'd6 || (bits[2:0] == 3'd5 && reply_error_i);
+            logic miso_next_so_far;
+            miso_next_so_far = bits[2:0] == 3'd1 || bits[2:0] == 3'd3 || bits[2:0] == 3'd4;
+            miso <= miso_next_so_far || bits[2:0] == 3'd6 || (bits[2:0] == 3'd5 && reply_error_i);
           end else begin
             miso <= !headed_choice && bits[5:3] > 3'd2 && bits != 6'd56 && reply_bit_i;
           end

@@ -26,12 +26,12 @@ module spi_adc (
     input  logic        rst,  // synchronous, active high
     input  logic        sample_i,  // strobe: hold now
     input  logic        miso_i,  // pin, from the ADC's DOUT
-    input  logic [5:0]  words_half_i,  // clocks of half an sclk period; 0: off
-    input  logic [7:0]  words_quiet_i,  // clocks of cs_n high between frames; less than 4 counts as 4
-    input  logic [2:0]  words_u_i,  // channel of the current of phase u
-    input  logic [2:0]  words_v_i,  // channel of the current of phase v
-    input  logic [2:0]  words_dc_i,  // channel of the dc voltage
-    input  logic        words_twice_i,  // the range is twice the reference, not once
+    input  logic [5:0]  config_half_i,  // clocks of half an sclk period; 0: off
+    input  logic [7:0]  config_quiet_i,  // clocks of cs_n high between frames; less than 4 counts as 4
+    input  logic [2:0]  config_u_i,  // channel of the current of phase u
+    input  logic [2:0]  config_v_i,  // channel of the current of phase v
+    input  logic [2:0]  config_dc_i,  // channel of the dc voltage
+    input  logic        config_twice_i,  // the range is twice the reference, not once
     output logic        cs_n_o,  // pin
     output logic        sclk_o,  // pin, to SCLK; high between frames
     output logic        mosi_o,  // pin, to DIN
@@ -70,7 +70,7 @@ module spi_adc (
   logic missed;
   logic error;
 
-  wire rests = !selected && left == 8'd0 && words_half_i != 6'd0;
+  wire rests = !selected && left == 8'd0 && config_half_i != 6'd0;
   wire out_ready = rests && frame == Frame_kU;
 
   logic [2:0] frame_choice;
@@ -86,101 +86,105 @@ module spi_adc (
 
   wire counts = frame == Frame_kU || frame == Frame_kV || frame == Frame_kDc;
   wire [2:0] channel =  // line 107
-      (frame == Frame_kU) ? words_u_i :
-      (frame == Frame_kV) ? words_v_i :
-      words_dc_i;
-  wire [3:0] channel_wide = {1'b0, channel};  // line 107
-  wire error_next_unequal = answer[15:12] != channel_wide;  // line 114
+      (frame == Frame_kU) ? config_u_i :
+      (frame == Frame_kV) ? config_v_i :
+      config_dc_i;
+  wire [3:0] wide_channel = {1'b0, channel};  // line 107
+  wire error_next_unequal = answer[15:12] != wide_channel;  // line 114
   wire not_whole_or_error_next = !whole || (whole && counts && error_next_unequal);  // line 115
-  wire [2:0] whole_choice = not_whole_or_error_next ? (whole ? Frame_kWake : frame) : frame_choice;
+  wire [2:0] whole_by_not_whole_or_error_next =
+      not_whole_or_error_next ? (whole ? Frame_kWake : frame) : frame_choice;
   wire falls_2 = !rests && left == 8'd0 && selected && !half[0];
 
   always_ff @(posedge clk) begin
     if (rests) begin
-      if (whole_choice != Frame_kU || sample_i) begin
-        frame <= whole_choice;
+      if (whole_by_not_whole_or_error_next != Frame_kU || sample_i) begin
+        frame <= whole_by_not_whole_or_error_next;
       end else begin
         frame <= Frame_kU;
       end
     end else if (left == 8'd0 && !selected) begin
       frame <= Frame_kWake;
     end else begin
-      frame <= whole_choice;
+      frame <= whole_by_not_whole_or_error_next;
     end
     if (left == 8'd0) begin
-      if (!selected && words_half_i != 6'd0) begin
+      if (!selected && config_half_i != 6'd0) begin
         logic [7:0] left_next_sum;
-        left_next_sum = {1'b0, words_half_i, 1'b0} - 8'd1;  // line 80
+        left_next_sum = {1'b0, config_half_i, 1'b0} - 8'd1;  // line 80
         if (sample_i) begin
           selected <= 1'b1;
           half <= 5'd0;
           left <= left_next_sum;
           mosi <= 1'b1;
         end else begin
-          selected <= whole_choice != Frame_kU;
-          if (whole_choice != Frame_kU) begin
+          selected <= whole_by_not_whole_or_error_next != Frame_kU;
+          if (whole_by_not_whole_or_error_next != Frame_kU) begin
             half <= 5'd0;
             left <= left_next_sum;
           end
-          mosi <= whole_choice != Frame_kU || mosi;
+          mosi <= whole_by_not_whole_or_error_next != Frame_kU || mosi;
         end
       end else begin
         selected <= selected && half != 5'd31;
         if (selected) begin
           case (half)
             5'd31: begin
-              if (words_quiet_i[7:2] == 6'd0) begin
+              if (config_quiet_i[7:2] == 6'd0) begin
                 left <= 8'd3;
               end else begin
-                left <= words_quiet_i - 8'd1;
+                left <= config_quiet_i - 8'd1;
               end
             end
             default: begin
-              logic [6:0] words_half_minus_one;
-              logic [7:0] words_half_minus_one_wide;
+              logic [6:0] config_half_minus_one;
+              logic [7:0] wide_config_half_minus_one;
               logic [2:0] address;
-              logic mosi_next_either;
-              words_half_minus_one = {1'b0, words_half_i} - 7'd1;  // line 93
-              words_half_minus_one_wide = {words_half_minus_one[6], words_half_minus_one};
+              logic mosi_next_so_far;
+              config_half_minus_one = {1'b0, config_half_i} - 7'd1;  // line 93
+              wide_config_half_minus_one = {config_half_minus_one[6], config_half_minus_one};
               address =
-                  (whole_choice != Frame_kU && whole_choice != Frame_kV) ? words_u_i :
-                  (whole_choice == Frame_kU) ? words_v_i :
-                  words_dc_i;
-              mosi_next_either = whole_choice == Frame_kWake || whole_choice == Frame_kWakeAgain;
+                  (whole_by_not_whole_or_error_next != Frame_kU &&
+                  whole_by_not_whole_or_error_next != Frame_kV) ? config_u_i :
+                  (whole_by_not_whole_or_error_next == Frame_kU) ? config_v_i :
+                  config_dc_i;
+              mosi_next_so_far =
+                  whole_by_not_whole_or_error_next == Frame_kWake ||
+                  whole_by_not_whole_or_error_next == Frame_kWakeAgain;
               case (half)
                 5'd1, 5'd3, 5'd15, 5'd17, 5'd23, 5'd25, 5'd27, 5'd29: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
-                  mosi <= mosi_next_either;
+                  left <= wide_config_half_minus_one;
+                  mosi <= mosi_next_so_far;
                 end
                 5'd5: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
-                  mosi <= mosi_next_either || address[2];
+                  left <= wide_config_half_minus_one;
+                  mosi <= mosi_next_so_far || address[2];
                 end
                 5'd7: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
-                  mosi <= mosi_next_either || address[1];
+                  left <= wide_config_half_minus_one;
+                  mosi <= mosi_next_so_far || address[1];
                 end
                 5'd9: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
-                  mosi <= mosi_next_either || address[0];
+                  left <= wide_config_half_minus_one;
+                  mosi <= mosi_next_so_far || address[0];
                 end
                 5'd11, 5'd13, 5'd21: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
+                  left <= wide_config_half_minus_one;
                   mosi <= 1'b1;
                 end
                 5'd19: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
-                  mosi <= mosi_next_either || !words_twice_i;
+                  left <= wide_config_half_minus_one;
+                  mosi <= mosi_next_so_far || !config_twice_i;
                 end
                 default: begin
                   half <= half + 5'd1;
-                  left <= words_half_minus_one_wide;
+                  left <= wide_config_half_minus_one;
                 end
               endcase
             end
@@ -225,7 +229,7 @@ module spi_adc (
       end
       Frame_kDc: begin
         logic right;
-        right = answer[15:12] == channel_wide;
+        right = answer[15:12] == wide_channel;
         valid <= whole && right;
         error <= whole && error_next_unequal;
       end

@@ -32,25 +32,25 @@ module start_counters (
     input  logic        good_i,  // with `update`: it is a small one
     input  logic        turns_reverse_i,  // while a spin is detected: the code last moved downwards
     input  logic        hopeful_i,  // a follower has seen the rotor move, as it now believes it does
-    input  logic        words_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
-    input  logic [11:0] words_align_i,  // alignment pattern: t_r of Eq. (22)
-    input  logic [15:0] words_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
-    input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
-    input  logic [15:0] words_look_i,  // sample_every clocks, less one, with gates off until no current flows
-    input  logic [15:0] words_probe_i,  // sample_every clocks of a drive between two looks
-    input  logic [7:0]  words_still_i,  // looks without news after which the step moves on
-    input  logic [25:0] words_hand_over_i,  // f_a: fast enough for the PLL
-    input  logic [15:0] words_window_i,  // u0.16: a crossing closer than this to its place is a good one
-    input  logic [5:0]  words_good_crossings_i,  // in a row, for lock (and for catching)
-    input  logic [11:0] words_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
-    input  logic [11:0] words_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
-    input  logic [11:0] words_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_retry_delay_i,  // gates off between a failure and the next attempt
-    input  logic [3:0]  words_retries_i,  // failed attempts before the fault latches
+    input  logic        config_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] config_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] config_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] config_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
+    input  logic [15:0] config_start_duty_i,  // during acceleration and pull-in
+    input  logic [19:0] config_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
+    input  logic [15:0] config_look_i,  // sample_every clocks, less one, with gates off until no current flows
+    input  logic [15:0] config_probe_i,  // sample_every clocks of a drive between two looks
+    input  logic [7:0]  config_still_i,  // looks without news after which the step moves on
+    input  logic [25:0] config_hand_over_i,  // f_a: fast enough for the PLL
+    input  logic [15:0] config_window_i,  // u0.16: a crossing closer than this to its place is a good one
+    input  logic [5:0]  config_good_crossings_i,  // in a row, for lock (and for catching)
+    input  logic [11:0] config_pull_in_i,  // time limit from hand-over to lock
+    input  logic [11:0] config_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] config_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
+    input  logic [11:0] config_brake_i,  // one braking interval, between two looks
+    input  logic [15:0] config_brake_duty_i,  // from which the back-EMF's is taken
+    input  logic [11:0] config_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  config_retries_i,  // failed attempts before the fault latches
     output logic        timed_out_o,  // with `tick`: the state's time
     output logic        count_reached_o,  // good crossings in a row, the last one in the clock before
     output logic        steady_o,  // one less, at least
@@ -89,47 +89,48 @@ module start_counters (
   wire out_timed_out = tick_i && time_up && !entered_i;
   wire [1:0] backoff = (retries[3:2] == 2'd0) ? retries[1:0] : 2'd3;  // line 149
   wire tick_or_late = tick_i || late;  // line 99
-  wire time_up_next_either = follows == 14'd0 || (follows[11:0] == 12'd4095 && !hopes);  // line 63
+  wire follows_is_zero_or_verdict_and_not_hopes =  // line 63
+      follows == 14'd0 || (follows[11:0] == 12'd4095 && !hopes);
   wire [1:0] quarter = follows[11:10];
-  wire words_retries_at_most_retries = words_retries_i <= retries;  // line 121
+  wire config_retries_at_most_retries = config_retries_i <= retries;  // line 121
   wire [6:0] good_plus_one = {1'b0, good} + 7'd1;  // line 140
 
   always_ff @(posedge clk) begin
     if (entered_i) begin
-      logic [14:0] ticks_next_wide;
+      logic [14:0] ticks_next_so_far;
       logic [14:0] once;
       logic [14:0] doubled_if_in_pre_align;
-      logic [14:0] ticks_next_either;
+      logic [14:0] ticks_next_so_far_2;
       logic [14:0] once_2;
       logic [14:0] doubled_if_in_align;
-      logic [14:0] ticks_next_either_2;
-      logic [14:0] ticks_next_either_3;
-      logic [14:0] ticks_next_either_4;
+      logic [14:0] ticks_next_so_far_3;
+      logic [14:0] ticks_next_so_far_4;
+      logic [14:0] ticks_next_so_far_5;
       logic [12:0] once_3;
       logic [14:0] doubled_if_in_accelerate;
-      ticks_next_wide =  // line 85
+      ticks_next_so_far =  // line 85
           {3'd0,
-          (state_bits_i[State_kDetectSpin] ? words_detect_spin_i : 12'd0) |
-          (state_bits_i[State_kBrake] ? words_brake_i : 12'd0)};
-      once = {3'd0, words_pre_align_i} << backoff[0];
+          (state_bits_i[State_kDetectSpin] ? config_detect_spin_i : 12'd0) |
+          (state_bits_i[State_kBrake] ? config_brake_i : 12'd0)};
+      once = {3'd0, config_pre_align_i} << backoff[0];
       doubled_if_in_pre_align =  // line 84
           state_bits_i[State_kPreAlign] ? (backoff[1] ? {once[12:0], 2'd0} : once) : 15'd0;
-      ticks_next_either = ticks_next_wide | doubled_if_in_pre_align;  // line 85
-      once_2 = {3'd0, words_align_i} << backoff[0];
+      ticks_next_so_far_2 = ticks_next_so_far | doubled_if_in_pre_align;  // line 85
+      once_2 = {3'd0, config_align_i} << backoff[0];
       doubled_if_in_align =  // line 84
           state_bits_i[State_kAlign] ? (backoff[1] ? {once_2[12:0], 2'd0} : once_2) : 15'd0;
-      ticks_next_either_2 = ticks_next_either | doubled_if_in_align;  // line 86
-      ticks_next_either_3 =  // line 88
-          ticks_next_either_2 | {3'd0, state_bits_i[State_kPullIn] ? words_pull_in_i : 12'd0} |
-          {3'd0, state_bits_i[State_kSlowDown] ? words_slow_down_i : 12'd0};
-      ticks_next_either_4 =  // line 89
-          ticks_next_either_3 |
-          {3'd0, state_bits_i[State_kRetryDelay] ? words_retry_delay_i : 12'd0} |
+      ticks_next_so_far_3 = ticks_next_so_far_2 | doubled_if_in_align;  // line 86
+      ticks_next_so_far_4 =  // line 88
+          ticks_next_so_far_3 | {3'd0, state_bits_i[State_kPullIn] ? config_pull_in_i : 12'd0} |
+          {3'd0, state_bits_i[State_kSlowDown] ? config_slow_down_i : 12'd0};
+      ticks_next_so_far_5 =  // line 89
+          ticks_next_so_far_4 |
+          {3'd0, state_bits_i[State_kRetryDelay] ? config_retry_delay_i : 12'd0} |
           {4'd0, state_bits_i[State_kRun], 10'd0};
       once_3 = backoff[0] ? 13'd8190 : 13'd4095;
       doubled_if_in_accelerate =  // line 84
           state_bits_i[State_kAccelerate] ? (backoff[1] ? {once_3, 2'd0} : {2'd0, once_3}) : 15'd0;
-      ticks <= ticks_next_either_4 | doubled_if_in_accelerate;
+      ticks <= ticks_next_so_far_5 | doubled_if_in_accelerate;
       time_up <= 1'b0;
       good <= 6'd0;
       count_reached <= 1'b0;
@@ -137,8 +138,8 @@ module start_counters (
       if (tick_or_late && ticks != 15'd0) begin
         ticks <= ticks - 15'd1;
       end
-      if (words_method_i && state_bits_i[State_kAccelerate]) begin
-        time_up <= time_up_next_either;
+      if (config_method_i && state_bits_i[State_kAccelerate]) begin
+        time_up <= follows_is_zero_or_verdict_and_not_hopes;
       end else begin
         time_up <= ticks == 15'd0;
       end
@@ -173,7 +174,7 @@ module start_counters (
     end else begin
       logic ticks_2;
       ticks_2 = tick_or_late && !entered_i;
-      if (!(!ticks_2 || !words_method_i) &&
+      if (!(!ticks_2 || !config_method_i) &&
           state_bits_i[State_kAccelerate] && follows != 14'd0) begin
         follows <= follows - 14'd1;
       end
@@ -192,15 +193,17 @@ module start_counters (
       2'd2: hopes <= 1'b0;
       default: ;
     endcase
-    if (words_retries_at_most_retries || !words_method_i) begin
-      retries_exhausted <= words_retries_at_most_retries;
+    if (config_retries_at_most_retries || !config_method_i) begin
+      retries_exhausted <= config_retries_at_most_retries;
     end else begin
-      logic state_bits_choice;
-      state_bits_choice = state_bits_i[State_kAccelerate] ? time_up_next_either : ticks == 15'd0;
-      retries_exhausted <= state_bits_i[State_kAccelerate] && !entered_i && state_bits_choice;
+      logic state_bits_by_state;
+      state_bits_by_state =  // line 63
+          state_bits_i[State_kAccelerate] ? follows_is_zero_or_verdict_and_not_hopes :
+          ticks == 15'd0;
+      retries_exhausted <= state_bits_i[State_kAccelerate] && !entered_i && state_bits_by_state;
     end
     brakes_exhausted <= brakes == 8'd255;  // line 127
-    steady <= ({1'b0, words_good_crossings_i} <= good_plus_one);  // line 140
+    steady <= ({1'b0, config_good_crossings_i} <= good_plus_one);  // line 140
     if (rst) begin
       ticks <= 15'd0;
       late <= 1'b0;
@@ -226,10 +229,11 @@ module start_counters (
   assign brakes_exhausted_o = brakes_exhausted;
   assign turns_reverse_o = turns_reverse;
   assign backoff_o = backoff;
-  assign strong_o = retries[3:1] != 3'd0 && !words_method_i;
+  assign strong_o = retries[3:1] != 3'd0 && !config_method_i;
 
   // What nothing reads, for the linters.
   wire unused =
-      &{1'b0, state_bits_i[10], words_align_duty_i, words_start_duty_i, words_ramp_i, words_look_i,
-      words_probe_i, words_still_i, words_hand_over_i, words_window_i, words_brake_duty_i};
+      &{1'b0, state_bits_i[10], config_align_duty_i, config_start_duty_i, config_ramp_i,
+      config_look_i, config_probe_i, config_still_i, config_hand_over_i, config_window_i,
+      config_brake_duty_i};
 endmodule

@@ -29,7 +29,7 @@
 // Law: hls/six_step/start_sequence_law.hpp   Doc: docs/blocks/start_sequence.md   Test: tests/hls/start_sequence_test.cpp
 
 module start_sequence #(
-    parameter logic DETECTS_SPIN = 1'b1  // else kDetectSpin is left out, as with words.detect_spin = 0
+    parameter logic DETECTS_SPIN = 1'b1  // else kDetectSpin is left out, as with config.detect_spin = 0
 ) (
     input  logic        clk,
     input  logic        rst,  // synchronous, active high
@@ -40,25 +40,25 @@ module start_sequence #(
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
     input  logic        source_i,
-    input  logic        words_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
-    input  logic [11:0] words_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
-    input  logic [11:0] words_align_i,  // alignment pattern: t_r of Eq. (22)
-    input  logic [15:0] words_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
-    input  logic [15:0] words_start_duty_i,  // during acceleration and pull-in
-    input  logic [19:0] words_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
-    input  logic [15:0] words_look_i,  // sample_every clocks, less one, with gates off until no current flows
-    input  logic [15:0] words_probe_i,  // sample_every clocks of a drive between two looks
-    input  logic [7:0]  words_still_i,  // looks without news after which the step moves on
-    input  logic [25:0] words_hand_over_i,  // f_a: fast enough for the PLL
-    input  logic [15:0] words_window_i,  // u0.16: a crossing closer than this to its place is a good one
-    input  logic [5:0]  words_good_crossings_i,  // in a row, for lock (and for catching)
-    input  logic [11:0] words_pull_in_i,  // time limit from hand-over to lock
-    input  logic [11:0] words_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
-    input  logic [11:0] words_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
-    input  logic [11:0] words_brake_i,  // one braking interval, between two looks
-    input  logic [15:0] words_brake_duty_i,  // from which the back-EMF's is taken
-    input  logic [11:0] words_retry_delay_i,  // gates off between a failure and the next attempt
-    input  logic [3:0]  words_retries_i,  // failed attempts before the fault latches
+    input  logic        config_method_i,  // kRamp: pre-align, align, ramp; kFollow: look, probe, still
+    input  logic [11:0] config_pre_align_i,  // first pattern, so that a rotor opposite to the aligned position moves
+    input  logic [11:0] config_align_i,  // alignment pattern: t_r of Eq. (22)
+    input  logic [15:0] config_align_duty_i,  // kRamp: twice that from the third attempt on, and so start_duty; kFollow: until followed
+    input  logic [15:0] config_start_duty_i,  // during acceleration and pull-in
+    input  logic [19:0] config_ramp_i,  // u0.32 per tick: the VCO's acceleration; a quarter after each failed attempt
+    input  logic [15:0] config_look_i,  // sample_every clocks, less one, with gates off until no current flows
+    input  logic [15:0] config_probe_i,  // sample_every clocks of a drive between two looks
+    input  logic [7:0]  config_still_i,  // looks without news after which the step moves on
+    input  logic [25:0] config_hand_over_i,  // f_a: fast enough for the PLL
+    input  logic [15:0] config_window_i,  // u0.16: a crossing closer than this to its place is a good one
+    input  logic [5:0]  config_good_crossings_i,  // in a row, for lock (and for catching)
+    input  logic [11:0] config_pull_in_i,  // time limit from hand-over to lock
+    input  logic [11:0] config_detect_spin_i,  // time to look for a rotor that already spins; 0 skips it
+    input  logic [11:0] config_slow_down_i,  // time limit for slowing to hand-over speed before a reversal
+    input  logic [11:0] config_brake_i,  // one braking interval, between two looks
+    input  logic [15:0] config_brake_duty_i,  // from which the back-EMF's is taken
+    input  logic [11:0] config_retry_delay_i,  // gates off between a failure and the next attempt
+    input  logic [3:0]  config_retries_i,  // failed attempts before the fault latches
     input  logic        fast_i,  // the VCO's frequency is hand_over or more
     input  logic        slow_i,  // it is below stall
     input  logic        commutate_i,  // strobe: a new step began
@@ -114,9 +114,9 @@ module start_sequence #(
   localparam logic [3:0] State_kFault = 4'd10;
   localparam logic [2:0] Pattern_kDrive = 3'd1;
   localparam logic [1:0] SpeedMode_kFixed = 2'd0;
-  localparam logic [1:0] SpeedMode_kAboveBemf = 2'd1;
+  localparam logic [1:0] SpeedMode_kFeedForwardDrive = 2'd1;
   localparam logic [1:0] SpeedMode_kControl = 2'd2;
-  localparam logic [1:0] SpeedMode_kBelowBemf = 2'd3;
+  localparam logic [1:0] SpeedMode_kFeedForwardBrake = 2'd3;
   localparam logic [1:0] DetectorSource_kNone = 2'd0;
   localparam logic [1:0] DetectorSource_kCrossings = 2'd1;
   localparam logic [1:0] DetectorSource_kSectors = 2'd2;
@@ -165,25 +165,25 @@ module start_sequence #(
       .good_i(good_i),
       .turns_reverse_i(turns_reverse_i),
       .hopeful_i(moves_i),
-      .words_method_i(words_method_i),
-      .words_pre_align_i(words_pre_align_i),
-      .words_align_i(words_align_i),
-      .words_align_duty_i(words_align_duty_i),
-      .words_start_duty_i(words_start_duty_i),
-      .words_ramp_i(words_ramp_i),
-      .words_look_i(words_look_i),
-      .words_probe_i(words_probe_i),
-      .words_still_i(words_still_i),
-      .words_hand_over_i(words_hand_over_i),
-      .words_window_i(words_window_i),
-      .words_good_crossings_i(words_good_crossings_i),
-      .words_pull_in_i(words_pull_in_i),
-      .words_detect_spin_i(words_detect_spin_i),
-      .words_slow_down_i(words_slow_down_i),
-      .words_brake_i(words_brake_i),
-      .words_brake_duty_i(words_brake_duty_i),
-      .words_retry_delay_i(words_retry_delay_i),
-      .words_retries_i(words_retries_i),
+      .config_method_i(config_method_i),
+      .config_pre_align_i(config_pre_align_i),
+      .config_align_i(config_align_i),
+      .config_align_duty_i(config_align_duty_i),
+      .config_start_duty_i(config_start_duty_i),
+      .config_ramp_i(config_ramp_i),
+      .config_look_i(config_look_i),
+      .config_probe_i(config_probe_i),
+      .config_still_i(config_still_i),
+      .config_hand_over_i(config_hand_over_i),
+      .config_window_i(config_window_i),
+      .config_good_crossings_i(config_good_crossings_i),
+      .config_pull_in_i(config_pull_in_i),
+      .config_detect_spin_i(config_detect_spin_i),
+      .config_slow_down_i(config_slow_down_i),
+      .config_brake_i(config_brake_i),
+      .config_brake_duty_i(config_brake_duty_i),
+      .config_retry_delay_i(config_retry_delay_i),
+      .config_retries_i(config_retries_i),
       .timed_out_o(counters_timed_out),
       .count_reached_o(counters_count_reached),
       .steady_o(counters_steady),
@@ -194,22 +194,23 @@ module start_sequence #(
       .strong_o(counters_strong)
   );
 
-  wire [2:0] state_either =  // line 261
+  wire [2:0] state_so_far =  // line 261
       {1'b0, at_bits[State_kPreAlign] ? 2'd3 : at_bits[2:1]} | {at_bits[State_kAlign], 2'd0};
   wire [1:0] state_choice = at_bits[State_kPullIn] ? 2'd2 : 2'd0;  // line 261
-  wire [3:0] state_wide =  // line 261
+  wire [3:0] state_so_far_2 =  // line 261
       {1'b0,
-      state_either | (at_bits[State_kAccelerate] ? 3'd5 : 3'd0) | {state_choice[1], state_choice} |
+      state_so_far | (at_bits[State_kAccelerate] ? 3'd5 : 3'd0) | {state_choice[1], state_choice} |
       {3{at_bits[State_kRun]}}};
-  wire [3:0] state_either_2 =  // line 261
-      state_wide | {at_bits[State_kSlowDown], 3'd0} | (at_bits[State_kRetryDelay] ? 4'd9 : 4'd0);
-  wire follows_rotor = at_bits[State_kAccelerate] && words_method_i;
+  wire [3:0] state_so_far_3 =  // line 261
+      state_so_far_2 | {at_bits[State_kSlowDown], 3'd0} |
+      (at_bits[State_kRetryDelay] ? 4'd9 : 4'd0);
+  wire follows_rotor = at_bits[State_kAccelerate] && config_method_i;
   wire rests = follows_rotor && !follower_drives_i;
   wire [1:0] present_pattern_drive = (drives && !rests) ? 2'd1 << Pattern_kDrive : 2'd0;
   wire [4:0] present_pattern_so_far = {3'd0, present_pattern_drive | {1'b0, !enables || rests}};
-  wire [1:0] mode_choice =
-      (at_bits[State_kDetectSpin] || boosts) ? SpeedMode_kAboveBemf :
-      at_bits[State_kBrake] ? SpeedMode_kBelowBemf :
+  wire [1:0] mode_by_in_detect_spin_or_boosts =
+      (at_bits[State_kDetectSpin] || boosts) ? SpeedMode_kFeedForwardDrive :
+      at_bits[State_kBrake] ? SpeedMode_kFeedForwardBrake :
       SpeedMode_kFixed;
 
   wire [15:0] open_loop_duty;
@@ -218,14 +219,14 @@ module start_sequence #(
       .rst(rst),
       .state_bits_i(at_bits),
       .strong_i(counters_strong),
-      .follows_i(words_method_i),
+      .follows_i(config_method_i),
       .sure_i(sure_i),
       .fast_i(fast_i),
       .commutate_i(commutate_i),
       .lags_i(lags_i),
-      .align_duty_i(words_align_duty_i),
-      .start_duty_i(words_start_duty_i),
-      .brake_duty_i(words_brake_duty_i),
+      .align_duty_i(config_align_duty_i),
+      .start_duty_i(config_start_duty_i),
+      .brake_duty_i(config_brake_duty_i),
       .duty_o(open_loop_duty)
   );
 
@@ -237,18 +238,20 @@ module start_sequence #(
   wire runs_on = command_run_i && !still_i;  // line 212
   wire counters_turns_reverse_xor_reverse = counters_turns_reverse ^ reverse;  // line 219
   wire turns_on_either = !runs_on || counters_turns_reverse_xor_reverse;  // line 215
-  wire is_started_both = !(turns_on_either ? !fast_i : slow_i) && counters_count_reached;
-  wire request_both = turns_on_either && !(words_method_i && runs_on);  // line 116
+  wire not_is_started_and_counters_count_reached =  // line 104
+      !(turns_on_either ? !fast_i : slow_i) && counters_count_reached;
+  wire request_both = turns_on_either && !(config_method_i && runs_on);  // line 116
   wire count_reached =
-      (!at_bits[State_kDetectSpin] || request_both) ? counters_count_reached : is_started_both;
-  wire failed_next_either =  // line 196
+      (!at_bits[State_kDetectSpin] || request_both) ? counters_count_reached :
+      not_is_started_and_counters_count_reached;
+  wire failed_next_so_far =  // line 196
       (at_bits[State_kPullIn] && counters_timed_out && !count_reached) ||
       ((at_bits[State_kSlowDown] || at_bits[State_kRun]) && lost_i);
-  wire arrives = words_method_i ? caught_i : fast_i;  // line 116
+  wire arrives = config_method_i ? caught_i : fast_i;  // line 116
   wire not_in_accelerate_or_arrives = !at_bits[State_kAccelerate] || arrives;  // line 195
   wire counters_timed_out_or_blocked = counters_timed_out || blocked_i;  // line 116
-  wire failed_next_either_2 =  // line 116
-      (!not_in_accelerate_or_arrives && counters_timed_out_or_blocked) || failed_next_either;
+  wire failed_next_if_active =  // line 116
+      (!not_in_accelerate_or_arrives && counters_timed_out_or_blocked) || failed_next_so_far;
   wire fault_or_not_command_configured = at_bits[State_kFault] || !command_configured_i;
   wire command_brake_to_stop_or_still = command_brake_to_stop_i || still_i;  // line 183
   wire brakes =
@@ -256,67 +259,70 @@ module start_sequence #(
       command_brake_to_stop_or_still : at_bits[State_kBrake] || at_bits[State_kDetectSpin];
   wire halts = (!runs_on || refused) && !brakes;
   wire not_active = fault_or_not_command_configured || fatal_i || halts;  // line 188
-  wire failed_next = !not_active && failed_next_either_2;
+  wire failed_next = !not_active && failed_next_if_active;
   wire [9:0] at_bits_next_retry_delay =  // line 233
       (failed_next && !counters_retries_exhausted) ? 10'd1 << State_kRetryDelay : 10'd0;
   wire rearm = command_clear_fault_i && !clear_was && !(command_run_i || fatal_i);
   wire trips = command_configured_i && fatal_i;
   wire requests_trips = at_bits[State_kFault] ? !rearm : trips;
   wire command_reverse_xor_reverse = command_reverse_i ^ reverse;  // line 116
-  wire request_either = !runs_on || command_reverse_xor_reverse;  // line 116
+  wire request_or_command_reverse_xor_reverse = !runs_on || command_reverse_xor_reverse;
   wire braking_next_both =  // line 193
-      at_bits[State_kDetectSpin] && (request_both ? counters_count_reached : is_started_both) &&
+      at_bits[State_kDetectSpin] &&
+      (request_both ? counters_count_reached : not_is_started_and_counters_count_reached) &&
       turns_on_either;
-  wire braking_next_either =  // line 116
+  wire braking_next_if_active =  // line 116
       braking_next_both ||
-      (at_bits[State_kSlowDown] && !lost_i && request_either && (counters_timed_out || !fast_i));
-  wire braking_next = !not_active && braking_next_either;
+      (at_bits[State_kSlowDown] && !lost_i && request_or_command_reverse_xor_reverse &&
+      (counters_timed_out || !fast_i));
+  wire braking_next = !not_active && braking_next_if_active;
   wire [10:0] at_bits_next_fault =  // line 233
       (requests_trips || (braking_next && counters_brakes_exhausted) ||
       (failed_next && counters_retries_exhausted)) ? 11'd1 << State_kFault : 11'd0;
-  wire requests_attempt_both = at_bits[State_kRetryDelay] && counters_timed_out;  // line 192
+  wire in_retry_delay_and_counters_timed_out = at_bits[State_kRetryDelay] && counters_timed_out;
   wire detects_spin_and_not_source = DETECTS_SPIN && !source_i;  // line 166
-  wire looks_both = detects_spin_and_not_source && words_detect_spin_i != 12'd0;  // line 166
+  wire looks_both = detects_spin_and_not_source && config_detect_spin_i != 12'd0;  // line 166
   wire in_brake_and_counters_timed_out = at_bits[State_kBrake] && counters_timed_out;  // line 191
-  wire requests_attempt_choice =  // line 116
-      in_brake_and_counters_timed_out ? runs_on || looks_both || requests_attempt_both :
-      requests_attempt_both;
-  wire requests_attempt_either = at_bits[State_kIdle] || requests_attempt_choice;  // line 116
-  wire requests_attempt = !not_active && requests_attempt_either;
+  wire requests_attempt_unless_in_idle =  // line 116
+      in_brake_and_counters_timed_out ?
+      runs_on || looks_both || in_retry_delay_and_counters_timed_out :
+      in_retry_delay_and_counters_timed_out;
+  wire requests_attempt_if_active = at_bits[State_kIdle] || requests_attempt_unless_in_idle;
+  wire requests_attempt = !not_active && requests_attempt_if_active;
   wire [3:0] next_state_pre_align =  // line 251
-      (!requests_attempt || looks_both || source_i || words_method_i) ? 4'd0 :
+      (!requests_attempt || looks_both || source_i || config_method_i) ? 4'd0 :
       4'd1 << State_kPreAlign;
   wire [5:0] next_state_accelerate =  // line 252
-      (requests_attempt && !(looks_both || source_i) && words_method_i) ?
+      (requests_attempt && !(looks_both || source_i) && config_method_i) ?
       6'd1 << State_kAccelerate : 6'd0;
-  wire [5:0] next_state_pre_align_wide = {2'd0, next_state_pre_align};  // line 251
+  wire [5:0] wide_next_state_pre_align = {2'd0, next_state_pre_align};  // line 251
   wire [1:0] next_state_detect_spin =  // line 233
-      (requests_attempt && detects_spin_and_not_source && words_detect_spin_i != 12'd0) ?
+      (requests_attempt && detects_spin_and_not_source && config_detect_spin_i != 12'd0) ?
       2'd1 << State_kDetectSpin : 2'd0;
   wire requests_stops =
       fault_or_not_command_configured ? !at_bits[State_kFault] || rearm : halts && !fatal_i;
-  wire wanted_inverse = !(count_reached || counters_timed_out);
+  wire neither_count_reached_nor_counters_timed_out = !(count_reached || counters_timed_out);
   wire [1:0] wanted_detect_spin =
-      (DETECTS_SPIN && at_bits[State_kDetectSpin] && wanted_inverse) ? 2'd1 << State_kDetectSpin :
-      2'd0;
+      (DETECTS_SPIN && at_bits[State_kDetectSpin] && neither_count_reached_nor_counters_timed_out) ?
+      2'd1 << State_kDetectSpin : 2'd0;
   wire missed = at_bits[State_kDetectSpin] && !count_reached && counters_timed_out;
   wire gives_up =
       in_brake_and_counters_timed_out &&
-      !runs_on && (!DETECTS_SPIN || source_i || words_detect_spin_i == 12'd0);
+      !runs_on && (!DETECTS_SPIN || source_i || config_detect_spin_i == 12'd0);
   wire [2:0] wanted_brake =  // line 233
       (at_bits[State_kBrake] && !counters_timed_out) ? 3'd1 << State_kBrake : 3'd0;
   wire [2:0] wanted_so_far = {1'b0, wanted_detect_spin | {1'b0, (missed && !runs_on) || gives_up}};
   wire begins = missed && runs_on;
   wire [3:0] wanted_pre_align =  // line 233
-      ((words_method_i || begins) ? !words_method_i :
+      ((config_method_i || begins) ? !config_method_i :
       at_bits[State_kPreAlign] && !counters_timed_out) ? 4'd1 << State_kPreAlign : 4'd0;
   wire [4:0] wanted_align =  // line 233
-      (!words_method_i && (counters_timed_out ? at_bits[State_kPreAlign] : at_bits[State_kAlign])) ?
+      (!config_method_i && (counters_timed_out ? at_bits[State_kPreAlign] : at_bits[State_kAlign])) ?
       5'd1 << State_kAlign : 5'd0;
   wire [4:0] wanted_so_far_2 = {1'b0, {1'b0, wanted_so_far | wanted_brake} | wanted_pre_align};
   wire wanted_either = not_in_accelerate_or_arrives || counters_timed_out_or_blocked;
   wire [5:0] wanted_accelerate =
-      words_method_i ?
+      config_method_i ?
       (begins ? 6'd1 << State_kAccelerate :
       (!(at_bits[State_kAlign] || at_bits[State_kPreAlign]) &&
       (!at_bits[State_kAlign] || !counters_timed_out) && wanted_either) ? 6'd0 :
@@ -326,19 +332,21 @@ module start_sequence #(
       6'd1 << State_kAccelerate;
   wire [5:0] wanted_so_far_3 = {1'b0, wanted_so_far_2 | wanted_align};  // line 239
   wire [6:0] wanted_pull_in =  // line 242
-      ((at_bits[State_kAccelerate] && arrives) || (at_bits[State_kPullIn] && wanted_inverse)) ?
+      ((at_bits[State_kAccelerate] && arrives) ||
+      (at_bits[State_kPullIn] && neither_count_reached_nor_counters_timed_out)) ?
       7'd1 << State_kPullIn : 7'd0;
   wire caught =
       at_bits[State_kDetectSpin] && count_reached && runs_on && !counters_turns_reverse_xor_reverse;
   wire locks = at_bits[State_kPullIn] && count_reached;
   wire caught_or_locks = caught || locks;  // line 244
-  wire next_state_both = runs_on && !command_reverse_xor_reverse;  // line 244
+  wire runs_on_and_not_command_reverse_xor_reverse = runs_on && !command_reverse_xor_reverse;
   wire on = (at_bits[State_kSlowDown] || at_bits[State_kRun]) && !lost_i;
   wire [7:0] wanted_run =  // line 233
-      ((caught_or_locks || !on) ? caught_or_locks : next_state_both) ? 8'd1 << State_kRun : 8'd0;
+      ((caught_or_locks || !on) ? caught_or_locks : runs_on_and_not_command_reverse_xor_reverse) ?
+      8'd1 << State_kRun : 8'd0;
   wire [8:0] wanted_slow_down =  // line 245
-      (on && request_either && (at_bits[State_kRun] || (!counters_timed_out && fast_i))) ?
-      9'd1 << State_kSlowDown : 9'd0;
+      (on && request_or_command_reverse_xor_reverse &&
+      (at_bits[State_kRun] || (!counters_timed_out && fast_i))) ? 9'd1 << State_kSlowDown : 9'd0;
   wire [9:0] wanted_retry_delay =  // line 233
       (at_bits[State_kRetryDelay] && !counters_timed_out) ? 10'd1 << State_kRetryDelay : 10'd0;
   wire [9:0] wanted_so_far_4 =  // line 245
@@ -352,7 +360,7 @@ module start_sequence #(
   wire [7:0] next_state_run =  // line 250
       (requests_attempt && !looks_both && source_i) ? 8'd1 << State_kRun : 8'd0;
   wire [9:0] next_state_3 = next_state_2 | {2'd0, next_state_run};  // line 249
-  wire [9:0] next_state_so_far_2 = {4'd0, next_state_pre_align_wide | next_state_accelerate};
+  wire [9:0] next_state_so_far_2 = {4'd0, wide_next_state_pre_align | next_state_accelerate};
   wire [9:0] next_state_4 = next_state_so_far_2 | next_state_3;  // line 251
   wire [2:0] next_state_brake =  // line 233
       (braking_next && !counters_brakes_exhausted) ? 3'd1 << State_kBrake : 3'd0;
@@ -376,9 +384,9 @@ module start_sequence #(
     boosts <= boosts_next;  // line 137
     sectors <=
         next_state_2[State_kDetectSpin] || (runs && source_i) ||
-        (at_bits[State_kAccelerate] && next_state_4[State_kAccelerate] && words_method_i);
+        (at_bits[State_kAccelerate] && next_state_4[State_kAccelerate] && config_method_i);
     holds <= at_bits[State_kPullIn] && (tick_i ? boosted : holds);  // line 143
-    boosted <= at_bits[State_kPullIn] && (tick_i ? words_method_i : boosted);  // line 143
+    boosted <= at_bits[State_kPullIn] && (tick_i ? config_method_i : boosted);  // line 143
     tracks <= next_state[State_kPullIn] || (runs && !source_i);  // line 148
     if (began_next) begin
       entered <= 1'b1;
@@ -390,22 +398,22 @@ module start_sequence #(
             !(at_bits[State_kFault] || at_bits[State_kIdle]) ||
             (at_bits[State_kIdle] && trips) || (at_bits[State_kFault] && rearm);
       end else begin
-        logic entered_next_choice;
-        logic entered_next_choice_2;
-        logic entered_next_either;
-        logic entered_next_either_2;
+        logic entered_next_by_not_stop_or_lost;
+        logic entered_next_by_state;
+        logic entered_next_so_far;
+        logic entered_next_so_far_2;
         logic entered_next_inverse;
-        entered_next_choice =  // line 197
+        entered_next_by_not_stop_or_lost =  // line 197
             (!at_bits[State_kSlowDown] || lost_i) ? at_bits[State_kSlowDown] :
-            next_state_both || !fast_i;
-        entered_next_choice_2 =  // line 197
+            runs_on_and_not_command_reverse_xor_reverse || !fast_i;
+        entered_next_by_state =  // line 197
             at_bits[State_kRun] ?
-            lost_i || !runs_on || command_reverse_xor_reverse || entered_next_choice :
-            entered_next_choice;
-        entered_next_either =  // line 207
+            lost_i || !runs_on || command_reverse_xor_reverse || entered_next_by_not_stop_or_lost :
+            entered_next_by_not_stop_or_lost;
+        entered_next_so_far =  // line 207
             ((arrives || blocked_i) && at_bits[State_kAccelerate]) ||
-            (words_method_i && (at_bits[State_kAlign] || at_bits[State_kPreAlign]));
-        entered_next_either_2 = entered_next_either || entered_next_choice_2;  // line 197
+            (config_method_i && (at_bits[State_kAlign] || at_bits[State_kPreAlign]));
+        entered_next_so_far_2 = entered_next_so_far || entered_next_by_state;  // line 197
         entered_next_inverse =  // line 197
             !(!at_bits[State_kIdle] &&
             (!counters_timed_out ||
@@ -413,14 +421,14 @@ module start_sequence #(
         entered <=
             entered_next_inverse ||
             (count_reached && (at_bits[State_kPullIn] || at_bits[State_kDetectSpin])) ||
-            entered_next_either_2;
+            entered_next_so_far_2;
       end
       if (!at_bits[State_kFault]) begin
         logic command_configured_inverse;
         command_configured_inverse = !(!command_configured_i || fatal_i || halts);  // line 116
-        if ((command_configured_inverse && failed_next_either_2) ||
+        if ((command_configured_inverse && failed_next_if_active) ||
             at_bits_next[State_kFault]) begin
-          if (command_configured_inverse && braking_next_either) begin
+          if (command_configured_inverse && braking_next_if_active) begin
             reason <= Reason_kCannotStop;
           end else if (fatal_i || lost_i) begin
             reason <= cause_i;
@@ -430,13 +438,13 @@ module start_sequence #(
             reason <= Reason_kNoLock;
           end
         end
-        if (command_configured_inverse && requests_attempt_either) begin
+        if (command_configured_inverse && requests_attempt_if_active) begin
           reverse <= command_reverse_i;
         end
       end
     end
     braking <= braking_next;  // line 116
-    if (words_method_i) begin
+    if (config_method_i) begin
       if (at_bits[State_kAccelerate]) begin
         if (next_state[State_kPullIn] || !at_bits[State_kDetectSpin]) begin
           load_step <= next_state[State_kPullIn];
@@ -478,7 +486,7 @@ module start_sequence #(
     end
   end
 
-  assign state_o = state_either_2 | (at_bits[State_kFault] ? 4'd10 : 4'd0);
+  assign state_o = state_so_far_3 | (at_bits[State_kFault] ? 4'd10 : 4'd0);
   assign reason_o = reason;
   assign enable_o = enables;
   assign pattern_bits_o =
@@ -487,8 +495,8 @@ module start_sequence #(
   assign reverse_o = reverse;
   assign running_o = at_bits[State_kSlowDown] || at_bits[State_kRun];
   assign mode_o =
-      (!(at_bits[State_kSlowDown] || at_bits[State_kRun]) && !holds) ? mode_choice :
-      SpeedMode_kControl;
+      (!(at_bits[State_kSlowDown] || at_bits[State_kRun]) && !holds) ?
+      mode_by_in_detect_spin_or_boosts : SpeedMode_kControl;
   assign duty_o = open_loop_duty;
   assign stop_o = at_bits[State_kSlowDown];
   assign detector_source_o =
@@ -501,7 +509,7 @@ module start_sequence #(
       (at_bits[State_kDetectSpin] ? Loop_kCatchSpin : Loop_kFollow) : Loop_kHall) :
       at_bits[State_kBrake] ? Loop_kCatchSpin :
       tracks ? Loop_kTrack :
-      (at_bits[State_kAccelerate] && !words_method_i) ? Loop_kRamp :
+      (at_bits[State_kAccelerate] && !config_method_i) ? Loop_kRamp :
       Loop_kStop;
   assign load_step_o = load_step;
   assign step_o =

@@ -8,12 +8,15 @@
 namespace hlsgen {
 namespace {
 
-constexpr std::size_t kLongest = 34;  // characters of a name; beyond, the expression says more
 constexpr std::size_t kTerms = 3;
 constexpr std::array<const char*, 13> kNumbers = {"zero", "one", "two",   "three", "four", "five",  "six",
                                                   "seven", "eight", "nine", "ten", "eleven", "twelve"};
 
 bool starts_with(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
+
+// `_if_run`, of not_run `_unless_run`; and the other way about.
+std::string if_so(const std::string& when) { return starts_with(when, "not_") ? "_unless_" + when.substr(4) : "_if_" + when; }
+std::string if_not(const std::string& when) { return starts_with(when, "not_") ? "_if_" + when.substr(4) : "_unless_" + when; }
 
 }  // namespace
 
@@ -27,7 +30,7 @@ bool SpokenNames::is_zero(NodeId id) const { return m_.nodes[id].op == Op::kCons
 std::string SpokenNames::enumerator(int enumeration, std::uint64_t value) const {
   if (enumeration < 0) return {};
   for (const auto& [name, v] : m_.enumerations[enumeration].values)
-    if (v == value) return snake_case(name.size() > 1 && name[0] == 'k' ? name.substr(1) : name);
+    if (v == value) return constant_name(name);
   return {};
 }
 
@@ -50,7 +53,7 @@ std::string SpokenNames::one_of(const std::vector<NodeId>& ids) const {
   std::string all;
   for (const NodeId id : ids) {
     const Node& n = m_.nodes[id];
-    if (n.op != Op::kEq || !given_(id).empty() || n.in[0] != m_.nodes[ids[0]].in[0]) return {};
+    if (n.op != Op::kEq || plan_.wire[id] || n.in[0] != m_.nodes[ids[0]].in[0]) return {};
     const std::string value = given_(n.in[0]), other = compared_with(n.in[1], n.in[0]);
     if (value.empty() || other.empty()) return {};
     all += all.empty() ? value + "_is_" + other : "_or_" + other;
@@ -111,10 +114,7 @@ std::string SpokenNames::chosen(const Node& n) const {
   const std::string when = term(n.in[0]);
   if (when.empty()) return {};
   const std::string then = term(n.in[1]), otherwise = term(n.in[2]);
-  const auto only = [&](const std::string& value, bool set) {
-    const bool inverse = starts_with(when, "not_");
-    return value + (set != inverse ? "_if_" : "_unless_") + (inverse ? when.substr(4) : when);
-  };
+  const auto only = [&](const std::string& value, bool set) { return value + (set ? if_so(when) : if_not(when)); };
   if (!then.empty() && (!otherwise.empty() || is_zero(n.in[2]))) return only(then, true);
   if (!otherwise.empty() && m_.nodes[n.in[1]].op == Op::kConstant) return only(otherwise, false);
   return {};
@@ -135,7 +135,8 @@ std::string SpokenNames::joined(const std::vector<NodeId>& ids, const std::strin
   if (ids.size() > kTerms) return {};
   std::string all;
   for (const NodeId id : ids) {
-    const std::string one = term(id);
+    std::string one = term(id);
+    if (one.empty() && m_.nodes[id].op == Op::kAnd && between == "_or_") one = joined(flat(id), "_and_");  // binds closer
     if (one.empty()) return {};
     all += (all.empty() ? "" : between) + one;
   }
@@ -156,8 +157,16 @@ std::string SpokenNames::made(NodeId id) const {
     case Op::kNot: {
       const Node& inner = m_.nodes[n.in[0]];
       if (inner.op == Op::kOr && !plan_.wire[n.in[0]]) {
-        const std::string neither = joined(flat(n.in[0]), "_nor_");
-        return neither.empty() ? "" : "neither_" + neither;
+        const std::vector<NodeId> ids = flat(n.in[0]);
+        const std::string neither = joined(ids, "_nor_");
+        if (neither.empty()) return {};
+        std::string all;  // !(!run || !held) is run && held
+        for (const NodeId i : ids) {
+          const std::string one = term(i);
+          if (!starts_with(one, "not_")) return "neither_" + neither;
+          all += (all.empty() ? "" : "_and_") + inverted(one);
+        }
+        return all;
       }
       return term(id);
     }
@@ -168,7 +177,36 @@ std::string SpokenNames::made(NodeId id) const {
 
 std::string SpokenNames::of(NodeId id) const {
   const std::string name = made(id);
-  return name.size() > kLongest ? "" : name;
+  return name.size() > kLongestName ? "" : name;
+}
+
+std::string SpokenNames::role(NodeId id, NodeId reader) const {
+  const Node& r = m_.nodes[reader];
+  std::string role;
+  if (r.op == Op::kMux && r.in[1] != r.in[2] && r.in[0] != id) {
+    const std::string when = term(r.in[0]);
+    if (!when.empty()) role = r.in[1] == id ? if_so(when) : if_not(when);
+  } else if ((r.op == Op::kAnd || r.op == Op::kOr) && r.width == 1) {
+    const std::string when = term(r.in[0] == id ? r.in[1] : r.in[0]);
+    if (!when.empty()) role = r.op == Op::kAnd ? if_so(when) : if_not(when);
+  }
+  return role.size() > kLongestName / 2 ? "" : role;
+}
+
+std::string SpokenNames::selector(NodeId id) const {
+  const Node& n = m_.nodes[id];
+  if (n.op != Op::kMux) return {};
+  NodeId decides = n.in[0];
+  while (m_.nodes[decides].op == Op::kNot && given_(decides).empty()) decides = m_.nodes[decides].in[0];
+  const Node& d = m_.nodes[decides];
+  std::string name = given_(decides);
+  if (name.empty() && !d.in.empty()) {
+    const bool bit = d.op == Op::kSlice && d.width == 1 && sets_[d.in[0]] >= 0;
+    if (bit) name = snake_case(m_.enumerations[sets_[d.in[0]]].name);
+    else if (d.op == Op::kSlice || (d.in.size() == 2 && m_.nodes[d.in[1]].op == Op::kConstant)) name = given_(d.in[0]);
+    else name = made(decides);
+  }
+  return name.size() > kLongestName ? "" : name;
 }
 
 std::string SpokenNames::member(NodeId id, int set) const {

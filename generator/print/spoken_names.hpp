@@ -18,6 +18,8 @@
 
 namespace hlsgen {
 
+constexpr std::size_t kLongestName = 44;  // characters; beyond, the expression says more
+
 std::string inverted(const std::string& name);  // run -> not_run, and back
 
 class SpokenNames {
@@ -31,6 +33,12 @@ class SpokenNames {
 
   // Of a value that has one bit of a set or none: that bit's enumerator, as "pull_in"; else empty.
   std::string member(NodeId id) const { return sets_[id] < 0 ? "" : member(id, sets_[id]); }
+
+  // What a value is to the only one that reads it: `_if_run` of run && value, `_unless_run` of run ? 1'b0 : value; else empty.
+  std::string role(NodeId id, NodeId reader) const;
+
+  // Of a choice, what decides it: `mode` of mode == kRun ? a : b, the enumeration of a bit of a set; else empty.
+  std::string selector(NodeId id) const;
 
  private:
   std::string member(NodeId id, int set) const;

@@ -5,9 +5,13 @@
 //     what an output shows                        ->  the output's name, if it is free
 //     what a C++ function returned                ->  the function's name
 //     made of what has such names                 ->  run_and_not_held (spoken_names.hpp)
-//     one bit of a set, or what is gathered of it ->  <what it is for>_rest, <what it is for>_so_far
-//     one of these, extended                      ->  <its name>_wide
-//     what only one of these is made from         ->  <its name>_operator, as limit_choice
+//     one bit of a set                            ->  <what it is for>_rest
+//     what is gathered by OR                      ->  <what it is for>_so_far
+//     a choice                                    ->  <what it is for>_by_<what decides it>, as factor_by_stage
+//     what a condition lets through to one reader ->  <what it is for>_if_<condition>, or _unless_
+//     one of these, extended or cut               ->  wide_<its name>, <its name>_low, <its name>_top
+//     an entry of a table                         ->  entry_of_<table>
+//     what only one of these is made from         ->  <its name>_operator, as limit_sum
 //     what such a function works with             ->  <function>_operator, as limit_sum
 //     anything else                               ->  <the first name that it is made from>_operator
 //

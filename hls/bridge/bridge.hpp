@@ -27,7 +27,7 @@ struct Gates {
   bool operator==(const Gates&) const = default;
 };
 
-struct PwmWords {
+struct PwmConfig {
   Clocks period = 0;             // clocks; 0 keeps the high sides off; taken at the period's start
   Clocks minimum = 0;            // clocks; shorter on or off times become 0 % or 100 %
   bool centred = false;          // pulses centred in the period instead of at its start
@@ -36,7 +36,7 @@ struct PwmWords {
   UInt<8> tick_periods = 1;      // PWM periods per tick; 0 counts as 1
 };
 
-struct LimitWords {
+struct LimitConfig {
   UInt<8> blanking = 0;          // clocks after switch-on in which the comparator is not believed
   UInt<12> off_time = 0;         // clocks; 0 disables the current limit
 };

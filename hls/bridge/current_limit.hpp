@@ -26,7 +26,7 @@ class CurrentLimit {
     bool on = false;          // the PWM's pulse
     bool comparator = false;  // synchronised: current above the limit
     bool fast = false;        // while cut all gates are off
-    LimitWords words = {};
+    LimitConfig config = {};
   };
 
   struct Out {
@@ -40,9 +40,9 @@ class CurrentLimit {
     const Out out{.on = in.on && !cut_, .cut = cut_, .hit = hit_, .stuck = stuck_};
 
     const bool heard = in.on && none_;
-    const bool hit = heard && in.comparator && in.words.off_time != 0;
+    const bool hit = heard && in.comparator && in.config.off_time != 0;
     const bool cut_ends = cut_ && due_;
-    const UInt<12> off_time = in.fast ? wrap<UInt<12>>(in.words.off_time >> 2) : in.words.off_time;
+    const UInt<12> off_time = in.fast ? wrap<UInt<12>>(in.config.off_time >> 2) : in.config.off_time;
 
     if (cut_ends) {
       stuck_ = released_ || !in.comparator ? UInt<4>(0) : saturate<UInt<4>>(stuck_ + 1);
@@ -57,9 +57,9 @@ class CurrentLimit {
       due_ = off_time < 2;
       none_ = false;
     } else if (cut_ends || !(in.on || cut_)) {
-      left_ = in.words.blanking;
-      due_ = in.words.blanking < 2;
-      none_ = in.words.blanking == 0;
+      left_ = in.config.blanking;
+      due_ = in.config.blanking < 2;
+      none_ = in.config.blanking == 0;
     } else if (!heard) {
       due_ = due_ || left_ == 2;
       none_ = left_ == 1;

@@ -1,5 +1,5 @@
 // Drive registers: control, status, faults, interrupts, heartbeat watchdog and telemetry of a drive,
-// and the answer to every read; what words and constants say comes from WordRegisters.
+// and the answer to every read; what words and constants say comes from ConfigRegisters.
 //
 //     fault      sticky with its reason; a one re-arms the drive: `run` down, the cause gone
 //     watchdog   `period` ticks without a heartbeat while configured: all gates off, `run` cleared,

@@ -7,7 +7,7 @@
 //
 // A map is a class like SixStep (hls/bus/six_step_registers.hpp):
 //
-//     Words, Shown, State, Reason    the drive's words, what it shows, and its enumerations
+//     Config, Shown, State, Reason    the drive's words, what it shows, and its enumerations
 //     kSystemFields, kWordRows, kFields    the table: both parts, and all of it
 //     no_period(words)               the bridge could not be run with these
 //     kCopies, telemetry(shown)      the registers that a snapshot copies, from TELEMETRY_SPEED on
@@ -125,7 +125,7 @@ consteval auto system_fields(const DriveKind& drive) {
      "Drives on this bus, this one included: the map of each stands 0x100 behind the one before."},
     {"CAPABILITY", "ramp", 0x08, 19, 1, Access::kReadOnly, drive.ramp, "", "Starts by alignment and ramp."},
     {"CONTROL", "configured", 0x0c, 0, 1, Access::kReadWrite, 0, "",
-     "The words are valid; while 0 all six gates are off."},
+     "The configuration is valid; while 0 all six gates are off."},
     {"CONTROL", "run", 0x0c, 1, 1, Access::kReadWrite, 0, "",
      "Its rise starts a configured drive, which runs until 0 stops it.  The watchdog clears it."},
     {"CONTROL", "reverse", 0x0c, 2, 1, Access::kReadWrite, 0, "", "Direction of rotation."},
@@ -137,7 +137,7 @@ consteval auto system_fields(const DriveKind& drive) {
     {"STATUS", "reverse", 0x10, 9, 1, Access::kReadOnly, 0, "", "Direction of this attempt."},
     {"STATUS", "unlocked", 0x10, 10, 1, Access::kReadOnly, 0, "", "The lock is open."},
     {"STATUS", "stopped", 0x10, 11, 1, Access::kReadOnly, 1, "",
-     "Idle or in fault, and run is 0: words may be written."},
+     "Idle or in fault, and run is 0: the configuration may be written."},
     {"STATUS", "no_period", 0x10, 12, 1, Access::kReadOnly, 1, "", drive.no_period},
     {"FAULT", "drive", 0x14, 0, 1, Access::kWriteOneToClear, 0, "",
      "The drive latched a fault.  A one re-arms it, once run is 0 and the cause is gone, which an over-current is "

@@ -1,6 +1,6 @@
 // The sinusoidal drive behind its registers, for any bus: wires between the blocks, and little else.
 //
-//     request -> WordRegisters -> words -> SinusoidalTop -> gates
+//     request -> ConfigRegisters -> words -> SinusoidalTop -> gates
 //            \-> DriveRegisters <- status <----/
 //
 // The map is docs/sinusoidal_registers.md.  A sample is computed over many clocks, from `valid` to the
@@ -19,7 +19,7 @@
 
 #include "hls/bus/drive_registers.hpp"
 #include "hls/bus/sinusoidal_registers.hpp"
-#include "hls/bus/word_registers.hpp"
+#include "hls/bus/config_registers.hpp"
 #include "hls/sinusoidal/sinusoidal_top.hpp"
 
 namespace steplock {
@@ -44,18 +44,18 @@ class SinusoidalCsr {
   };
 
   Out tick(const In& in) {
-    const auto words = words_.tick(
+    const auto config = config_registers_.tick(
         {.request = in.request, .stopped = stopped_, .boundary = in.codes.valid && !busy_});
     const auto drive = drive_.tick({.fault = in.fault,
                                     .codes = in.codes,
                                     .command = command_,
-                                    .words = words.words});
+                                    .config = config.config});
     const auto registers = registers_.tick({.request = in.request,
-                                            .word = words.data,
-                                            .hole = words.hole,
-                                            .refused = words.refused,
-                                            .unlocked = words.unlocked,
-                                            .no_period = words.no_period,
+                                            .word = config.data,
+                                            .hole = config.hole,
+                                            .refused = config.refused,
+                                            .unlocked = config.unlocked,
+                                            .no_period = config.no_period,
                                             .tick = drive.sample && periods_ == 0,
                                             .drive = {.state = drive.state,
                                                       .reason = drive.reason,
@@ -88,7 +88,7 @@ class SinusoidalCsr {
   }
 
  private:
-  WordRegisters<Sinusoidal> words_;
+  ConfigRegisters<Sinusoidal> config_registers_;
   SinusoidalTop drive_;
   DriveRegisters<Sinusoidal> registers_;
 

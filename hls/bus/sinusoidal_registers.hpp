@@ -20,7 +20,7 @@ namespace steplock {
 // The shortest PWM period that is one: a sample fits it, and 1 / (3 period) its word, u0.25.
 inline constexpr int kShortestPeriod = SinusoidalLoop::kClocks + 2;
 static_assert(kShortestPeriod == 480, "STATUS.no_period says 480");
-static_assert((1 << 25) / (3 * kShortestPeriod) < 1 << decltype(BridgeWords::reciprocal)::width);
+static_assert((1 << 25) / (3 * kShortestPeriod) < 1 << decltype(BridgeConfig::reciprocal)::width);
 
 inline constexpr auto kSinusoidalSystemFields = joined(joined(
     system_fields(
@@ -62,7 +62,7 @@ static_assert(problem(kSinusoidalFields) == nullptr,
               "the register map breaks a rule: register_fields.hpp");
 
 struct Sinusoidal {
-  using Words = SinusoidalWords;
+  using Config = SinusoidalConfig;
   using State = SinusoidalState;
   using Reason = SinusoidalReason;
 
@@ -71,7 +71,7 @@ struct Sinusoidal {
   static constexpr const auto& kFields = kSinusoidalFields;
 
   // A sample would not be through before the next one.
-  static bool no_period(const Words& words) { return words.bridge.period < kShortestPeriod; }
+  static bool no_period(const Config& config) { return config.bridge.period < kShortestPeriod; }
 
   struct Shown {
     State state = State::kIdle;

@@ -1,6 +1,6 @@
 // The six-step drive behind its registers, for any bus: wires between the blocks, and nothing else.
 //
-//     request -> WordRegisters -> words -> SixStepTop -> gates
+//     request -> ConfigRegisters -> words -> SixStepTop -> gates
 //            \-> DriveRegisters <- status <-/
 //
 // The map is docs/six_step_registers.md.  A second PwmGenerator with the drive's own period runs in step
@@ -15,7 +15,7 @@
 
 #include "hls/bus/drive_registers.hpp"
 #include "hls/bus/six_step_registers.hpp"
-#include "hls/bus/word_registers.hpp"
+#include "hls/bus/config_registers.hpp"
 #include "hls/six_step/six_step_top.hpp"
 
 namespace steplock {
@@ -39,20 +39,20 @@ class SixStepCsr {
   };
 
   Out tick(const In& in) {
-    const auto words =
-        words_.tick({.request = in.request, .stopped = stopped_, .boundary = boundary_});
+    const auto config =
+        config_registers_.tick({.request = in.request, .stopped = stopped_, .boundary = boundary_});
     const auto pwm = pwm_.tick({.on_clocks = 0,
-                                .period = words.words.pwm.period,
+                                .period = config.config.pwm.period,
                                 .minimum = 0,
                                 .centred = false,
-                                .tick_periods = words.words.pwm.tick_periods});
-    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .command = command_, .words = words.words});
+                                .tick_periods = config.config.pwm.tick_periods});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .command = command_, .config = config.config});
     const auto registers = registers_.tick({.request = in.request,
-                                            .word = words.data,
-                                            .hole = words.hole,
-                                            .refused = words.refused,
-                                            .unlocked = words.unlocked,
-                                            .no_period = words.no_period,
+                                            .word = config.data,
+                                            .hole = config.hole,
+                                            .refused = config.refused,
+                                            .unlocked = config.unlocked,
+                                            .no_period = config.no_period,
                                             .tick = pwm.tick,
                                             .drive = {.state = drive.state,
                                                       .reason = drive.reason,
@@ -84,7 +84,7 @@ class SixStepCsr {
   }
 
  private:
-  WordRegisters<> words_;
+  ConfigRegisters<> config_registers_;
   PwmGenerator pwm_;  // of the drive's period alone, for its boundaries and ticks
   SixStepTop drive_;
   DriveRegisters<> registers_;

@@ -51,7 +51,7 @@ inline constexpr auto kFields = joined(kSystemFields, fields_of(kWordRows));
 static_assert(problem(kFields) == nullptr, "the register map breaks a rule: register_fields.hpp");
 
 struct SixStep {
-  using Words = steplock::Words;
+  using Config = SixStepConfig;
   using State = steplock::State;
   using Reason = steplock::Reason;
 
@@ -60,7 +60,7 @@ struct SixStep {
   static constexpr const auto& kFields = steplock::kFields;
 
   // The drive would hold a low side on, and its start would not end.
-  static bool no_period(const Words& words) { return words.pwm.period == Clocks(0); }
+  static bool no_period(const Config& config) { return config.pwm.period == Clocks(0); }
 
   struct Shown {
     State state = State::kIdle;

@@ -61,8 +61,8 @@ class Memory {
 
   Out tick(const In& in) {
     const Out out{data_};
-    if (in.read) data_ = words_[in.address.raw()];
-    Word& word = words_[in.write_address.raw()];
+    if (in.read) data_ = config_[in.address.raw()];
+    Word& word = config_[in.write_address.raw()];
     constexpr int kLane = Word::width / kLanes;
     for (int lane = 0; lane < kLanes; ++lane) {
       const Word mask = Word::of(UInt<kLane>::max().raw()) << lane * kLane;
@@ -72,7 +72,7 @@ class Memory {
   }
 
  private:
-  std::array<Word, Contents::kWords.size()> words_ = Contents::kWords;
+  std::array<Word, Contents::kWords.size()> config_ = Contents::kWords;
   Word data_ = 0;
 };
 

@@ -26,7 +26,7 @@
 
 namespace steplock {
 
-struct CurrentModelWords {
+struct CurrentModelConfig {
   UInt<15> decay = 0;    // u0.15, per sample
   UInt<15> gain = 0;     // u2.13, current per voltage
   UInt<15> k_e = 0;      // u2.13, voltage per current
@@ -37,14 +37,14 @@ struct CurrentModelWords {
 // e_c, which follows the EMF along delta.
 class FollowedEmf {
  public:
-  template <class Words>
-  Turned follow(const Observer::Seen& seen, const Words& words) {
+  template <class Config>
+  Turned follow(const Observer::Seen& seen, const Config& config) {
     const auto emf = wrap<Int<16>>(emf_ >> 12);
-    const auto delta = saturate<MovedCurrent>(seen.delta + driven(emf, words.gain));
-    emf_ = saturate<Emf>(emf_ - ((delta * words.k_e) >> 2));
-    const auto turned = wrap<Int<22>>(emf_ >> 6) * words.k_speed;
+    const auto delta = saturate<MovedCurrent>(seen.delta + driven(emf, config.gain));
+    emf_ = saturate<Emf>(emf_ - ((delta * config.k_e) >> 2));
+    const auto turned = wrap<Int<22>>(emf_ >> 6) * config.k_speed;
     return {.emf_step = saturate<Turn>((turned + (1 << 14)) >> 15),
-            .pull = wrap<Int<26>>((seen.gamma * words.k_theta + (1 << 6)) >> 7)};
+            .pull = wrap<Int<26>>((seen.gamma * config.k_theta + (1 << 6)) >> 7)};
   }
   void rest() { emf_ = 0; }
 
@@ -63,7 +63,7 @@ class CurrentModel {
     Int<16> i_v = 0;         // s0.15
     UInt<12> v_dc = 0;       // u0.12
     AppliedPattern pattern;  // of the interval that this sample ends
-    CurrentModelWords words;
+    CurrentModelConfig config;
   };
 
   using Out = Estimate;

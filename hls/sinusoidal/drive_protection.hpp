@@ -15,7 +15,7 @@
 
 #pragma once
 
-#include "hls/sinusoidal/words.hpp"
+#include "hls/sinusoidal/config.hpp"
 
 namespace steplock {
 
@@ -32,7 +32,7 @@ class DriveProtection {
     bool fast = false;          // fast enough for the EMF's test
     bool slow = false;
     bool plausible = false;     // the EMF belongs to the speed
-    FaultWords words;
+    FaultConfig config;
   };
 
   struct Out {
@@ -42,11 +42,11 @@ class DriveProtection {
 
   Out tick(const In& in) {
     const Out out{.fatal = fatal_, .failed = failed_};
-    const FaultWords& words = in.words;
+    const FaultConfig& config = in.config;
     // Of the counts as they stand, a clock after they changed: counting and comparing are a path each.
-    failed_ = words.saturated != 0 && saturated_ > words.saturated ? SinusoidalReason::kSaturated
-              : words.emf != 0 && emf_ > words.emf                 ? SinusoidalReason::kEmf
-              : words.slow != 0 && slow_ > words.slow              ? SinusoidalReason::kTooSlow
+    failed_ = config.saturated != 0 && saturated_ > config.saturated ? SinusoidalReason::kSaturated
+              : config.emf != 0 && emf_ > config.emf                 ? SinusoidalReason::kEmf
+              : config.slow != 0 && slow_ > config.slow              ? SinusoidalReason::kTooSlow
                                                                    : SinusoidalReason::kNone;
     if (in.restart) {
       fatal_ = SinusoidalReason::kNone;
@@ -62,7 +62,7 @@ class DriveProtection {
       slow_ = !in.locked ? Periods(0) : in.slow ? more(slow_) : less(slow_);
       fatal_ = in.over_current ? SinusoidalReason::kOverCurrent : SinusoidalReason::kNone;
     } else if (in.period && awaited_) {
-      if (words.lost_samples != 0 && lost_ + 1 >= words.lost_samples) {
+      if (config.lost_samples != 0 && lost_ + 1 >= config.lost_samples) {
         fatal_ = SinusoidalReason::kLostSample;
       } else {
         lost_ = saturate<UInt<4>>(lost_ + 1);

@@ -21,7 +21,7 @@
 
 namespace steplock {
 
-struct EstimatorWords {
+struct EstimatorConfig {
   bool voltage = false;  // the voltage model's estimate, else the current model's
   bool average = false;  // voltage model: the mean of 8 samples
   UInt<15> decay = 0;    // u0.15, per sample
@@ -36,10 +36,10 @@ struct EstimatorWords {
 // Both laws, side by side.
 class EitherLaw {
  public:
-  Turned follow(const Observer::Seen& seen, const EstimatorWords& words) {
-    const Turned by_current = emf_.follow(seen, words);
-    const Turned by_voltage = speed_.follow(seen, words);
-    return words.voltage ? by_voltage : by_current;
+  Turned follow(const Observer::Seen& seen, const EstimatorConfig& config) {
+    const Turned by_current = emf_.follow(seen, config);
+    const Turned by_voltage = speed_.follow(seen, config);
+    return config.voltage ? by_voltage : by_current;
   }
   void rest() {
     emf_.rest();
@@ -61,7 +61,7 @@ class Estimator {
     Int<16> i_v = 0;         // s0.15
     UInt<12> v_dc = 0;       // u0.12
     AppliedPattern pattern;  // of the interval that this sample ends
-    EstimatorWords words;
+    EstimatorConfig config;
   };
 
   using Out = Estimate;

@@ -56,7 +56,7 @@ class Observer {
   template <class In, class Law>
   Estimate sample(const In& in, Law& law) {
     const Seen seen = observe(in);
-    const Turned turned = law.follow(seen, in.words);
+    const Turned turned = law.follow(seen, in.config);
     const Turn turn = step(turned, in.edge);
     remember(in);
     if (!in.enable) {
@@ -75,15 +75,15 @@ class Observer {
         applied_voltage(in.pattern, sum_u, sum_v, in.v_dc + last_dc_);
 
     // i_u and i_u + 2 i_v, whose sqrt(1/3) is beta, in s0.16.
-    const auto free_u = free(in.i_u - last_u_, sum_u, in.words.decay);
-    const auto free_v = free(in.i_v - last_v_, sum_v, in.words.decay);
+    const auto free_u = free(in.i_u - last_u_, sum_u, in.config.decay);
+    const auto free_v = free(in.i_v - last_v_, sum_v, in.config.decay);
     const auto twice = saturate<Int<18>>(free_u + free_v + free_v);
-    const auto alpha = saturate<MovedCurrent>(free_u - driven(v_alpha, in.words.gain));
+    const auto alpha = saturate<MovedCurrent>(free_u - driven(v_alpha, in.config.gain));
     const auto beta = saturate<MovedCurrent>(((twice * kInverseRoot3 + (1 << 14)) >> 15) -
-                                             driven(v_beta, in.words.gain));
+                                             driven(v_beta, in.config.gain));
 
     // The step's last place is two of the angle's.
-    const Angle middle = wrap<Angle>(before_ + step_);
+    const Angle middle = wrap<Angle>(angle_ + step_);
     const auto [sine, cosine] = sine_cosine(middle.slice<23, 8>());
     return {.gamma = rounded(alpha * cosine + beta * sine),
             .delta = rounded(beta * cosine - alpha * sine)};
@@ -94,10 +94,10 @@ class Observer {
   // until the other is seen beyond the edge, and from there until the mean crosses zero; and an EMF
   // against the direction of -edge is no EMF.
   Turn step(const Turned& turned, Int<16> edge) {
-    const bool backward = wrap<Int<16>>(way_ >> 9) < (against_ ? Int<16>(0) : edge);
+    const bool backward = wrap<Int<16>>(mean_steps_ >> 9) < (reversed_ ? Int<16>(0) : edge);
     const bool trusted = edge == Int<16>(0);
-    against_ = !trusted && backward == edge.negative();
-    const bool mistaken = !trusted && !against_ && turned.emf_step.negative() != backward;
+    reversed_ = !trusted && backward == edge.negative();
+    const bool mistaken = !trusted && !reversed_ && turned.emf_step.negative() != backward;
     const Turn emf_step = mistaken ? Turn(0) : turned.emf_step;
     return saturate<Turn>(backward ? emf_step - turned.pull : emf_step + turned.pull);
   }
@@ -110,17 +110,17 @@ class Observer {
     last_dc_ = in.v_dc;
   }
   void rest(Angle at) {
-    before_ = at;
+    angle_ = at;
     step_ = 0;
-    way_ = 0;
-    against_ = false;
+    mean_steps_ = 0;
+    reversed_ = false;
   }
   // The angle at this sample.
   Angle go_on(Turn step) {
-    before_ = wrap<Angle>(before_ + step_ + step_);
+    angle_ = wrap<Angle>(angle_ + step_ + step_);
     step_ = step;
-    way_ = wrap<Int<25>>(way_ - (way_ >> 5) + step);
-    return before_;
+    mean_steps_ = wrap<Int<25>>(mean_steps_ - (mean_steps_ >> 5) + step);
+    return angle_;
   }
 
   static constexpr Int<16> kInverseRoot3 = 18919;  // s0.15
@@ -138,10 +138,10 @@ class Observer {
   Int<16> last_u_ = 0;   // s0.15, at the interval's begin
   Int<16> last_v_ = 0;   // s0.15
   UInt<12> last_dc_ = 0; // u0.12
-  Angle before_ = 0;     // u0.24, theta_c at the last sample
+  Angle angle_ = 0;      // u0.24, theta_c at the last sample
   Turn step_ = 0;        // s-4.23
-  Int<25> way_ = 0;      // s-4.28, 32 mean steps
-  bool against_ = false;  // turning against the direction of -edge
+  Int<25> mean_steps_ = 0;  // s-4.28, 32 mean steps
+  bool reversed_ = false;  // turning against the direction of -edge
 };
 
 }  // namespace steplock

@@ -28,7 +28,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/sinusoidal/words.hpp"
+#include "hls/sinusoidal/config.hpp"
 
 namespace steplock {
 
@@ -43,7 +43,7 @@ class PilotPulses {
     bool over = false;      // a current in it is beyond its limit: with `waiting`, `decayed`
     Int<16> i_gamma = 0;    // s0.15, of that sample or of `a` and `b`, seen from `angle`
     bool backward = false;  // i_delta of the same is negative
-    PilotWords words;
+    PilotConfig config;
   };
 
   struct Out {
@@ -61,7 +61,7 @@ class PilotPulses {
   };
 
   Out tick(const In& in) {
-    const PilotWords& words = in.words;
+    const PilotConfig& config = in.config;
     const bool shorts = phase_ == Phase::kShort;
     const bool idle = !pulsing_ && !peak_ && !due_;
     const Out out{.pulse = pulsing_,
@@ -83,11 +83,11 @@ class PilotPulses {
 
     if (in.sampled && due_) {
       a_ = wrap<Int<16>>(a_ + in.i_gamma);
-      shorts ? next_short(words) : next_long();
+      shorts ? next_short(config) : next_long();
     } else if (in.sampled && phase_ == Phase::kSearch) {
       search(in);
     } else if (phase_ == Phase::kJudge && ready_) {
-      judge(words);
+      judge(config);
     } else if (in.sampled && idle) {
       ready_ = quiet_ && !in.over;
       quiet_ = !in.over;
@@ -126,7 +126,7 @@ class PilotPulses {
     if (peak_) failed_ = SinusoidalReason::kLostSample;
     if (!pulsing_) {
       pulsing_ = ready_ && phase_ != Phase::kFound && failed_ == SinusoidalReason::kNone;
-      left_ = shorts ? in.words.short_periods : in.words.long_periods;
+      left_ = shorts ? in.config.short_periods : in.config.long_periods;
       if (ready_) quiet_ = false;
       ready_ = false;
     } else if ((left_ >> 1) == 0) {
@@ -138,7 +138,7 @@ class PilotPulses {
   }
 
   // u, u reversed, v, v reversed, w, w reversed, so many times.
-  void next_short(const PilotWords& words) {
+  void next_short(const PilotConfig& config) {
     const bool turn = reversed_ && winding_ == 2;
     if (reversed_) winding_ = turn ? UInt<2>(0) : wrap<UInt<2>>(winding_ + 1);
     reversed_ = !reversed_;
@@ -147,7 +147,7 @@ class PilotPulses {
     const Int<16> sum = a_;  // of this round's part; the other's turn
     a_ = b_;
     b_ = sum;
-    if (round_ == words.rounds) {
+    if (round_ == config.rounds) {
       phase_ = Phase::kSearch;
       angle_ = 1 << (kSteps - 1);
       step_ = 1 << (kSteps - 1);
@@ -160,7 +160,7 @@ class PilotPulses {
     angle_ = sure | (step_ >> 1);
     step_ = step_ >> 1;
     if (step_ != 0) return;
-    if (in.i_gamma < in.words.saliency) failed_ = SinusoidalReason::kNoSaliency;
+    if (in.i_gamma < in.config.saliency) failed_ = SinusoidalReason::kNoSaliency;
     phase_ = Phase::kLong;
     a_ = 0;
     round_ = 0;
@@ -176,8 +176,8 @@ class PilotPulses {
     round_ = 1;
   }
 
-  void judge(const PilotWords& words) {
-    const bool along = (words.polarity - a_).negative(), against = (words.polarity + a_).negative();
+  void judge(const PilotConfig& config) {
+    const bool along = (config.polarity - a_).negative(), against = (config.polarity + a_).negative();
     if (against) angle_ = angle_ | (1 << kSteps);
     if (along || against) {
       phase_ = Phase::kFound;

@@ -30,15 +30,15 @@ struct PilotPulsesLaw {
   SinusoidalReason failed = SinusoidalReason::kNone;
 
   template <class Peak, class SeenFrom>
-  void find(const PilotWords& words, const Peak& peak, const SeenFrom& seen) {
+  void find(const PilotConfig& config, const Peak& peak, const SeenFrom& seen) {
     // The sum of e^(ja) i over all six directions a leaves 6 Delta I_o e^(2j theta).
     Int<16> u = 0, v = 0;  // s0.15, modulo: its part along u from even rounds, along v from odd ones
-    for (int round = 0; round < int(words.rounds.raw()); ++round) {
+    for (int round = 0; round < int(config.rounds.raw()); ++round) {
       const int along = round % 2;
       Int<16>& part = along == 0 ? u : v;
       for (const int winding : {0, 1, 2}) {
         for (const bool reversed : {false, true}) {
-          const Pulse pulse{winding, reversed, int(words.short_periods.raw())};
+          const Pulse pulse{winding, reversed, int(config.short_periods.raw())};
           part = wrap<Int<16>>(part + peak(pulse, direction(along - winding, reversed)));
         }
       }
@@ -51,20 +51,20 @@ struct PilotPulsesLaw {
       sum = seen(u, v, Angle(tried) << 12);
       if (!sum.backward) angle = tried;
     }
-    if (sum.along < words.saliency) {
+    if (sum.along < config.saliency) {
       failed = SinusoidalReason::kNoSaliency;
       return;
     }
 
     // Along the direction nearest to theta, and back: the current that strengthens the magnet is the greater one.
-    Pulse pulse = nearest(int(words.long_periods.raw()));
+    Pulse pulse = nearest(int(config.long_periods.raw()));
     const Angle axis = direction(pulse.winding, pulse.reversed);
     const Int<16> forth = peak(pulse, axis);
     pulse.reversed = !pulse.reversed;
     const Int<16> both = wrap<Int<16>>(forth + peak(pulse, axis));
-    if (both < -words.polarity) {
+    if (both < -config.polarity) {
       angle = angle | UInt<13>(kHalf);
-    } else if (both <= words.polarity) {
+    } else if (both <= config.polarity) {
       failed = SinusoidalReason::kNoPolarity;
     }
   }

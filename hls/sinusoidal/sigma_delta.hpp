@@ -22,7 +22,7 @@
 
 namespace steplock {
 
-struct SigmaDeltaWords {
+struct SigmaDeltaConfig {
   UInt<6> half = 0;    // clocks of half an mclk period; 0: off
   UInt<16> delay = 0;  // bits from the strobe to the window
 };
@@ -43,7 +43,7 @@ class SigmaDelta {
   struct In {
     bool sample = false;  // strobe
     Streams data;         // pins
-    SigmaDeltaWords words;
+    SigmaDeltaConfig config;
   };
 
   struct Out {
@@ -66,7 +66,7 @@ class SigmaDelta {
 
     if (in.sample) {
       waits_ = true;
-      left_ = in.words.delay;
+      left_ = in.config.delay;
     } else if (starts) {
       waits_ = false;
     } else if (waits_ && takes) {
@@ -75,10 +75,10 @@ class SigmaDelta {
 
     second_ = first_;
     first_ = in.data;
-    const bool turns = in.words.half != 0 && clocks_ == 0;
+    const bool turns = in.config.half != 0 && clocks_ == 0;
     rises_ = wrap<UInt<2>>(rises_ << 1) | UInt<2>(turns && !mclk_ ? 1 : 0);
     if (turns) mclk_ = !mclk_;
-    clocks_ = clocks_ == 0 ? wrap<UInt<6>>(in.words.half - 1) : wrap<UInt<6>>(clocks_ - 1);
+    clocks_ = clocks_ == 0 ? wrap<UInt<6>>(in.config.half - 1) : wrap<UInt<6>>(clocks_ - 1);
     return out;
   }
 

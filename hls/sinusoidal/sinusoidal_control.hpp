@@ -22,7 +22,7 @@
 #include "hls/numeric/scheduled.hpp"
 #include "hls/sinusoidal/current_control.hpp"
 #include "hls/sinusoidal/space_vector.hpp"
-#include "hls/sinusoidal/words.hpp"
+#include "hls/sinusoidal/config.hpp"
 
 namespace steplock {
 
@@ -47,10 +47,10 @@ class SinusoidalControl {
     Int<16> i_v = 0;         // s0.15
     UInt<12> v_dc = 0;       // u0.12
     SpaceVector::Out ended;  // clocks, of the period that this sample ends
-    BridgeWords bridge;
-    EstimatorWords estimator;
-    RegulatorWords speed;
-    ControlWords control;
+    BridgeConfig bridge;
+    EstimatorConfig estimator;
+    RegulatorConfig speed;
+    ControlConfig control;
     UInt<15> hold_voltage = 0;  // u0.15
   };
 
@@ -80,7 +80,7 @@ class SinusoidalControl {
                                                 .period = in.bridge.period,
                                                 .dead = in.bridge.dead_time_loss,
                                                 .inverse = in.bridge.reciprocal},
-                                    .words = in.estimator});
+                                    .config = in.estimator});
     // A sample and a half on; the speed's last place is an eighth of the angle's.
     const auto further = (speed_ + (speed_ >> 1)) >> 3;
     const UInt<16> angle = model.angle.slice<23, 8>();
@@ -119,7 +119,7 @@ class SinusoidalControl {
                                         .locked = in.locked,
                                         .step = model.step,
                                         .emf_step = model.emf_step,
-                                        .words = in.speed});
+                                        .config = in.speed});
     speed_ = speed.speed;
     wanted_ = speed.current;
     return {.early = legs,

@@ -20,7 +20,7 @@
 #pragma once
 
 #include "hls/bridge/bridge.hpp"
-#include "hls/sinusoidal/words.hpp"
+#include "hls/sinusoidal/config.hpp"
 
 namespace steplock {
 
@@ -39,7 +39,7 @@ class SinusoidalSequence {
     bool still = false;      // the set speed is 0: as if `run` were down, by braking
     SinusoidalReason fatal = SinusoidalReason::kNone;
     SinusoidalReason failed = SinusoidalReason::kNone;
-    SequenceWords words;
+    SequenceConfig config;
   };
 
   struct Out {
@@ -88,7 +88,7 @@ class SinusoidalSequence {
     if (in.period) timer_ = saturate<Periods>(timer_ - 1);
     if (in.period && regulated_ && modulated_ != 3) modulated_ = wrap<UInt<2>>(modulated_ + 1);
     if (in.sampled && regulating) regulated_ = true;
-    if (in.sampled && !(in.fast && in.plausible)) trust_ = in.words.lock;
+    if (in.sampled && !(in.fast && in.plausible)) trust_ = in.config.lock;
     if (in.period) trust_ = saturate<Periods>(trust_ - 1);
 
     refused_ = in.command.run && (refused_ || !in.command.configured);
@@ -119,23 +119,23 @@ class SinusoidalSequence {
     reason_ = reason;
     enter(SinusoidalState::kFault);
   }
-  void fail(SinusoidalReason reason, const SequenceWords& words) {
-    const bool last = retries_ >= words.retries;
+  void fail(SinusoidalReason reason, const SequenceConfig& config) {
+    const bool last = retries_ >= config.retries;
     reason_ = reason;
-    timer_ = words.retry_delay;
+    timer_ = config.retry_delay;
     if (!last) retries_ = wrap<UInt<4>>(retries_ + 1);
     enter(last ? SinusoidalState::kFault : SinusoidalState::kRetryDelay);
   }
-  void begin_to_turn(const SequenceWords& words) {
-    timer_ = words.give_up;
-    trust_ = words.lock;
+  void begin_to_turn(const SequenceConfig& config) {
+    timer_ = config.give_up;
+    trust_ = config.lock;
     modulated_ = 0;
     regulated_ = false;
     enter(SinusoidalState::kStarting);
   }
 
   void walk(const In& in, bool over, bool trusted) {
-    const SequenceWords& words = in.words;
+    const SequenceConfig& config = in.config;
     const bool run = in.command.run && in.command.configured && !refused_ && !in.still;
     const bool leave = !run || in.command.reverse != reverse_;
     const bool failed = in.failed != SinusoidalReason::kNone;
@@ -151,50 +151,50 @@ class SinusoidalSequence {
       case SinusoidalState::kCalibrate:
         if (!run) {
           enter(SinusoidalState::kIdle);
-        } else if (in.measured && words.arbitrary) {
-          begin_to_turn(words);
+        } else if (in.measured && config.arbitrary) {
+          begin_to_turn(config);
         } else if (in.measured) {
-          timer_ = words.pattern;
+          timer_ = config.pattern;
           third_ = 0;
-          enter(words.pilot ? SinusoidalState::kPilot : SinusoidalState::kPattern);
+          enter(config.pilot ? SinusoidalState::kPilot : SinusoidalState::kPattern);
         }
         break;
       case SinusoidalState::kPilot:
         if (!run) {
           enter(SinusoidalState::kIdle);
         } else if (failed) {
-          fail(in.failed, words);
+          fail(in.failed, config);
         } else if (in.found) {
-          begin_to_turn(words);
+          begin_to_turn(config);
         } else if (over) {
-          fail(SinusoidalReason::kNoDecay, words);
+          fail(SinusoidalReason::kNoDecay, config);
         }
         break;
       case SinusoidalState::kPattern:
         if (!run) {
           enter(SinusoidalState::kIdle);
         } else if (over && third_ != 2) {
-          timer_ = words.pattern;
+          timer_ = config.pattern;
           third_ = wrap<UInt<2>>(third_ + 1);
         } else if (over) {
-          begin_to_turn(words);
+          begin_to_turn(config);
         }
         break;
       case SinusoidalState::kStarting:
         if (leave) {
-          timer_ = words.brake;
+          timer_ = config.brake;
           enter(SinusoidalState::kBrake);
         } else if (failed) {
-          fail(in.failed, words);
+          fail(in.failed, config);
         } else if (trusted) {
           enter(SinusoidalState::kRun);
         } else if (over) {
-          fail(SinusoidalReason::kNoLock, words);
+          fail(SinusoidalReason::kNoLock, config);
         }
         break;
       case SinusoidalState::kRun:
         if (failed) {
-          fail(in.failed, words);
+          fail(in.failed, config);
         } else if (leave) {
           const bool slow_down = run || in.command.brake_to_stop || in.still;
           enter(slow_down ? SinusoidalState::kSlowDown : SinusoidalState::kIdle);
@@ -204,7 +204,7 @@ class SinusoidalSequence {
         if (!leave) {
           enter(SinusoidalState::kRun);
         } else if (in.stopping) {
-          timer_ = words.brake;
+          timer_ = config.brake;
           enter(SinusoidalState::kBrake);
         }
         break;

@@ -48,8 +48,8 @@ class SinusoidalStandalone {
     Pins pins;                   // asynchronous
     Controls controls;           // asynchronous too
     bool brake_to_stop = false;  // else coast; fixed at synthesis, as are the words
-    SpiAdcWords adc;
-    SinusoidalWords words;
+    SpiAdcConfig adc;
+    SinusoidalConfig config;
   };
 
   struct Out {
@@ -69,10 +69,10 @@ class SinusoidalStandalone {
 
   Out tick(const In& in) {
     const auto adc = adc_.tick(
-        {.sample = sampled_, .miso = in.pins.miso, .words = in.adc});
+        {.sample = sampled_, .miso = in.pins.miso, .config = in.adc});
     const bool takes = sampled_ && bounce_ == Bounce(0);
-    SinusoidalWords words = in.words;
-    words.speed.target = target(in.words.speed);
+    SinusoidalConfig config = in.config;
+    config.speed.target = target(in.config.speed);
     const auto drive = drive_.tick({.fault = in.pins.fault,
                                     .codes = adc.codes,
                                     .command = {.configured = true,
@@ -80,7 +80,7 @@ class SinusoidalStandalone {
                                                 .reverse = taken_.reverse,
                                                 .brake_to_stop = in.brake_to_stop,
                                                 .clear_fault = takes},  // not while told to run
-                                    .words = words});
+                                    .config = config});
     if (takes) taken_ = second_;
     taken_.run = taken_.run && second_.run;
     if (sampled_) bounce_ = wrap<Bounce>(bounce_ + 1);
@@ -101,15 +101,15 @@ class SinusoidalStandalone {
   using Target = UInt<25>;  // u0.25 of 1/16 turn per sample
 
   // Quarters are sums of halves; at the lock speed itself no estimate would ever be trusted.
-  Target target(const RegulatorWords& words) const {
-    const Target whole = words.target;
+  Target target(const RegulatorConfig& config) const {
+    const Target whole = config.target;
     const Target half = whole >> 1;
     const Target quarter = whole >> 2;
     Target part = whole;
     if (taken_.speed == 0) part = quarter;
     if (taken_.speed == 1) part = half;
     if (taken_.speed == 2) part = wrap<Target>(half + quarter);
-    const Target lock = Target(words.lock) << 10;  // of u0.15
+    const Target lock = Target(config.lock) << 10;  // of u0.15
     const auto least = saturate<Target>(lock + (lock >> 4) + (lock >> 5));
     return part < least ? least : part;
   }

@@ -30,7 +30,7 @@
 #include "hls/sinusoidal/pilot_pulses.hpp"
 #include "hls/sinusoidal/sinusoidal_control.hpp"
 #include "hls/sinusoidal/sinusoidal_sequence.hpp"
-#include "hls/sinusoidal/words.hpp"
+#include "hls/sinusoidal/config.hpp"
 
 namespace steplock {
 
@@ -40,7 +40,7 @@ class SinusoidalTop {
     bool fault = false;          // asynchronous pin, active high
     CurrentSense::Codes codes;   // from the ADCs
     Command command;
-    SinusoidalWords words;
+    SinusoidalConfig config;
   };
 
   struct Out {
@@ -69,7 +69,7 @@ class SinusoidalTop {
   };
 
   Out tick(const In& in) {
-    const SinusoidalWords& words = in.words;
+    const SinusoidalConfig& config = in.config;
     auto codes = in.codes;
     codes.valid = in.codes.valid && !busy_;
     const auto pins = synchroniser_.tick({.fault = in.fault});
@@ -81,11 +81,11 @@ class SinusoidalTop {
                                     .over = seen_.over,
                                     .i_gamma = seen_.i_gamma,
                                     .backward = seen_.backward,
-                                    .words = words.pilot});
+                                    .config = config.pilot});
     const auto sense = sense_.tick(
         {.codes = codes,
          .calibrate = orders_.calibrate,
-         .over_current = waiting_ ? words.pilot.decayed : words.fault.over_current});
+         .over_current = waiting_ ? config.pilot.decayed : config.fault.over_current});
     const auto control = control_.tick({{.estimate = orders_.estimate,
                                          .regulate = orders_.regulate,
                                          .locked = orders_.locked,
@@ -104,18 +104,18 @@ class SinusoidalTop {
                                          .i_v = sense.i_v,
                                          .v_dc = sense.v_dc,
                                          .ended = ended_,
-                                         .bridge = words.bridge,
-                                         .estimator = words.estimator,
-                                         .speed = words.speed,
-                                         .control = words.control,
-                                         .hold_voltage = words.sequence.hold_voltage},
+                                         .bridge = config.bridge,
+                                         .estimator = config.estimator,
+                                         .speed = config.speed,
+                                         .control = config.control,
+                                         .hold_voltage = config.sequence.hold_voltage},
                                         sense.taken});
     const auto& legs = control.early;
     const auto& speed = control.speed;
 
-    const auto u = pwm_u_.tick(pulse(legs.on_u, words.bridge));
-    const auto v = pwm_v_.tick(pulse(legs.on_v, words.bridge));
-    const auto w = pwm_w_.tick(pulse(legs.on_w, words.bridge));
+    const auto u = pwm_u_.tick(pulse(legs.on_u, config.bridge));
+    const auto v = pwm_v_.tick(pulse(legs.on_v, config.bridge));
+    const auto w = pwm_w_.tick(pulse(legs.on_w, config.bridge));
 
     // Until the words are there, no sample is due and no current too large.
     const bool configured = in.command.configured;
@@ -129,7 +129,7 @@ class SinusoidalTop {
                                           .fast = speed.fast,
                                           .slow = speed.slow,
                                           .plausible = speed.plausible,
-                                          .words = words.fault});
+                                          .config = config.fault});
     const auto now = sequence_.tick({.command = in.command,
                                      .fault_pin = pins.fault,
                                      .period = u.start,
@@ -142,7 +142,7 @@ class SinusoidalTop {
                                      .still = still_,
                                      .fatal = faults.fatal,
                                      .failed = orders_.pilot ? pilot.failed : faults.failed,
-                                     .words = words.sequence});
+                                     .config = config.sequence});
 
     const bool off = !now.modulate && !(now.pilot && pilot.pulse);
     const bool on_u = now.pilot ? pilot.high_u && u.on : u.on;
@@ -156,9 +156,9 @@ class SinusoidalTop {
                                                 .wl = now.brake || (!off && !on_w)},
                                     .enable = configured,
                                     .fault = pins.fault,
-                                    .dead_time = words.bridge.dead_time});
+                                    .dead_time = config.bridge.dead_time});
 
-    still_ = words.speed.target == 0;
+    still_ = config.speed.target == 0;
     restart_ = now.entered;
     waiting_ = pilot.waiting;
     seen_ = {.period = u.start,
@@ -196,7 +196,7 @@ class SinusoidalTop {
             .on_w = legs.on_w};
   }
 
- protected:  // testbench/sinusoidal/skipping_top.hpp counts with these
+ protected:  // testbench/drive/sinusoidal/skipping_top.hpp counts with these
   // What PilotPulses hears of a clock in the next one.
   struct Seen {
     bool period = false;
@@ -207,8 +207,8 @@ class SinusoidalTop {
     bool backward = false;
   };
 
-  static PwmGenerator::In pulse(LegClocks on, const BridgeWords& words) {
-    return {.on_clocks = on, .period = words.period, .minimum = words.minimum, .centred = true};
+  static PwmGenerator::In pulse(LegClocks on, const BridgeConfig& config) {
+    return {.on_clocks = on, .period = config.period, .minimum = config.minimum, .centred = true};
   }
 
   Synchroniser synchroniser_;

@@ -32,7 +32,7 @@
 
 namespace steplock {
 
-struct RegulatorWords {
+struct RegulatorConfig {
   UInt<25> target = 0;    // u0.25
   UInt<15> slew = 0;      // u0.25, per sample
   UInt<15> filter = 0;    // u0.15, per sample
@@ -56,7 +56,7 @@ class SpeedRegulator {
     bool locked = false;     // the estimate is to be believed: the current may brake
     Int<20> step = 0;        // s0.19
     Int<20> emf_step = 0;    // s0.19, the EMF over K_E
-    RegulatorWords words;
+    RegulatorConfig config;
   };
 
   struct Out {
@@ -71,41 +71,41 @@ class SpeedRegulator {
   };
 
   Out tick(const In& in) {
-    const RegulatorWords& words = in.words;
+    const RegulatorConfig& config = in.config;
     const auto forward = [&](auto x) {
       return saturate<decltype(x)>(in.reverse ? -x : Bits<decltype(x)::width + 1, true>(x));
     };
-    const auto crawl = wrap<UInt<25>>((UInt<25>(words.stop) << 10) - (UInt<25>(words.stop) << 8));
-    const UInt<25> target = in.slow_down ? crawl : words.target;
+    const auto crawl = wrap<UInt<25>>((UInt<25>(config.stop) << 10) - (UInt<25>(config.stop) << 8));
+    const UInt<25> target = in.slow_down ? crawl : config.target;
     const auto way = target - reference_;
-    const bool far_up = way > words.slew, far_down = way < -words.slew;
-    const auto reference = wrap<Int<26>>(far_up     ? reference_ + words.slew
-                                         : far_down ? reference_ - words.slew
+    const bool far_up = way > config.slew, far_down = way < -config.slew;
+    const auto reference = wrap<Int<26>>(far_up     ? reference_ + config.slew
+                                         : far_down ? reference_ - config.slew
                                                     : Int<27>(target));
 
     const auto behind = (Int<28>(forward(in.step)) << 8) - speed_;
-    const auto speed = saturate<Int<28>>(speed_ + ((behind * words.filter) >> 15));
+    const auto speed = saturate<Int<28>>(speed_ + ((behind * config.filter) >> 15));
     const auto error = saturate<Int<20>>(((Int<28>(reference) << 2) - speed + (1 << 7)) >> 8);
-    const auto wanted = ((error * words.k_p) >> 12) + (integral_ >> 12);
-    const Int<16> least = in.locked ? wrap<Int<16>>(-words.limit) : Int<16>(0);
-    const bool above = wanted > words.limit, below = wanted < least;
-    const Int<28> most = Int<28>(words.limit) << 12;
-    const auto moved = integral_ + ((error * words.k_i + (1 << 8)) >> 9);
+    const auto wanted = ((error * config.k_p) >> 12) + (integral_ >> 12);
+    const Int<16> least = in.locked ? wrap<Int<16>>(-config.limit) : Int<16>(0);
+    const bool above = wanted > config.limit, below = wanted < least;
+    const Int<28> most = Int<28>(config.limit) << 12;
+    const auto moved = integral_ + ((error * config.k_i + (1 << 8)) >> 9);
     const Int<28> lowest = Int<28>(least) << 12;
     const auto integral = moved > most     ? most
                           : moved < lowest ? lowest
                                            : wrap<Int<28>>(moved);
-    const auto current = above   ? Int<16>(words.limit)
+    const auto current = above   ? Int<16>(config.limit)
                          : below ? least
                                  : wrap<Int<16>>(wanted);
 
     const auto shown = wrap<Int<16>>(speed >> 12);
     const auto emf = wrap<Int<16>>(forward(in.emf_step) >> 4);
-    const auto emf_low = (shown * words.emf_low) >> 13, emf_high = (shown * words.emf_high) >> 13;
+    const auto emf_low = (shown * config.emf_low) >> 13, emf_high = (shown * config.emf_high) >> 13;
     if (!in.enable) {
       reference_ = 0;
       speed_ = 0;
-      integral_ = Int<28>(words.start_current) << 12;
+      integral_ = Int<28>(config.start_current) << 12;
       return {};
     }
     reference_ = reference;
@@ -116,9 +116,9 @@ class SpeedRegulator {
             .speed = forward(shown),
             .reference = wrap<Int<16>>(reference >> 10),
             .saturated = above || (below && in.locked),
-            .fast = shown > words.lock,
-            .slow = shown < words.slow,
-            .stopping = shown < words.stop,
+            .fast = shown > config.lock,
+            .slow = shown < config.slow,
+            .stopping = shown < config.stop,
             .plausible = shown > 0 && emf > emf_low && emf < emf_high};
   }
 

@@ -24,7 +24,7 @@
 
 namespace steplock {
 
-struct SpiAdcWords {
+struct SpiAdcConfig {
   UInt<6> half = 0;    // clocks of half an sclk period; 0: off
   UInt<8> quiet = 0;   // clocks of cs_n high between frames; less than 4 counts as 4
   UInt<3> u = 0;       // channel of the current of phase u
@@ -38,7 +38,7 @@ class SpiAdc {
   struct In {
     bool sample = false;  // strobe: hold now
     bool miso = false;    // pin, from the ADC's DOUT
-    SpiAdcWords words;    // stand still while not off
+    SpiAdcConfig config;    // stand still while not off
   };
 
   struct Out {
@@ -52,9 +52,9 @@ class SpiAdc {
   };
 
   Out tick(const In& in) {
-    const SpiAdcWords& words = in.words;
+    const SpiAdcConfig& config = in.config;
     const bool over = left_ == 0;
-    const bool rests = !selected_ && over && words.half != 0;
+    const bool rests = !selected_ && over && config.half != 0;
     const Out out{.cs_n = !selected_,
                   .sclk = sclk_,
                   .mosi = mosi_,
@@ -64,7 +64,7 @@ class SpiAdc {
                   .error = error_};
     missed_ = in.sample && !out.ready;
 
-    judge(words);
+    judge(config);
     // As the pin stood at the falling edge, two clocks later.
     whole_ = falls_.bit(1) && half_ == 31;
     if (falls_.bit(1)) answer_ = (answer_ << 1) | UInt<16>(second_ ? 1 : 0);
@@ -77,7 +77,7 @@ class SpiAdc {
         selected_ = true;
         half_ = 0;
         mosi_ = true;  // the first bit of every frame
-        left_ = wrap<UInt<8>>((UInt<8>(words.half) << 1) - 1);  // the first bit takes as long as all
+        left_ = wrap<UInt<8>>((UInt<8>(config.half) << 1) - 1);  // the first bit takes as long as all
       }
     } else if (!over) {
       left_ = wrap<UInt<8>>(left_ - 1);
@@ -86,11 +86,11 @@ class SpiAdc {
       sclk_ = !falls;
       if (half_ == 31) {
         selected_ = false;
-        left_ = words.quiet < 4 ? UInt<8>(3) : wrap<UInt<8>>(words.quiet - 1);
+        left_ = config.quiet < 4 ? UInt<8>(3) : wrap<UInt<8>>(config.quiet - 1);
       } else {
         half_ = wrap<UInt<5>>(half_ + 1);
-        if (!falls) mosi_ = written(half_.slice<4, 1>(), words);
-        left_ = wrap<UInt<8>>(words.half - 1);
+        if (!falls) mosi_ = written(half_.slice<4, 1>(), config);
+        left_ = wrap<UInt<8>>(config.half - 1);
       }
     } else {
       frame_ = Frame::kWake;  // off
@@ -103,8 +103,8 @@ class SpiAdc {
   enum class Frame : std::uint8_t { kWake, kWakeAgain, kSelect, kU, kV, kDc };
 
   // What to do with a frame's answer, once it is whole; before the next one begins.
-  void judge(const SpiAdcWords& words) {
-    const bool right = answer_.slice<15, 12>() == UInt<4>(channel(frame_, words));
+  void judge(const SpiAdcConfig& config) {
+    const bool right = answer_.slice<15, 12>() == UInt<4>(channel(frame_, config));
     const bool counts = frame_ == Frame::kU || frame_ == Frame::kV || frame_ == Frame::kDc;
     // Straight binary to two's complement: the upper bit turns round.
     const auto current = Int<12>::of((answer_.slice<11, 0>() ^ UInt<12>(2048)).raw());
@@ -115,11 +115,11 @@ class SpiAdc {
     if (whole_) frame_ = error_ ? Frame::kWake : after(frame_);
   }
 
-  static UInt<3> channel(Frame frame, const SpiAdcWords& words) {
+  static UInt<3> channel(Frame frame, const SpiAdcConfig& config) {
     switch (frame) {
-      case Frame::kU: return words.u;
-      case Frame::kV: return words.v;
-      default: return words.dc;
+      case Frame::kU: return config.u;
+      case Frame::kV: return config.v;
+      default: return config.dc;
     }
   }
   static Frame after(Frame frame) {
@@ -135,9 +135,9 @@ class SpiAdc {
 
   // Control register, first bit first: write, no sequence, -, address, normal power, no shadow, -,
   // range, straight binary.
-  bool written(UInt<4> bit, const SpiAdcWords& words) const {
+  bool written(UInt<4> bit, const SpiAdcConfig& config) const {
     if (frame_ == Frame::kWake || frame_ == Frame::kWakeAgain) return true;
-    const UInt<3> address = channel(after(frame_), words);
+    const UInt<3> address = channel(after(frame_), config);
     switch (bit.raw()) {
       case 0: return true;
       case 3: return address.bit(2);
@@ -145,7 +145,7 @@ class SpiAdc {
       case 5: return address.bit(0);
       case 6: return true;
       case 7: return true;
-      case 10: return !words.twice;
+      case 10: return !config.twice;
       case 11: return true;
       default: return false;
     }

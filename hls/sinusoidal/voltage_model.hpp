@@ -28,7 +28,7 @@
 
 namespace steplock {
 
-struct VoltageModelWords {
+struct VoltageModelConfig {
   bool average = false;  // the mean of 8 samples
   UInt<15> decay = 0;    // u0.15, per sample
   UInt<15> gain = 0;     // u2.13, current per voltage
@@ -40,16 +40,16 @@ struct VoltageModelWords {
 // The hypothetical speed and its correction.
 class CorrectedSpeed {
  public:
-  template <class Words>
-  Turned follow(const Observer::Seen& seen, const Words& words) {
+  template <class Config>
+  Turned follow(const Observer::Seen& seen, const Config& config) {
     sum_ = wrap<Sum>(sum_ - recent_[kSamples - 1] + seen.delta);
     for (std::size_t n = kSamples - 1; n > 0; --n) recent_[n] = recent_[n - 1];
     recent_[0] = seen.delta;
-    const Sum emf = words.average ? sum_ : Sum(seen.delta) << 3;
-    const auto moved = integral_ + ((seen.gamma * words.k_si + (1 << 7)) >> 8);
+    const Sum emf = config.average ? sum_ : Sum(seen.delta) << 3;
+    const auto moved = integral_ + ((seen.gamma * config.k_si + (1 << 7)) >> 8);
     integral_ = saturate<Integral>(moved);
-    const auto pull = (seen.gamma * words.k_theta + (1 << 6)) >> 7;
-    return {.emf_step = saturate<Turn>(((1 << 10) - emf * words.k_emf) >> 11),
+    const auto pull = (seen.gamma * config.k_theta + (1 << 6)) >> 7;
+    return {.emf_step = saturate<Turn>(((1 << 10) - emf * config.k_emf) >> 11),
             .pull = wrap<Int<26>>(pull + (integral_ >> 8))};
   }
   void rest() {
@@ -78,7 +78,7 @@ class VoltageModel {
     Int<16> i_v = 0;         // s0.15
     UInt<12> v_dc = 0;       // u0.12
     AppliedPattern pattern;  // of the interval that this sample ends
-    VoltageModelWords words;
+    VoltageModelConfig config;
   };
 
   using Out = Estimate;

@@ -22,7 +22,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
@@ -37,7 +37,7 @@ class BemfComparator {
     bool commutate = false;  // one clock, the first of a new step
     bool chop = false;       // the chopped gate is meant to be on
     Phase phase = 0;         // u0.16, turns of this step
-    BemfWords words = {};
+    BemfConfig config = {};
   };
 
   struct Out {
@@ -58,9 +58,9 @@ class BemfComparator {
 
     const bool edge = in.chop != chop_ || in.commutate;
     const bool due = due_;
-    due_ = edge ? in.words.blanking < 2 : due ? in.words.sample_every < 2 : left_ == 2;
-    left_ = edge  ? in.words.blanking
-            : due ? UInt<10>(in.words.sample_every)
+    due_ = edge ? in.config.blanking < 2 : due ? in.config.sample_every < 2 : left_ == 2;
+    left_ = edge  ? in.config.blanking
+            : due ? UInt<10>(in.config.sample_every)
                   : wrap<UInt<10>>(left_ - 1);
     chop_ = in.chop;
 
@@ -91,9 +91,9 @@ class BemfComparator {
       due_ = left_ < 2;
       return 0;
     }
-    const std::uint64_t every = in.words.sample_every < 2 ? 1 : in.words.sample_every.raw();
+    const std::uint64_t every = in.config.sample_every < 2 ? 1 : in.config.sample_every.raw();
     const std::uint64_t since = (clocks - first) % every;
-    left_ = UInt<10>::of(in.words.sample_every.raw() - since);
+    left_ = UInt<10>::of(in.config.sample_every.raw() - since);
     due_ = left_ < 2;
     return allowed(in) && !found_ && !after(in) ? clocks - since : 0;
   }
@@ -102,11 +102,11 @@ class BemfComparator {
 
  private:
   static bool allowed(const In& in) {
-    return in.words.sampling == Sampling::kBoth ||
-           (in.words.sampling == Sampling::kOnTime) == in.chop;
+    return in.config.sampling == Sampling::kBoth ||
+           (in.config.sampling == Sampling::kOnTime) == in.chop;
   }
   static UInt<4> full(const In& in) {
-    return in.words.samples == 0 ? UInt<4>(1) : in.words.samples;
+    return in.config.samples == 0 ? UInt<4>(1) : in.config.samples;
   }
 
   // The floating phase of a step, and whether its crossing rises: in the odd steps, and in the even ones when

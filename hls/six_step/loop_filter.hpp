@@ -4,7 +4,7 @@
 //     p  = e' * s                                  s = frequency (per step) or `scale` (per second)
 //     x += ki p          integrator                stops while the output stands at a limit
 //     v  = x + kp p      zero
-//     y += pole (v - y)  pole                      within [minimum, maximum]; frequency = y
+//     y += alpha (v - y)  pole                     within [minimum, maximum]; frequency = y
 //
 // This is F(s) = (s R C2 + 1) / (s^2 R C1 C2 + s (C1 + C2)), Eq. (1) of Amano 2003, discretised: on
 // every tick with constant s (coefficients per second, as in the paper), or on every update with s
@@ -15,7 +15,7 @@
 // interval.  A ramp is the same with a constant error, quartered `backoff` times, and `ramp` for s.
 //
 //     x, v, y      u0.36: four bits more than Frequency, so that small gains still integrate
-//     s            its upper 22 bits: a gain needs no more; pole: its upper 15
+//     s            its upper 22 bits: a gain needs no more; alpha: its upper 15
 //     latency      24 clocks per product: about 150 from update to frequency; an update that comes
 //                  while busy is ignored
 //     registers    about 310 bits     multipliers  none (one serial)
@@ -27,7 +27,7 @@
 #include "hls/numeric/bits.hpp"
 #include "hls/numeric/one_hot.hpp"
 #include "hls/numeric/serial_multiplier.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
@@ -49,7 +49,7 @@ class LoopFilter {
     UInt<10> delay = 0;            // clocks / 2^divide
     UInt<16> ki = 0;               // u2.14
     UInt<16> kp = 0;               // u2.14
-    UInt<16> pole = 0;             // u1.15
+    UInt<16> alpha = 0;            // u1.15
     Frequency scale = 0;           // u0.32, stands for the frequency in the per-second form
     Frequency minimum = 0;         // u0.32, VCO turns per clock
     Frequency maximum = 0;         // u0.32, VCO turns per clock
@@ -117,7 +117,7 @@ class LoopFilter {
 
   UInt<22> factor(const In& in) const {
     const bool track = loop_ == Loop::kTrack;
-    const UInt<15> pole = in.pole.slice<15, 1>();
+    const UInt<15> alpha = in.alpha.slice<15, 1>();
     if (at_.holds(Stage::kDelay)) return track ? in.delay : UInt<10>(0);
     if (at_.holds(Stage::kScale)) {
       return loop_ == Loop::kRamp ? UInt<22>(in.ramp)
@@ -128,8 +128,8 @@ class LoopFilter {
       return track ? in.ki : smooth(in) ? UInt<16>(0x1000) : UInt<16>(0x4000);
     }
     if (at_.holds(Stage::kProportional)) return in.kp;
-    if (at_.holds(Stage::kPole)) return pole;
-    return at_.holds(Stage::kKeep) ? wrap<UInt<15>>(UInt<15>(0x4000) - pole) : UInt<15>(0);
+    if (at_.holds(Stage::kPole)) return alpha;
+    return at_.holds(Stage::kKeep) ? wrap<UInt<15>>(UInt<15>(0x4000) - alpha) : UInt<15>(0);
   }
 
   // Hall sensors stand a few degrees off: small errors count for a quarter, large ones are real.

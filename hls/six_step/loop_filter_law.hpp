@@ -41,7 +41,7 @@ struct LoopFilterLaw {
     const bool winds_up = p.negative() ? at_bottom : at_top;
     if (!winds_up) x = sum(x, times(p, in.ki));                      // x += ki p
     const Value v = sum(x, times(p, in.kp));                         // v  = x + kp p
-    bound(sum(times(v, pole(in)), times(y, rest(in))), in);          // y += pole (v - y)
+    bound(sum(times(v, alpha(in)), times(y, rest(in))), in);          // y += alpha (v - y)
   }
 
  private:
@@ -63,8 +63,8 @@ struct LoopFilterLaw {
     const bool small = in.error >= -0x4000 && in.error < 0x4000;
     return in.loop == Loop::kHall && small ? UInt<15>(0x1000) : kOne;
   }
-  static UInt<15> pole(const In& in) { return in.pole.slice<15, 1>(); }
-  static UInt<15> rest(const In& in) { return wrap<UInt<15>>(kOne - pole(in)); }
+  static UInt<15> alpha(const In& in) { return in.alpha.slice<15, 1>(); }
+  static UInt<15> rest(const In& in) { return wrap<UInt<15>>(kOne - alpha(in)); }
 
   // A ramp begins at standstill, a rotor that is followed at hand-over.
   Frequency least(const In& in) const {

@@ -29,7 +29,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 

@@ -29,7 +29,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
@@ -50,7 +50,7 @@ class Protection {
     bool fault_pin = false;     // synchronised
     bool hall = false;          // steps come from the Hall sensors
     bool hall_illegal = false;  // their code is 000 or 111
-    ProtectionWords words;
+    ProtectionConfig config;
   };
 
   struct Out {
@@ -61,7 +61,7 @@ class Protection {
   };
 
   Out tick(const In& in) {
-    const bool freewheels_long = in.freewheel > in.words.freewheel;
+    const bool freewheels_long = in.freewheel > in.config.freewheel;
 
     Out out;
     out.freewheel_long = in.commutate && freewheels_long;
@@ -69,17 +69,17 @@ class Protection {
     const bool strikes = in.missed || (in.update && !in.good && !in.hall);
     const bool heavy = in.missed && in.lags;
     const bool step_out = in.running && (ended_ || (heavy && four_end_) || (strikes && one_ends_));
-    ended_ = in.words.misses != 0 && score_ >= in.words.misses;
-    four_end_ = in.words.misses != 0 && score_ + 4 >= in.words.misses;
-    one_ends_ = in.words.misses != 0 && score_ + 1 >= in.words.misses;
+    ended_ = in.config.misses != 0 && score_ >= in.config.misses;
+    four_end_ = in.config.misses != 0 && score_ + 4 >= in.config.misses;
+    one_ends_ = in.config.misses != 0 && score_ + 1 >= in.config.misses;
     const bool wrong_tick = in.tick && (in.slips || long_);
-    const bool wrong = in.running && in.words.wrong_lock != 0 && (none_left_ || (wrong_tick && few_left_));
+    const bool wrong = in.running && in.config.wrong_lock != 0 && (none_left_ || (wrong_tick && few_left_));
     const bool stall = in.running && (slow_ == 6 || (in.commutate && in.slow && slow_ == 5));
     const bool no_code = in.tick && in.hall && in.hall_illegal;
     const bool hall = in.running && ((hall_ == 2 && !in.tick) || (no_code && hall_ != 0));
     const bool none_left = wrong_ == 0;
     const bool few_left = wrong_ <= 2;
-    const bool all_left = wrong_ >= in.words.wrong_lock;
+    const bool all_left = wrong_ >= in.config.wrong_lock;
     if (in.running) {
       const bool pays = strikes_ == 0 && credit_ && score_ != 0;
       score_ = wrap<UInt<7>>(score_ + (pays ? UInt<7>::max() : UInt<7>(strikes_)));
@@ -100,7 +100,7 @@ class Protection {
     none_left_ = none_left;
     few_left_ = few_left;
     all_left_ = all_left;
-    const bool over_current = in.words.over_current != 0 && in.stuck >= in.words.over_current;
+    const bool over_current = in.config.over_current != 0 && in.stuck >= in.config.over_current;
     out.fatal = in.fault_pin || over_current;
     out.lost = step_out || stall || wrong || hall;
     out.reason = in.fault_pin   ? Reason::kFaultPin
@@ -129,7 +129,7 @@ class Protection {
   // One adder loads, takes two away and gives one back; all bits have one reset (docs/theory.md).
   void watch_lock(const In& in) {
     const bool wrong = in.slips || long_;
-    const Ticks change = !in.running ? in.words.wrong_lock : wrong ? wrap<Ticks>(~Ticks(1)) : Ticks(1);
+    const Ticks change = !in.running ? in.config.wrong_lock : wrong ? wrap<Ticks>(~Ticks(1)) : Ticks(1);
     if (in.running && in.tick && wrong && few_left_) {
       wrong_ = 0;
     } else if (!in.running || (in.tick && (wrong || !all_left_))) {

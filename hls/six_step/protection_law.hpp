@@ -21,23 +21,23 @@ struct ProtectionLaw {
   UInt<2> codes = 0;          // ticks in a row with an illegal Hall code, up to 2
 
   Protection::Out clock(const In& in) {
-    const auto& words = in.words;
-    const bool freewheels_long = in.freewheel > words.freewheel;
+    const auto& config = in.config;
+    const bool freewheels_long = in.freewheel > config.freewheel;
     if (!in.running) {
-      *this = ProtectionLaw{.left = words.wrong_lock};
+      *this = ProtectionLaw{.left = config.wrong_lock};
     } else {
       if (in.update) score = wrap<UInt<7>>(score + weight(in));
       if (in.commutate) slow = in.slow ? up_to(slow, UInt<3>(6)) : UInt<3>(0);
       if (in.tick) codes = in.hall && in.hall_illegal ? up_to(codes, UInt<2>(2)) : UInt<2>(0);
       if (in.tick && (in.slips || freewheels_long)) {
         left = left > 2 ? wrap<Ticks>(left - 2) : Ticks(0);
-      } else if (in.tick && left < words.wrong_lock) {
+      } else if (in.tick && left < config.wrong_lock) {
         left = wrap<Ticks>(left + 1);
       }
     }
-    const bool step_out = in.running && words.misses != 0 && score >= words.misses;
-    const bool wrong_lock = in.running && words.wrong_lock != 0 && left == 0;
-    const bool over_current = words.over_current != 0 && in.stuck >= words.over_current;
+    const bool step_out = in.running && config.misses != 0 && score >= config.misses;
+    const bool wrong_lock = in.running && config.wrong_lock != 0 && left == 0;
+    const bool over_current = config.over_current != 0 && in.stuck >= config.over_current;
     const Reason reason = in.fault_pin   ? Reason::kFaultPin
                           : over_current ? Reason::kOverCurrent
                           : step_out     ? Reason::kStepOut

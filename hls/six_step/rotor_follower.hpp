@@ -31,7 +31,7 @@
 #include "hls/numeric/parameter.hpp"
 #include "hls/six_step/divide_by_n.hpp"
 #include "hls/six_step/follow_law.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 

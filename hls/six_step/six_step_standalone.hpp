@@ -35,7 +35,7 @@ class SixStepStandalone {
     Synchroniser::Pins pins;  // asynchronous
     Controls controls;        // asynchronous too
     bool brake_to_stop = false;  // else coast; fixed at synthesis, as are the words
-    Words words;
+    SixStepConfig config;
   };
 
   struct Out {
@@ -46,8 +46,8 @@ class SixStepStandalone {
   };
 
   Out tick(const In& in) {
-    Words words = in.words;
-    words.speed.target = target(in.words);
+    SixStepConfig config = in.config;
+    config.speed.target = target(in.config);
     const auto drive = drive_.tick({.with = {.hall_decoder = in.with_hall_decoder,
                                              .ramp = in.with_ramp,
                                              .follower = in.with_follower,
@@ -58,7 +58,7 @@ class SixStepStandalone {
                                                 .reverse = taken_.reverse,
                                                 .brake_to_stop = in.brake_to_stop,
                                                 .clear_fault = takes_ && !run_},
-                                    .words = words});
+                                    .config = config});
     run_ = taken_.run && second_.run;
     if (takes_) taken_ = second_;
     taken_.run = taken_.run && second_.run;
@@ -77,11 +77,11 @@ class SixStepStandalone {
 
   // Quarters are sums of halves; below the hand-over no drive runs well.  All four are bounded before one
   // is taken: where the words are constants so are they, and the pins choose last.
-  Frequency target(const Words& words) const {
-    const Frequency whole = words.speed.target;
+  Frequency target(const SixStepConfig& config) const {
+    const Frequency whole = config.speed.target;
     const Frequency half = whole >> 1;
     const Frequency quarter = whole >> 2;
-    const Frequency least = words.start.hand_over;
+    const Frequency least = config.start.hand_over;
     switch (taken_.speed.raw()) {
       case 0: return bounded(quarter, least);
       case 1: return bounded(half, least);

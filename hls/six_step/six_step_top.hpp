@@ -37,7 +37,7 @@
 #include "hls/six_step/start_sequence.hpp"
 #include "hls/six_step/telemetry.hpp"
 #include "hls/six_step/vco_counter.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
@@ -47,7 +47,7 @@ class SixStepTop {
     Parts with;
     Synchroniser::Pins pins;  // asynchronous
     Command command;
-    Words words;
+    SixStepConfig config;
   };
 
   struct Out {
@@ -80,7 +80,7 @@ class SixStepTop {
 
   bool operator==(const SixStepTop&) const = default;
 
- protected:  // testbench/engine/skipping_top.hpp counts with these, and in most clocks asks the quick blocks alone
+ protected:  // testbench/drive/six_step/skipping_top.hpp counts with these, and in most clocks asks the quick blocks alone
   // What the blocks say in a clock.
   struct Wires {
     bool configured = false;  // for what this core has
@@ -104,26 +104,26 @@ class SixStepTop {
   };
 
   Out tick_with(const In& in, Wires& w) {
-    const Words& words = in.words;
+    const SixStepConfig& config = in.config;
     sense(in, w);
     const bool hall = by_hall(in);
     Command command = in.command;
-    const bool has_method = words.start.method == Method::kFollow ? bool(in.with.follower) : bool(in.with.ramp);
-    command.configured = in.command.configured && (hall || (words.source != Source::kHall && has_method));
+    const bool has_method = config.start.method == Method::kFollow ? bool(in.with.follower) : bool(in.with.ramp);
+    command.configured = in.command.configured && (hall || (config.source != Source::kHall && has_method));
     // A method that is left out is none of which anything is asked.
-    StartWords start_words = words.start;
-    if (!in.with.ramp) start_words.method = Method::kFollow;
-    if (!in.with.follower) start_words.method = Method::kRamp;
+    StartConfig start_config = config.start;
+    if (!in.with.ramp) start_config.method = Method::kFollow;
+    if (!in.with.follower) start_config.method = Method::kRamp;
     w.configured = command.configured;
 
     w.rotor = rotor_.tick({.follows = in.with.follower, .on = follow_, .u = w.pins.comparator_u,
                            .v = w.pins.comparator_v, .w = w.pins.comparator_w, .crossing = crossing_,
                            .elapsed = divided_.elapsed, .quarter = divided_.phase.bit(15) || divided_.phase.bit(14),
                            .update = update_, .good = good_, .fast = fast_, .slow = slow_, .steady = steady_,
-                           .step = divided_.step, .reverse = reverse_, .sample_every = words.bemf.sample_every,
-                           .look = words.start.look, .probe = words.start.probe, .still = words.start.still});
+                           .step = divided_.step, .reverse = reverse_, .sample_every = config.bemf.sample_every,
+                           .look = config.start.look, .probe = config.start.probe, .still = config.start.still});
     const auto start = start_.tick({.detects_spin = in.with.hall_decoder, .tick = tick_, .command = command,
-                                    .source = words.source, .words = start_words, .fast = fast_, .slow = slow_,
+                                    .source = config.source, .config = start_config, .fast = fast_, .slow = slow_,
                                     .commutate = divided_.commutate, .update = update_, .good = good_, .lags = lags_,
                                     .turns_reverse = w.sectors.reverse, .sector = w.sectors.sector,
                                     // A rotor that may turn the other way drives its own current where no shunt sees it.
@@ -137,25 +137,25 @@ class SixStepTop {
                                  .crossing_phase = w.bemf.crossing_phase, .before_seen = w.bemf.before_seen,
                                  .commutate = w.divider.commutate, .step = w.step, .reverse = start.reverse,
                                  .changed = follow_ ? w.rotor.changed : w.sectors.moved, .elapsed = w.divider.elapsed,
-                                 .phase = w.divider.phase, .detector = words.loop.detector,
-                                 .expected = words.loop.expected, .lead_error = words.loop.lead_error,
-                                 .window = words.start.window});
+                                 .phase = w.divider.phase, .detector = config.loop.detector,
+                                 .expected = config.loop.expected, .lead_error = config.loop.lead_error,
+                                 .window = config.start.window});
     w.filter = filter_.tick({.loop = start.loop, .error = w.detector.error, .update = w.detector.update,
-                             .tick = tick_, .ramp = words.start.ramp, .backoff = start.backoff,
-                             .bandwidth = words.loop.bandwidth,
-                             .delay = words.loop.delay >> int(words.loop.divide.raw()), .ki = words.loop.ki,
-                             .kp = words.loop.kp, .pole = words.loop.pole, .scale = words.loop.scale,
-                             .minimum = words.loop.minimum, .maximum = words.loop.maximum,
-                             .hand_over = words.start.hand_over, .stall = words.protection.stall});
+                             .tick = tick_, .ramp = config.start.ramp, .backoff = start.backoff,
+                             .bandwidth = config.loop.bandwidth,
+                             .delay = config.loop.delay >> int(config.loop.divide.raw()), .ki = config.loop.ki,
+                             .kp = config.loop.kp, .alpha = config.loop.alpha, .scale = config.loop.scale,
+                             .minimum = config.loop.minimum, .maximum = config.loop.maximum,
+                             .hand_over = config.start.hand_over, .stall = config.protection.stall});
     turn(in, w);
 
     // While pulling in, a step without a good crossing says nothing of the speed: the duty rises on none.
     const bool unknown = update_ && !good_ && start.mode == SpeedMode::kControl && !start.running;
     w.speed = speed_.tick({.tick = tick_, .mode = start.mode, .fixed_duty = start.duty,
                            .frequency = w.filter.frequency,
-                           .target = start.stop ? Frequency(0) : words.speed.target, .limited = limited_ || unknown,
-                           .masked_lead = masked_lead_, .freewheels = freewheels_, .period = words.pwm.period,
-                           .slip = words.protection.slip, .words = words.speed});
+                           .target = start.stop ? Frequency(0) : config.speed.target, .limited = limited_ || unknown,
+                           .masked_lead = masked_lead_, .freewheels = freewheels_, .period = config.pwm.period,
+                           .slip = config.protection.slip, .config = config.speed});
     drive(in, w);
 
     const auto protection = protection_.tick({.running = start.running, .tick = tick_,
@@ -165,13 +165,13 @@ class SixStepTop {
                                               .slow = w.filter.slow, .slips = w.speed.slips,
                                               .freewheel = hall ? Phase(0) : w.bemf.freewheel,
                                               .stuck = w.limit.stuck, .fault_pin = w.pins.fault, .hall = hall,
-                                              .hall_illegal = !w.sectors.legal, .words = words.protection});
+                                              .hall_illegal = !w.sectors.legal, .config = config.protection});
     const auto counts = telemetry_.tick({.counts = in.with.telemetry, .clear = start.began,
                                          .crossing = w.bemf.crossing, .missed = w.detector.missed,
                                          .freewheel_long = protection.freewheel_long, .limit_hit = w.limit.hit,
                                          .retry = start.failed});
 
-    still_ = words.speed.target == 0;
+    still_ = config.speed.target == 0;
     keep(w);
     fast_ = w.filter.fast;
     update_ = w.detector.update;
@@ -211,7 +211,7 @@ class SixStepTop {
   }
 
   // Hall sensors tell the step.
-  static bool by_hall(const In& in) { return in.with.hall_decoder && in.words.source == Source::kHall; }
+  static bool by_hall(const In& in) { return in.with.hall_decoder && in.config.source == Source::kHall; }
 
   // What the pins say.
   void sense(const In& in, Wires& w) {
@@ -222,7 +222,7 @@ class SixStepTop {
                             .u = hall ? pins.hall_u : pins.comparator_u,
                             .v = hall ? pins.hall_v : pins.comparator_v,
                             .w = hall ? pins.hall_w : pins.comparator_w,
-                            .hold = in.words.bemf.blanking});
+                            .hold = in.config.bemf.blanking});
   }
 
   // The step that is driven, and what its floating terminal says.
@@ -247,7 +247,7 @@ class SixStepTop {
                          .commutate = w.divider.commutate || w.rotor.restart,
                          .chop = chop_,
                          .phase = w.divider.phase,
-                         .words = in.words.bemf});
+                         .config = in.config.bemf});
   }
 
   // The next step, by the VCO or by what a sensor or a start says.
@@ -255,11 +255,11 @@ class SixStepTop {
     const bool load = w.start.load_step || w.new_sector;
     const auto vco = vco_.tick({.enable = w.start.turn_vco,
                                 .load = load,
-                                .half = w.start.load_step && in.words.loop.divide == 0,
+                                .half = w.start.load_step && in.config.loop.divide == 0,
                                 .frequency = w.filter.frequency});
     divided_ = divide_.tick({.pulse = vco.pulse,
                              .phase = vco.phase,
-                             .divide = in.words.loop.divide,
+                             .divide = in.config.loop.divide,
                              .reverse = w.start.reverse,
                              .hold = w.hold,
                              .load = load,
@@ -273,27 +273,27 @@ class SixStepTop {
 
   // From a duty to six gates.
   void drive(const In& in, Wires& w) {
-    const Words& words = in.words;
+    const SixStepConfig& config = in.config;
     w.pwm = pwm_.tick({.on_clocks = w.speed.on_clocks,
-                       .period = words.pwm.period,
-                       .minimum = words.pwm.minimum,
-                       .centred = words.pwm.centred,
-                       .tick_periods = words.pwm.tick_periods});
+                       .period = config.pwm.period,
+                       .minimum = config.pwm.minimum,
+                       .centred = config.pwm.centred,
+                       .tick_periods = config.pwm.tick_periods});
     w.limit = limit_.tick({.on = w.pwm.on,
                            .comparator = w.pins.limit,
                            .fast = w.start.running || (follow_ && !w.rotor.sure),
-                           .words = words.limit});
+                           .config = config.limit});
     // A cut of a rotor that runs turns all gates off.  With a low side on, the back-EMF would drive the current on, where no
     // shunt sees it, and nothing but that side's diode would take the outgoing winding's current down.
     const auto request = commutation_.tick({.pattern = w.start.pattern.when(!(w.limit.cut && w.start.running)),
                                             .legs = by_hall(in) ? Commutation::legs(w.hall_step) : legs_,
                                             .chop = w.limit.on,
-                                            .complementary = words.pwm.complementary});
+                                            .complementary = config.pwm.complementary});
     w.gates = guard_.tick({.request = request,
                            .enable = w.start.enable && w.configured,
                            .fault = w.pins.fault,
-                           .dead_time = words.pwm.dead_time,
-                           .minimum = saturate<UInt<8>>(words.pwm.minimum)});
+                           .dead_time = config.pwm.dead_time,
+                           .minimum = saturate<UInt<8>>(config.pwm.minimum)});
   }
 
   void keep(const Wires& w) {

@@ -8,7 +8,7 @@
 //     slips      = duty > slip + (loaded frequency >> shift)    more than any right lock takes
 //
 // Outside speed control the duty is the start sequence's (kFixed), or that much above the one whose mean voltage equals the
-// back-EMF (kAboveBemf: the current stays the same while the rotor speeds up), or less that one (kBelowBemf: a brake, likewise).
+// back-EMF (kFeedForwardDrive: the current stays the same while the rotor speeds up), or less that one (kFeedForwardBrake).
 // Integral and reference follow, so that control begins without a jump, after a start as after catching a rotor.  It begins once
 // more that way where a rotor has come down to a lower target: it coasts, and what the integral lost in vain meanwhile would
 // take it far below.
@@ -31,11 +31,11 @@
 #include "hls/numeric/bits.hpp"
 #include "hls/numeric/one_hot.hpp"
 #include "hls/numeric/serial_multiplier.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
-enum class SpeedMode : std::uint8_t { kFixed, kAboveBemf, kControl, kBelowBemf };
+enum class SpeedMode : std::uint8_t { kFixed, kFeedForwardDrive, kControl, kFeedForwardBrake };
 
 class SpeedControl {
  public:
@@ -50,7 +50,7 @@ class SpeedControl {
     bool freewheels = false;             // freewheeling took 15/32 of the last step, or more
     Clocks period = 0;                   // clocks per PWM period
     Duty slip = 0;                       // u1.15, above what speed and commutation take
-    SpeedWords words;
+    SpeedConfig config;
   };
 
   struct Out {
@@ -67,7 +67,7 @@ class SpeedControl {
     const auto product = multiplier_.tick({.start = starts_,
                                            .a = multiplicand(in.frequency),
                                            .b = factor(in),
-                                           .shift = of_duty ? UInt<4>(0) : in.words.shift});
+                                           .shift = of_duty ? UInt<4>(0) : in.config.shift});
     const bool integrated = at_.holds(Stage::kIntegral) && product.done;
     // A cut counts until an integral has seen it.
     const bool limited = limited_;
@@ -85,7 +85,7 @@ class SpeedControl {
     choose(product.done, product.ends);
     whole_ = at_.holds_one_of(Stage::kAdd, Stage::kProportional);
     alone_ = in.mode == SpeedMode::kFixed || at_.holds(Stage::kAdd);
-    less_ = in.mode == SpeedMode::kBelowBemf;
+    less_ = in.mode == SpeedMode::kFeedForwardBrake;
     control_ = in.mode == SpeedMode::kControl && !presets_;
     of_error_ = at_.holds_one_of(Stage::kSlip, Stage::kWholeHigh) || (of_error_ && !product.done);
     starts_ = at_.holds_one_of(Stage::kReach, Stage::kSlip, Stage::kWholeHigh, Stage::kDuty);
@@ -131,16 +131,16 @@ class SpeedControl {
 
   UInt<16> factor(const In& in) const {
     return at_.holds(Stage::kBemf)
-               ? (control_ ? in.words.loaded : in.words.bemf)
-           : at_.holds(Stage::kIntegral)     ? in.words.ki
-           : at_.holds(Stage::kProportional) ? in.words.kp
+               ? (control_ ? in.config.loaded : in.config.bemf)
+           : at_.holds(Stage::kIntegral)     ? in.config.ki
+           : at_.holds(Stage::kProportional) ? in.config.kp
                                              : UInt<16>(in.period);
   }
 
   void slew(const In& in, bool control) {
     const bool lower = !at_least(offset(reference_), UInt<28>(not_target_));
     // Downwards one last bit more, the one's complement: what passes the target is caught two clocks later.
-    const Int<21> slew = in.words.slew;
+    const Int<21> slew = in.config.slew;
     const Int<21> moved = (rises_ ? slew : Int<21>(0)) | (falls_ ? Int<21>(~slew) : Int<21>(0));
     if (at_.holds(Stage::kSlew)) {
       reference_ = wrap<Int<28>>(reference_ + moved);
@@ -220,10 +220,10 @@ class SpeedControl {
   // What the stage behind this one compares with.
   Limit bound(const In& in) const {
     const bool control = control_;
-    if (at_.holds(Stage::kWhole) || (control && at_.holds(Stage::kDown))) return in.words.minimum;
+    if (at_.holds(Stage::kWhole) || (control && at_.holds(Stage::kDown))) return in.config.minimum;
     if (at_.holds_one_of(Stage::kWholeLow, Stage::kProportional) ||
         (!control && (presets_ ? at_.holds(Stage::kUp) : at_.holds(Stage::kBemf)))) {
-      return in.words.maximum;
+      return in.config.maximum;
     }
     return at_.holds_one_of(Stage::kHigh, Stage::kUp, Stage::kDown) ? moved_ : Limit(duty_);
   }
@@ -233,7 +233,7 @@ class SpeedControl {
   void move(const In& in) {
     const bool rises = at_.holds(Stage::kProportional);
     const bool falls = !rises || yields_;
-    const Int<14> slew = fast_ ? Int<14>(in.words.duty_slew) << 1 : Int<14>(in.words.duty_slew);
+    const Int<14> slew = fast_ ? Int<14>(in.config.duty_slew) << 1 : Int<14>(in.config.duty_slew);
     const Int<14> none = 0;
     const auto moved = duty_ + (falls ? ~slew : held_ ? none : slew);
     moved_ = moved.negative() ? Limit(0) : wrap<Limit>(moved);

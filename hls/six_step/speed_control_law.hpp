@@ -34,7 +34,7 @@ struct SpeedControlLaw {
     const bool control = in.mode == SpeedMode::kControl && !begins;
     const bool far = slew(in, control);
     if (control) {
-      slips = add(in.slip, times(in.frequency, in.words.loaded, in)) < Sum(duty);
+      slips = add(in.slip, times(in.frequency, in.config.loaded, in)) < Sum(duty);
       follow(in, far);
     } else {
       start(in, begins);
@@ -46,7 +46,7 @@ struct SpeedControlLaw {
   // PI: integral += ki e, without wind-up; duty = integral + kp e, both within their bounds, of which the last rules.
   void follow(const In& in, bool far) {
     const Int<27> e = wrap<Int<27>>(reference - in.frequency - 1);
-    const Int<32> more = times(e, in.words.ki, in);
+    const Int<32> more = times(e, in.config.ki, in);
     const bool winds_up = more.negative() ? at_low : at_high || in.limited;
     if (!winds_up) integral = wrap<Int<34>>(integral + more);
     held = in.limited;
@@ -56,15 +56,15 @@ struct SpeedControlLaw {
 
     at_low = at_high = false;
     Sum sum = wrap<Sum>(integral >> 16);
-    lower(sum, in.words.minimum);
-    upper(sum, in.words.maximum);
+    lower(sum, in.config.minimum);
+    upper(sum, in.config.maximum);
     if (at_low || at_high) integral = Int<34>(sum) << 16;
-    sum = add(wrap<Sum>(integral >> 16), times(e, in.words.kp, in));
-    const Int<15> rise = held ? 0 : in.words.duty_slew;
-    upper(sum, in.words.maximum);
+    sum = add(wrap<Sum>(integral >> 16), times(e, in.config.kp, in));
+    const Int<15> rise = held ? 0 : in.config.duty_slew;
+    upper(sum, in.config.maximum);
     upper(sum, moved(yields(in) || in.masked_lead ? fall(in) : rise));
     lower(sum, moved(fall(in)));
-    lower(sum, in.words.minimum);
+    lower(sum, in.config.minimum);
     duty = wrap<Duty>(sum);
   }
 
@@ -72,10 +72,10 @@ struct SpeedControlLaw {
   // control begins once more, it is the back-EMF's, but no less than before.
   void start(const In& in, bool begins) {
     Sum sum = in.fixed_duty;
-    const auto bemf = wrap<Int<20>>(times(in.frequency, in.words.bemf, in) >> 12);
-    if (in.mode != SpeedMode::kFixed) sum = wrap<Sum>(sum + (in.mode == SpeedMode::kBelowBemf ? ~bemf : bemf));
+    const auto bemf = wrap<Int<20>>(times(in.frequency, in.config.bemf, in) >> 12);
+    if (in.mode != SpeedMode::kFixed) sum = wrap<Sum>(sum + (in.mode == SpeedMode::kFeedForwardBrake ? ~bemf : bemf));
     if (begins) lower(sum, duty);
-    upper(sum, in.words.maximum);
+    upper(sum, in.config.maximum);
     if (begins) lower(sum, moved(fall(in)));
     duty = sum.negative() ? Duty(0) : wrap<Duty>(sum);
     integral = Int<34>(sum) << 16;
@@ -85,7 +85,7 @@ struct SpeedControlLaw {
   // Freewheeling is about to hide crossings: the duty falls, twice as fast as else.
   bool yields(const In& in) const { return asks && in.freewheels; }
   Int<15> fall(const In& in) const {
-    const Int<15> slew = in.words.duty_slew;
+    const Int<15> slew = in.config.duty_slew;
     return ~(yields(in) ? wrap<Int<15>>(slew << 1) : slew);
   }
 
@@ -93,7 +93,7 @@ struct SpeedControlLaw {
   // way down.
   bool slew(const In& in, bool control) {
     const bool below = reference < in.target, rises = below && !held, falls = !below;
-    const Int<21> step = in.words.slew;
+    const Int<21> step = in.config.slew;
     reference = wrap<Int<28>>(reference + (rises ? step : falls ? ~step : Int<21>(0)));
     const bool passed = control && (reference < in.target ? falls : rises);
     if (!control) reference = in.frequency;
@@ -105,7 +105,7 @@ struct SpeedControlLaw {
   static constexpr int kAsks = 1 << 18;  // s.31, of one tick: 2^-13 of the duty
 
   static Int<32> times(Int<27> speed, UInt<16> gain, const In& in) {
-    return wrap<Int<32>>((speed * gain) >> static_cast<int>(in.words.shift.raw()));
+    return wrap<Int<32>>((speed * gain) >> static_cast<int>(in.config.shift.raw()));
   }
   static Sum add(Sum a, Int<32> product) { return wrap<Sum>(a + wrap<Int<20>>(product >> 12)); }
   Limit moved(Int<15> by) const {

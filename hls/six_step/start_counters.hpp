@@ -20,7 +20,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
@@ -36,7 +36,7 @@ class StartCounters {
     bool good = false;           // with `update`: it is a small one
     bool turns_reverse = false;  // while a spin is detected: the code last moved downwards
     bool hopeful = false;        // a follower has seen the rotor move, as it now believes it does
-    StartWords words;
+    StartConfig config;
   };
 
   struct Out {
@@ -78,15 +78,15 @@ class StartCounters {
   }
 
   // Every attempt of such a start is the same.
-  static bool follows(const In& in) { return in.words.method == Method::kFollow; }
+  static bool follows(const In& in) { return in.config.method == Method::kFollow; }
 
   static Length length(const In& in, UInt<2> failed) {
     const auto when = [&in](State state, Length then) { return in.state.holds(state) ? then : Length(0); };
-    return when(State::kDetectSpin, in.words.detect_spin) | when(State::kBrake, in.words.brake) |
-           when(State::kPreAlign, doubled(in.words.pre_align, failed)) |
-           when(State::kAlign, doubled(in.words.align, failed)) |
-           when(State::kPullIn, in.words.pull_in) | when(State::kSlowDown, in.words.slow_down) |
-           when(State::kRetryDelay, in.words.retry_delay) |
+    return when(State::kDetectSpin, in.config.detect_spin) | when(State::kBrake, in.config.brake) |
+           when(State::kPreAlign, doubled(in.config.pre_align, failed)) |
+           when(State::kAlign, doubled(in.config.align, failed)) |
+           when(State::kPullIn, in.config.pull_in) | when(State::kSlowDown, in.config.slow_down) |
+           when(State::kRetryDelay, in.config.retry_delay) |
            when(State::kRun, 1024) |  // after that long earlier failures are forgotten
            // A ramp of 0 must end, too.
            when(State::kAccelerate, doubled(Ticks::max(), failed));
@@ -118,7 +118,7 @@ class StartCounters {
   }
 
   void count_attempts(const In& in, bool forgets) {
-    retries_exhausted_ = retries_ >= in.words.retries || (following(in) && time_up_);
+    retries_exhausted_ = retries_ >= in.config.retries || (following(in) && time_up_);
     if (forgets) {
       retries_ = 0;
     } else if (in.failed) {
@@ -137,7 +137,7 @@ class StartCounters {
     const bool same = !in.state.holds(State::kDetectSpin) || in.turns_reverse == turns_reverse_;
     const bool counts = in.good && same;
     count_reached_ = in.update && counts && steady_ && !in.entered;
-    steady_ = good_ + 1 >= in.words.good_crossings;
+    steady_ = good_ + 1 >= in.config.good_crossings;
     if (in.entered) {
       good_ = 0;
     } else if (in.update) {

@@ -36,18 +36,18 @@
 #include "hls/six_step/phase_detector.hpp"
 #include "hls/six_step/speed_control.hpp"
 #include "hls/six_step/start_counters.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 
 class StartSequence {
  public:
   struct In {
-    Parameter<true> detects_spin;     // else kDetectSpin is left out, as with words.detect_spin = 0
+    Parameter<true> detects_spin;     // else kDetectSpin is left out, as with config.detect_spin = 0
     bool tick = false;                // the slow time base
     Command command;
     Source source = Source::kBemf;
-    StartWords words;
+    StartConfig config;
     bool fast = false;                // the VCO's frequency is hand_over or more
     bool slow = false;                // it is below stall
     bool commutate = false;           // strobe: a new step began
@@ -100,7 +100,7 @@ class StartSequence {
                                           .good = in.good,
                                           .turns_reverse = in.turns_reverse,
                                           .hopeful = in.moves,
-                                          .words = in.words});
+                                          .config = in.config});
     if (at_.holds(State::kDetectSpin) && is_started(in, counts)) counts.count_reached = false;
     const Duty duty = open_loop_.tick({.state = at_,
                                        .strong = counts.strong,
@@ -109,9 +109,9 @@ class StartSequence {
                                        .fast = in.fast,
                                        .commutate = in.commutate,
                                        .lags = in.lags,
-                                       .align_duty = in.words.align_duty,
-                                       .start_duty = in.words.start_duty,
-                                       .brake_duty = in.words.brake_duty}).duty;
+                                       .align_duty = in.config.align_duty,
+                                       .start_duty = in.config.start_duty,
+                                       .brake_duty = in.config.brake_duty}).duty;
     const Out present = out(in, counts, duty);
     const Requests requests = request(in, counts);
     const States next = next_state(in, requests, counts);
@@ -155,7 +155,7 @@ class StartSequence {
  private:
   using Counts = StartCounters::Out;
 
-  static bool follows(const In& in) { return in.words.method == Method::kFollow; }
+  static bool follows(const In& in) { return in.config.method == Method::kFollow; }
   // The word changed.
   bool turns_to_follow(const In& in) const {
     return follows(in) && at_.holds_one_of(State::kPreAlign, State::kAlign);
@@ -163,7 +163,7 @@ class StartSequence {
   // What ends kAccelerate well.
   static bool arrives(const In& in) { return follows(in) ? in.caught : in.fast; }
   static bool looks(const In& in) {
-    return in.detects_spin && in.source == Source::kBemf && in.words.detect_spin != 0;
+    return in.detects_spin && in.source == Source::kBemf && in.config.detect_spin != 0;
   }
 
   // What more than one state may want, and what counters have a say in.
@@ -291,8 +291,8 @@ class StartSequence {
                                                                  : Loop::kStop;
     // A rotor that was followed has a speed that is known and lasts: it is controlled, locked or not.
     out.mode = out.running || holds_      ? SpeedMode::kControl
-               : detects_spin || boosts_  ? SpeedMode::kAboveBemf
-               : at_.holds(State::kBrake) ? SpeedMode::kBelowBemf
+               : detects_spin || boosts_  ? SpeedMode::kFeedForwardDrive
+               : at_.holds(State::kBrake) ? SpeedMode::kFeedForwardBrake
                                           : SpeedMode::kFixed;
     out.duty = duty;
     return out;

@@ -31,8 +31,8 @@ struct StartSequenceLaw {
 
   Next next(const In& in, const Counts& counts) const {
     const Command& host = in.command;
-    const bool wanted = host.run && !in.still, timed_out = counts.timed_out, follows = in.words.method == Method::kFollow;
-    const bool hall = in.source == Source::kHall, looks = in.detects_spin && !hall && in.words.detect_spin != 0;
+    const bool wanted = host.run && !in.still, timed_out = counts.timed_out, follows = in.config.method == Method::kFollow;
+    const bool hall = in.source == Source::kHall, looks = in.detects_spin && !hall && in.config.detect_spin != 0;
     const bool may_brake = at == State::kRun || at == State::kSlowDown || at == State::kBrake || at == State::kDetectSpin;
     const bool turns_round = !wanted || host.reverse != reverse;
     const bool turns_on = wanted && counts.turns_reverse == reverse;
@@ -71,7 +71,7 @@ struct StartSequenceLaw {
 
   void clock(const In& in, const Counts& counts) {
     const Next go = next(in, counts);
-    const bool follows = in.words.method == Method::kFollow;
+    const bool follows = in.config.method == Method::kFollow;
     const bool accelerates = at != State::kAccelerate && go.state == State::kAccelerate;
     const bool hands_over = at == State::kAccelerate && go.state == State::kPullIn;
     load_step = (follows ? hands_over : accelerates) || (at == State::kDetectSpin && go.state == State::kRun);

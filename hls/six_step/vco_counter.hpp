@@ -14,7 +14,7 @@
 #pragma once
 
 #include "hls/numeric/bits.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 
 namespace steplock {
 

@@ -59,7 +59,7 @@ NoiseGains noise_gains(const Response& open_loop, double interval) {
   return g;
 }
 
-Budget error_budget(const Settings& s, const Design& d, const Words& w, double apart_s) {
+Budget error_budget(const Settings& s, const Design& d, const Config& w, double apart_s) {
   const Parameters& p = d.parameters;
   const double f = p.speed.target;
   const int steps = p.loop.detector == Detector::kEveryStep ? 1 : 6;

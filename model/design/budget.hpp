@@ -19,7 +19,7 @@
 #include <algorithm>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock::design {
 
@@ -45,7 +45,7 @@ struct Budget {
 
 // `apart_s`: how long nothing has held the two integrals of speed control together.  That is no time for
 // two drives with a motor each, and all its time for a reference that looks over a drive's shoulder.
-Budget error_budget(const Settings&, const Design&, const Words&, double apart_s = 0);
+Budget error_budget(const Settings&, const Design&, const Config&, double apart_s = 0);
 
 // Means over all frequencies of a loop that is sampled once per `interval`.
 struct NoiseGains {

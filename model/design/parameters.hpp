@@ -1,11 +1,11 @@
 // What the drive's blocks are set to, in SI units: the design library's result before it becomes
 // words, and all that the floating-point reference drive knows.
 //
-// Members carry the names of the register words (words.hpp).  A step is one commutation interval of
+// Members carry the names of the register words (config.hpp).  A step is one commutation interval of
 // 60 electrical degrees.  Frequencies are steps per second, phases turns of one step, duties
 // fractions of the PWM period, durations seconds.
 //
-// Doc: docs/design.md   Test: tests/model/design/register_words_test.cpp
+// Doc: docs/design.md   Test: tests/model/design/config_test.cpp
 #pragma once
 
 #include "model/design/settings.hpp"

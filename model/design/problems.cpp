@@ -7,7 +7,7 @@
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
 #include "model/design/sinusoidal/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock::design {
 namespace {

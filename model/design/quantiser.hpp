@@ -1,7 +1,7 @@
 // From a value in its unit to the nearest register word, under its name; what was wanted, and what the word means instead, is
 // kept as a row, and what does not fit as a problem.
 //
-// Test: tests/model/design/register_words_test.cpp
+// Test: tests/model/design/config_test.cpp
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock::design {
 
 class Quantiser {
  public:
-  Quantiser(Words& words, std::vector<WordRow>& rows, std::vector<std::string>& problems)
-      : words_(words), rows_(rows), problems_(problems) {}
+  Quantiser(Config& config, std::vector<WordRow>& rows, std::vector<std::string>& problems)
+      : config_(config), rows_(rows), problems_(problems) {}
 
   // The word whose `unit_per_lsb` multiple is nearest; `bits` wide.
   Word operator()(const char* name, const char* unit, double wanted, double unit_per_lsb, int bits,
@@ -31,17 +31,17 @@ class Quantiser {
     }
     const Word word = nearest > 0 ? Word(std::min(nearest, most)) : 0;
     rows_.push_back({name, unit, wanted, word, word * unit_per_lsb});
-    words_.set(name, word);
+    config_.set(name, word);
     return word;
   }
   // One that says which of some, or how many, and has nothing to round.
   template <class Choice>
   void choose(const char* name, Choice choice) {
-    words_.set(name, static_cast<Word>(choice));
+    config_.set(name, static_cast<Word>(choice));
   }
 
  private:
-  Words& words_;
+  Config& config_;
   std::vector<WordRow>& rows_;
   std::vector<std::string>& problems_;
 };

@@ -19,7 +19,7 @@ double duty_for(const Settings&, double current, double resistance);
 // The acceleration, in steps/s^2, that the loop follows with an error of ten degrees at this frequency.
 double followed(const LoopParameters&, double frequency);
 
-// What words hold at most, for values that are worked out (words.cpp): of a frequency, steps/s, and of a ramp, steps/s^2.
+// What words hold at most, for values that are worked out (config.cpp): of a frequency, steps/s, and of a ramp, steps/s^2.
 double most_frequency(const LoopParameters&, double clock_hz);
 double most_ramp(const LoopParameters&, double tick, double clock_hz);
 inline constexpr double kMostSamples = 65535;  // of a time between comparator samples

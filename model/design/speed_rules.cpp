@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "model/design/rules.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock::design {
 namespace {

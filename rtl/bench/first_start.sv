@@ -1,7 +1,7 @@
 // A first start of six_step_axi, without a motor: configuration from a list of words, run, gates that drive, the fault pin, gates that
 // do not.
 //
-//     tools/bench icarus first_start [+words=FILE.mem]
+//     tools/bench icarus first_start [+config=FILE.mem]
 //
 // It prints PASSED; or FAILED and why, and its exit code is 1.
 //
@@ -30,12 +30,12 @@ module first_start #(
   int errors, count, clocks = 0;
   logic [31:0] value;
   initial begin
-    if (!$value$plusargs("words=%s", file)) judge.fail("no +words=FILE.mem");
+    if (!$value$plusargs("config=%s", file)) judge.fail("no +config=FILE.mem");
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);
     drive.host.configure(file, errors, count);
-    if (count < kLeastWords) judge.fail("the list of words is not there, or empty");
+    if (count < kLeastWords) judge.fail("the configuration is not there, or empty");
     if (errors != 0) judge.fail($sformatf("%0d of %0d words are not kept", errors, count));
     if (gates != 6'd0) judge.fail("a gate is on before run");
     drive.host.write(12'h00c, 32'd3);  // CONTROL: configured, run

@@ -17,7 +17,7 @@
     end while ((value & kStopped) == 0 && looks < most);
   endtask
 
-  // The words of rtl/words/NAME.mem behind the lock, each read back, then CONTROL.configured.  `errors`: words that are not kept.
+  // The words of rtl/config/NAME.mem behind the lock, each read back, then CONTROL.configured.  `errors`: words that are not kept.
   // A file that is not there leaves `count` 0.
   localparam int kWords = 256;
   localparam logic [63:0] kNone = 64'hffff_ffff_ffff_ffff;
@@ -28,10 +28,10 @@
   endtask
   task automatic configure(input string file, output int errors, output int count);
     load(file);
-    write_words(errors, count);
+    write_config(errors, count);
   endtask
   // What `load` has read; or what is left of it.
-  task automatic write_words(output int errors, output int count);
+  task automatic write_config(output int errors, output int count);
     logic [31:0] value;
     logic runs, bad;
     errors = 0;

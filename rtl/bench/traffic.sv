@@ -141,7 +141,7 @@ module traffic #(
 
   int clocks = 200_000, wait_for;
   task automatic play;
-    if (!$value$plusargs("words=%s", file)) fail("no +words=FILE.mem");
+    if (!$value$plusargs("config=%s", file)) fail("no +config=FILE.mem");
     count = $value$plusargs("clocks=%d", clocks);
     for (int done = 0; done < clocks; done += 40_000) begin
       begin_again;

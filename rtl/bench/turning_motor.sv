@@ -45,7 +45,7 @@ module turning_motor #(
       $dumpfile(file);
       $dumpvars(0, turning_motor);
     end
-    if (!$value$plusargs("words=%s", file)) judge.fail("no +words=FILE.mem");
+    if (!$value$plusargs("config=%s", file)) judge.fail("no +config=FILE.mem");
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);

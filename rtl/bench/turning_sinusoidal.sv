@@ -48,7 +48,7 @@ module turning_sinusoidal #(
       $dumpfile(file);
       $dumpvars(0, turning_sinusoidal);
     end
-    if (!$value$plusargs("words=%s", file)) judge.fail("no +words=FILE.mem");
+    if (!$value$plusargs("config=%s", file)) judge.fail("no +config=FILE.mem");
     if (!$value$plusargs("first_ms=%d", first_ms)) first_ms = 0;
     repeat (4) @(negedge clk);
     rst = 1'b0;

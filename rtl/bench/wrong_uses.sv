@@ -119,7 +119,7 @@ module wrong_uses;
     if (use_ == 4) for (int i = 0; i < 256; i += 2) drive.host.words[i] = drive.host.kNone;
     if (use_ == 5) for (int i = 0; i < 256; ++i) drive.host.words[i] = drive.host.kNone;
     if (use_ == 22) drive.host.write(kControl, 32'd2);
-    if (use_ != 3) drive.host.write_words(errors, count);
+    if (use_ != 3) drive.host.write_config(errors, count);
     change(12'h0bc, 32'h0f00_0000, 32'h0100_0000);  // one failed attempt: it is to end soon
     case (use_)
       6: change(12'h0dc, 32'hffff_ffff, 32'h0800_7000);
@@ -162,7 +162,7 @@ module wrong_uses;
   logic settled;
   string in_the_end;
   initial begin
-    if (!$value$plusargs("words=%s", file) || !$value$plusargs("use=%d", use_)) judge.fail("no +words=FILE.mem, or no +use=N");
+    if (!$value$plusargs("config=%s", file) || !$value$plusargs("use=%d", use_)) judge.fail("no +config=FILE.mem, or no +use=N");
     repeat (4) @(negedge clk);
     rst = 1'b0;
     repeat (4) @(negedge clk);

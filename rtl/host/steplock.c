@@ -51,7 +51,7 @@ static enum steplock_result need_stopped(const struct steplock_bus *bus) {
   return GET(STATUS_STOPPED, status) ? STEPLOCK_OK : STEPLOCK_NOT_STOPPED;
 }
 
-/* Words of Hall sensors for a drive that was synthesized without their decoder. */
+/* Config of Hall sensors for a drive that was synthesized without their decoder. */
 static int need_hall(const struct steplock_word *words, size_t count) {
   size_t i;
   uint32_t hall = 0u;
@@ -61,7 +61,7 @@ static int need_hall(const struct steplock_word *words, size_t count) {
   return hall != 0u;
 }
 
-/* Words of a start that this drive was synthesized without. */
+/* Config of a start that this drive was synthesized without. */
 static int need_method(const struct steplock_word *words, size_t count, uint32_t capability) {
   size_t i;
   int lacks = 0;
@@ -74,7 +74,7 @@ static int need_method(const struct steplock_word *words, size_t count, uint32_t
   return lacks;
 }
 
-static enum steplock_result write_words(const struct steplock_bus *bus,
+static enum steplock_result write_config(const struct steplock_bus *bus,
                                         const struct steplock_word *words, size_t count) {
   size_t i;
   for (i = 0; i < count; ++i) {
@@ -112,7 +112,7 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
   if (result != STEPLOCK_OK) { return result; }
   result = put(bus, STEPLOCK_CONTROL, 0);
   if (result == STEPLOCK_OK) { result = put(bus, STEPLOCK_LOCK, STEPLOCK_LOCK_KEY); }
-  if (result == STEPLOCK_OK) { result = write_words(bus, words, count); }
+  if (result == STEPLOCK_OK) { result = write_config(bus, words, count); }
   closed = put(bus, STEPLOCK_LOCK, 0); /* in any case */
   if (result == STEPLOCK_OK) { result = closed; }
   if (result != STEPLOCK_OK) { return result; }
@@ -231,7 +231,7 @@ enum steplock_result steplock_set_watchdog(const struct steplock_bus *bus, uint3
   result = need_stopped(bus);
   if (result != STEPLOCK_OK) { return result; }
   result = put(bus, STEPLOCK_LOCK, STEPLOCK_LOCK_KEY);
-  if (result == STEPLOCK_OK) { result = write_words(bus, &word, 1); }
+  if (result == STEPLOCK_OK) { result = write_config(bus, &word, 1); }
   closed = put(bus, STEPLOCK_LOCK, 0);
   return result == STEPLOCK_OK ? closed : result;
 }

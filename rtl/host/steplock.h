@@ -2,7 +2,7 @@
  * six-step drive; the sinusoidal one all but what its comment says, and steplock_sinusoidal.h the rest.
  *
  * Every function gets the bus, two functions that read and write one register.  For a drive in the
- * address space of the processor steplock_memory_mapped() gives them.  Words for a motor come from
+ * address space of the processor steplock_memory_mapped() gives them.  Config for a motor come from
  * `steplock design FILE --c-header`.  Registers: docs/six_step_registers.md.  Test:
  * tests/testbench/host_driver_test.cpp, where this driver turns a motor through the RTL.
  */
@@ -25,9 +25,9 @@ enum steplock_result {
   STEPLOCK_NOT_STOPPED, /* the drive has to be stopped for this */
   STEPLOCK_NOT_KEPT,    /* a register does not read back what was written */
   STEPLOCK_FAULT_LATCHED, /* a fault is latched; for clear_fault: its cause lasts */
-  STEPLOCK_NO_PERIOD,    /* the words leave PWM.period 0, or too short: the bridge stays off */
-  STEPLOCK_NO_HALL,      /* the words ask for Hall sensors, whose decoder this drive was made without */
-  STEPLOCK_NO_METHOD,    /* the words ask for a start (START_LOCK.method) that this drive was made without */
+  STEPLOCK_NO_PERIOD,    /* the configuration leaves PWM.period 0, or too short: the bridge stays off */
+  STEPLOCK_NO_HALL,      /* the configuration asks for Hall sensors, whose decoder this drive was made without */
+  STEPLOCK_NO_METHOD,    /* the configuration asks for a start (START_LOCK.method) that this drive was made without */
   STEPLOCK_REFUSED,      /* an argument that cannot be: no bus, or a value that its register does not hold; nothing was written */
   STEPLOCK_TRY_AGAIN     /* of clear_fault: an over-current, which lasts for a PWM period after its comparator fell */
 };

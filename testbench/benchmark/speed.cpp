@@ -25,15 +25,15 @@
 #include <sstream>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "testbench/benchmark/instructions.hpp"
-#include "testbench/engine/float.hpp"
-#include "testbench/engine/rtl.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/float_engine.hpp"
+#include "testbench/drive/six_step/rtl_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/run/check.hpp"
-#include "testbench/run/drive_loop.hpp"
+#include "testbench/drive/six_step/run.hpp"
 #include "testbench/run/timeline.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock {
 namespace {
@@ -52,11 +52,11 @@ design::Settings beginning(const char* path) {
 struct Scene {
   design::Settings settings = beginning(STEPLOCK_DRIVES "/m2310p_servo.toml");
   design::Parameters parameters;
-  Words words;
+  SixStepConfig config;
 
   Scene() {
     parameters = design::design_drive(settings).parameters;
-    words = hls_words(design::quantise(parameters, settings.control.clock_hz).words);
+    config = hls_config(design::quantise(parameters, settings.control.clock_hz).config);
   }
   double clock_hz() const { return settings.control.clock_hz; }
   std::uint64_t clocks() const { return timeline(settings).clocks; }
@@ -106,7 +106,7 @@ class ListeningEngine : public FixedEngine {
 
 const std::vector<Shown>& shown() {
   static const std::vector<Shown> all = [] {
-    ListeningEngine engine(scene().words, scene().clock_hz());
+    ListeningEngine engine(scene().config, scene().clock_hz());
     run_with(engine, scene().settings, {});
     return engine.shown;
   }();
@@ -114,7 +114,7 @@ const std::vector<Shown>& shown() {
 }
 
 void bare() {
-  RtlEngine engine(scene().words, scene().clock_hz());
+  RtlEngine engine(scene().config, scene().clock_hz());
   std::uint64_t clock = 0;
   std::uint32_t seen = 0;
   const auto run_to = [&](std::uint64_t end) {
@@ -137,8 +137,8 @@ void with_motor(const Setting& setting) {
   Engine engine(setting, scene().clock_hz());
   benchmark::DoNotOptimize(run_with(engine, scene().settings, {}));
 }
-void rtl() { with_motor<RtlEngine>(scene().words); }
-void fixed() { with_motor<FixedEngine>(scene().words); }
+void rtl() { with_motor<RtlEngine>(scene().config); }
+void fixed() { with_motor<FixedEngine>(scene().config); }
 void floating() { with_motor<FloatEngine>(scene().parameters); }
 
 template <EngineKind kEngine>

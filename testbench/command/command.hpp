@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "testbench/drive_file/drive_file.hpp"
-#include "testbench/run/run_drive.hpp"
+#include "testbench/run/run_options.hpp"
 
 namespace steplock {
 

@@ -9,14 +9,14 @@
 
 #include "model/design/analog_circuit.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "testbench/command/command.hpp"
 #include "testbench/drive/drive.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/registers/registers.hpp"
-#include "testbench/report/design_report.hpp"
-#include "testbench/sinusoidal/design_report.hpp"
-#include "testbench/sinusoidal/words.hpp"
+#include "testbench/drive/six_step/design_report.hpp"
+#include "testbench/drive/sinusoidal/design_report.hpp"
+#include "testbench/drive/sinusoidal/config.hpp"
 
 namespace steplock {
 namespace {
@@ -45,11 +45,11 @@ int print_part(SixStepDrive, const DriveFile& file, const Arguments& arguments) 
   }
   const double clock_hz = file.settings.control.clock_hz;
   const auto designed = design::design_drive(file.settings);
-  const Words words = hls_words(design::quantise(designed.parameters, clock_hz).words);
+  const SixStepConfig config = hls_config(design::quantise(designed.parameters, clock_hz).config);
   const std::string name = name_of(arguments);
-  fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
-                   : arguments.mem    ? registers::words_mem(words, name, clock_hz)
-                                      : registers::words_verilog(words, name, clock_hz));
+  fmt::print("{}", arguments.c_header ? registers::config_c_header(config, name, clock_hz)
+                   : arguments.mem    ? registers::config_mem(config, name, clock_hz)
+                                      : registers::config_verilog(config, name, clock_hz));
   return kWell;
 }
 
@@ -60,10 +60,10 @@ int print_part(SinusoidalDrive, const DriveFile& file, const Arguments& argument
   const std::string name = name_of(arguments);
   const double clock_hz = file.settings.control.clock_hz;
   try {
-    const SinusoidalWords words = sinusoidal::words_of(file.settings);
-    fmt::print("{}", arguments.c_header ? registers::words_c_header(words, name, clock_hz)
-                     : arguments.mem    ? registers::words_mem(words, name, clock_hz)
-                                        : registers::words_verilog(words, sinusoidal::adc_words_of(file.settings),
+    const SinusoidalConfig config = sinusoidal::config_of(file.settings);
+    fmt::print("{}", arguments.c_header ? registers::config_c_header(config, name, clock_hz)
+                     : arguments.mem    ? registers::config_mem(config, name, clock_hz)
+                                        : registers::config_verilog(config, sinusoidal::adc_config_of(file.settings),
                                                                    name, clock_hz));
   } catch (const std::invalid_argument& e) {
     throw BadInput(fmt::format("{}: {}", arguments.file, e.what()));
@@ -113,15 +113,15 @@ int design_drive_file(const Arguments& arguments) {
 void add_design_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "design", "Show what the design library makes of a drive file: filter, gains, margins, words.");
+      "design", "Show what the design library makes of a drive file: filter, gains, margins, configuration.");
   command->add_option("FILE", arguments->file, "drive file")->required();
   command->add_flag("--json", arguments->json, "print as JSON");
   command->add_flag("--c-header", arguments->c_header,
-                    "print the words as C initialisers for rtl/host/steplock.h, nothing else");
+                    "print the configuration as C initialisers for rtl/host/steplock.h, nothing else");
   command->add_flag("--verilog", arguments->verilog,
-                    "print the words as constants around rtl/six_step_standalone.sv or sinusoidal_standalone.sv, nothing else");
+                    "print the configuration as constants around rtl/six_step_standalone.sv or sinusoidal_standalone.sv, nothing else");
   command->add_flag("--mem", arguments->mem,
-                    "print the words as a list for $readmemh, offset and value of each register, nothing else");
+                    "print the configuration as a list for $readmemh, offset and value of each register, nothing else");
   command->add_flag("--circuit", arguments->circuit,
                     "print dividers, filter, shunt and threshold in front of the FPGA, nothing else");
   command->add_option("--clock-hz", arguments->clock_hz, "clock of the board (default: the file's)");

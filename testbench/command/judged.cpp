@@ -5,9 +5,9 @@
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
 #include "testbench/drive_file/key_text.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/registers/registers.hpp"
-#include "testbench/sinusoidal/words.hpp"
+#include "testbench/drive/sinusoidal/config.hpp"
 
 namespace steplock {
 namespace {
@@ -26,10 +26,10 @@ std::string settings_text(const design::Settings& s) {
   return text;
 }
 
-std::string words_text(const design::Settings& s) {
-  if (s.drive.kind == design::DriveKind::kSinusoidal) return registers::words_mem(sinusoidal::words_of(s), "judged", s.control.clock_hz);
+std::string config_text(const design::Settings& s) {
+  if (s.drive.kind == design::DriveKind::kSinusoidal) return registers::config_mem(sinusoidal::config_of(s), "judged", s.control.clock_hz);
   const auto designed = design::design_drive(s);
-  return registers::words_mem(hls_words(design::quantise(designed.parameters, s.control.clock_hz).words), "judged",
+  return registers::config_mem(hls_config(design::quantise(designed.parameters, s.control.clock_hz).config), "judged",
                               s.control.clock_hz);
 }
 
@@ -37,7 +37,7 @@ std::string words_text(const design::Settings& s) {
 
 std::string judged_text(const DriveFile& file) {
   const design::StartBounds b = design::start_bounds(file.settings);
-  return settings_text(file.settings) + words_text(file.settings) +
+  return settings_text(file.settings) + config_text(file.settings) +
          fmt::format("bounds {:g} {:g} {:g} {:g}\n", b.current_a, b.kick_deg, b.speed, b.lock_s);
 }
 

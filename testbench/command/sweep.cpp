@@ -86,7 +86,7 @@ int run_sweep(Arguments arguments) {
   const std::vector<DriveFile> files = open_files_of(
       drive_kind, arguments.files, sinusoidal ? "a sweep of sinusoidal drives" : "a sweep");
   for (const DriveFile& file : files) {
-    if (sinusoidal) check_words(file);
+    if (sinusoidal) check_config(file);
   }
   if (arguments.prints_judged) {
     for (const DriveFile& file : files) fmt::print("{}", judged_text(file));

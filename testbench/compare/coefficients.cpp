@@ -7,7 +7,7 @@
 
 #include "model/design/design.hpp"
 #include "testbench/compare/corner_inputs.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/config.hpp"
 
 namespace steplock {
 namespace {
@@ -26,7 +26,7 @@ const Coefficient kCoefficients[] = {
     {"loop.delay", "s", STEPLOCK_OF(loop.delay), kDelay},
     {"loop.ki", "", STEPLOCK_OF(loop.integral), 0},
     {"loop.kp", "", STEPLOCK_OF(loop.proportional), 0},
-    {"loop.pole", "", STEPLOCK_OF(loop.pole), 0},
+    {"loop.alpha", "", STEPLOCK_OF(loop.pole), 0},
     {"loop.minimum", "step/s", STEPLOCK_OF(loop.minimum), 0},
     {"loop.maximum", "step/s", STEPLOCK_OF(loop.maximum), 0},
     {"speed.slew", "step/s^2", STEPLOCK_OF(speed.slew), 0},
@@ -79,7 +79,7 @@ Told told_of(const design::Settings& s, double angle_deg, const std::function<bo
   const design::Parameters wanted = design::design_drive(s).parameters;
   const design::Quantised q = design::quantise(wanted, clock_hz);
   return {.run = law_inputs(s, angle_deg, true, progress),
-          .corners = corner_inputs(hls_words(q.words), clock_hz),
+          .corners = corner_inputs(hls_config(q.config), clock_hz),
           .parameters = meant(wanted, q),
           .clock_hz = clock_hz};
 }

@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "testbench/drive/drive.hpp"
-#include "testbench/engine/lockstep_engine.hpp"
-#include "testbench/engine/words.hpp"
-#include "testbench/run/drive_loop.hpp"
-#include "testbench/sinusoidal/lockstep_engine.hpp"
+#include "testbench/drive/six_step/lockstep_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
+#include "testbench/drive/six_step/run.hpp"
+#include "testbench/drive/sinusoidal/lockstep_engine.hpp"
 
 namespace steplock {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 std::unique_ptr<LockstepEngine> lockstep_engine(SixStepDrive, const design::Settings& s, const CompareOptions& options) {
   const design::Design designed = design::design_drive(s);
   const double clock_hz = s.control.clock_hz;
-  auto engine = std::make_unique<LockstepEngine>(hls_words(design::quantise(designed.parameters, clock_hz).words), clock_hz);
+  auto engine = std::make_unique<LockstepEngine>(hls_config(design::quantise(designed.parameters, clock_hz).config), clock_hz);
   engine->invert_comparators(options.wrong_from_clock, options.wrong_to_clock);
   return engine;
 }

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "testbench/compare/compare.hpp"
-#include "testbench/run/summary.hpp"
+#include "testbench/drive/six_step/summary.hpp"
 
 namespace steplock {
 namespace {

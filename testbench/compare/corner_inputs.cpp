@@ -10,7 +10,7 @@ namespace steplock {
 namespace {
 
 // Steps that lead, lag, and hide their crossing after each.
-std::vector<DetectorInput> detector_corners(const LoopWords& w) {
+std::vector<DetectorInput> detector_corners(const LoopConfig& w) {
   std::vector<DetectorInput> told;
   PhaseDetector block;
   const auto clock = [&](PhaseDetector::In in) {
@@ -37,14 +37,14 @@ std::vector<DetectorInput> detector_corners(const LoopWords& w) {
   return told;
 }
 
-std::vector<LoopInput> loop_corners(const Words& w) {
+std::vector<LoopInput> loop_corners(const SixStepConfig& w) {
   constexpr int kMost = 20000, kLast = 160;  // updates: two windows of law_errors.hpp
   std::vector<LoopInput> told;
   std::mt19937 random(1);
   LoopFilterLaw law;
   const auto update = [&](int error) {
     LoopInput u{.in = {.loop = Loop::kTrack, .error = error, .bandwidth = w.loop.bandwidth,
-                       .delay = w.loop.delay >> int(w.loop.divide.raw()), .ki = w.loop.ki, .kp = w.loop.kp, .pole = w.loop.pole,
+                       .delay = w.loop.delay >> int(w.loop.divide.raw()), .ki = w.loop.ki, .kp = w.loop.kp, .alpha = w.loop.alpha,
                        .scale = w.loop.scale, .minimum = w.loop.minimum, .maximum = w.loop.maximum, .hand_over = w.start.hand_over,
                        .stall = w.protection.stall},
                 .before = law.frequency(), .begins = told.empty()};
@@ -72,7 +72,7 @@ std::vector<LoopInput> loop_corners(const Words& w) {
   return told;
 }
 
-std::vector<SpeedInput> speed_corners(const Words& w) {
+std::vector<SpeedInput> speed_corners(const SixStepConfig& w) {
   std::vector<SpeedInput> told;
   std::mt19937 random(2);
   SpeedControlLaw law;
@@ -81,7 +81,7 @@ std::vector<SpeedInput> speed_corners(const Words& w) {
     const auto part = [&](double x) { return Frequency::of(std::uint64_t(x * double(w.speed.target.raw()))); };
     SpeedInput u{.in = {.mode = mode, .fixed_duty = mode == SpeedMode::kFixed ? 0x3000 : 0, .frequency = part(f),
                         .target = part(target), .limited = limited, .masked_lead = masked_lead, .freewheels = freewheels,
-                        .period = w.pwm.period, .slip = w.protection.slip, .words = w.speed}};
+                        .period = w.pwm.period, .slip = w.protection.slip, .config = w.speed}};
     law.tick(u.in);
     u.after = law.duty;
     told.push_back(u);
@@ -119,7 +119,7 @@ std::vector<SpeedInput> speed_corners(const Words& w) {
 
 }  // namespace
 
-LawInputs corner_inputs(const Words& w, double clock_hz) {
+LawInputs corner_inputs(const SixStepConfig& w, double clock_hz) {
   LawInputs told{detector_corners(w.loop), loop_corners(w), speed_corners(w)};
   const double tick = double(w.pwm.period.raw()) * double(w.pwm.tick_periods.raw()) / clock_hz;
   for (std::size_t k = 0; k < told.speed.size(); ++k) told.speed[k].time = double(k) * tick;

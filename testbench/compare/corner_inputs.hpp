@@ -8,6 +8,6 @@
 
 namespace steplock {
 
-LawInputs corner_inputs(const Words&, double clock_hz);
+LawInputs corner_inputs(const SixStepConfig&, double clock_hz);
 
 }  // namespace steplock

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "model/design/sinusoidal/words.hpp"
+#include "model/design/sinusoidal/config.hpp"
 #include "model/reference/sinusoidal/current_model.hpp"
 #include "testbench/compare/differences.hpp"
 #include "testbench/run/drive_loop.hpp"
-#include "testbench/sinusoidal/fixed_engine.hpp"
+#include "testbench/drive/sinusoidal/fixed_engine.hpp"
 
 namespace steplock::sinusoidal {
 namespace {
@@ -37,7 +37,7 @@ class ShadowedEngine {
         clock_hz_(s.control.clock_hz),
         place_(std::ldexp(design::sinusoidal::current_range(s), -15)),
         sense_(sense),
-        period_clocks_(design::sinusoidal::quantise(s).words["bridge.period"]),
+        period_clocks_(design::sinusoidal::quantise(s).config["bridge.period"]),
         applied_(p.applied),
         current_model_(p.motor, p.current_model, p.pwm.period),
         voltage_model_(p.motor, p.voltage_model, p.pwm.period) {}
@@ -163,7 +163,7 @@ struct StepError {
 };
 StepError step_error(const design::Settings& s, const std::vector<Compared>& all) {
   const auto q = design::sinusoidal::quantise(s);
-  const auto word = [&](const char* name, int fraction) { return std::ldexp(q.words[name], -fraction); };
+  const auto word = [&](const char* name, int fraction) { return std::ldexp(q.config[name], -fraction); };
   const double gain = word("estimator.gain", 13), decay = word("estimator.decay", 15), k_theta = word("estimator.k_theta", 14);
   const double dc = s.inverter.bus_v / design::sinusoidal::voltage_range(s);
   double voltage = 0, current = 0, turns = 0;
@@ -178,7 +178,7 @@ StepError step_error(const design::Settings& s, const std::vector<Compared>& all
   const double per_clock = word("bridge.reciprocal", 0) * dc;  // the whole number that the blocks have for the volts in a clock
   const double of_voltage = rounded(q.rows, "estimator.gain") + rounded(q.rows, "bridge.reciprocal") + 0.5 / per_clock;
   const double moved_wrongly = gain * voltage * of_voltage + decay * current * rounded(q.rows, "estimator.decay");
-  const bool voltage_model = q.words["estimator.voltage"] != 0;
+  const bool voltage_model = q.config["estimator.voltage"] != 0;
   const double by_emf = voltage_model ? word("estimator.k_emf", 15) : word("estimator.k_speed", 17) / gain;
   return {moved_wrongly * (k_theta + by_emf) + turns * rounded(q.rows, voltage_model ? "estimator.k_emf" : "estimator.k_speed"),
           moved * (k_theta + by_emf)};

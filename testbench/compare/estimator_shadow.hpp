@@ -21,7 +21,7 @@
 #include <optional>
 
 #include "model/design/sinusoidal/parameters.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock::sinusoidal {
 

@@ -89,7 +89,7 @@ class LoopBeside {
   static constexpr double kPlace = 0x1p-36;
   template <class Bits>
   static double value(const Bits& b) { return static_cast<double>(b.raw()); }
-  static double pole(const LoopFilterLaw::In& w) { return std::ldexp(value(w.pole), -15); }
+  static double pole(const LoopFilterLaw::In& w) { return std::ldexp(value(w.alpha), -15); }
 
   void join() {
     reference_.load(std::ldexp(value(law_.x), -36) * hertz_, std::ldexp(value(law_.y), -36) * hertz_);
@@ -140,9 +140,9 @@ class SpeedBeside {
     const double e = er_ + hertz_;
     ei_ += 0x1p-31 + p_.ki * tick_ * (parted_ ? std::abs(reference_.reference() - f) + e : e);
     const int move = std::abs(int(law_.duty.raw()) - int(was.raw()));
-    const bool slews = move >= int(u.in.words.duty_slew.raw()) || reference_.at_high() || reference_.at_low();
+    const bool slews = move >= int(u.in.config.duty_slew.raw()) || reference_.at_high() || reference_.at_low();
     const double fresh = 2 * kPlace + ei_ + p_.kp * e;
-    const bool rests = move == 0 && (law_.duty == u.in.words.minimum || law_.duty == u.in.words.maximum);
+    const bool rests = move == 0 && (law_.duty == u.in.config.minimum || law_.duty == u.in.config.maximum);
     ed_ = rests                                 ? std::max(ed_ - p_.duty_slew * tick_, fresh)
           : slews || begins || u.in.limited ? std::max(ed_ + kPlace, fresh)
                                             : fresh;

@@ -1,9 +1,9 @@
 #include "testbench/compare/law_inputs.hpp"
 
 #include "model/design/design.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
-#include "testbench/run/drive_loop.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
+#include "testbench/drive/six_step/run.hpp"
 
 namespace steplock {
 namespace {
@@ -12,8 +12,8 @@ namespace {
 class ListeningEngine {
  public:
   // `shake`: clocks between two set speeds, 0: the scenario's alone.
-  ListeningEngine(const Words& words, double clock_hz, std::uint64_t shake)
-      : fixed_(words, clock_hz), words_(words), clock_hz_(clock_hz), shake_(shake) {}
+  ListeningEngine(const SixStepConfig& config, double clock_hz, std::uint64_t shake)
+      : fixed_(config, clock_hz), config_(config), clock_hz_(clock_hz), shake_(shake) {}
 
   void set_pins(const plant::Pins& pins) { fixed_.set_pins(pins); }
   void set_command(const HostCommand& c) {
@@ -68,7 +68,7 @@ class ListeningEngine {
   // From half the set speed to the whole of it, in an order that repeats itself after all.
   void shake() {
     constexpr int kParts[] = {32, 22, 29, 16, 27, 19, 31, 24};
-    const double full = std::ldexp(static_cast<double>(words_.speed.target.raw()) * clock_hz_, -32 - int(words_.loop.divide.raw()));
+    const double full = std::ldexp(static_cast<double>(config_.speed.target.raw()) * clock_hz_, -32 - int(config_.loop.divide.raw()));
     HostCommand c = command_;
     c.set_speed = full * kParts[clock_ / shake_ % std::size(kParts)] / 32;
     fixed_.set_command(c);
@@ -76,7 +76,7 @@ class ListeningEngine {
 
   void look() {
     const Out& out = fixed_.output();
-    const bool tracks = words_.source == Source::kBemf && (out.locked || out.state == State::kPullIn);
+    const bool tracks = config_.source == Source::kBemf && (out.locked || out.state == State::kPullIn);
     if (!tracks) {
       // An update that the end of tracking overtook has no answer.
       if (asked_loop_ && clock_ - loop_at_ <= kLoopAtWork) told_.loop.pop_back(), asked_loop_ = false;
@@ -88,7 +88,7 @@ class ListeningEngine {
       told_.detector.push_back({.time = time(), .crossing = !out.missed, .before_seen = out.phase_error.negative(),
                                 .crossing_phase = last_crossing_, .error = out.phase_error, .begins = !watched_});
       watched_ = true;
-      if (words_.loop.bandwidth == Bandwidth::kPerStep) tell_loop(out);
+      if (config_.loop.bandwidth == Bandwidth::kPerStep) tell_loop(out);
     }
     // The detector answers a clock later.
     if (out.crossing) last_crossing_ = out.crossing_phase;
@@ -96,11 +96,11 @@ class ListeningEngine {
 
   void tell_loop(const Out& out) {
     answer_loop();
-    const auto& w = words_;
+    const auto& w = config_;
     told_.loop.push_back({.time = time(),
                           .in = {.loop = Loop::kTrack, .error = out.phase_error, .bandwidth = w.loop.bandwidth,
                                  .delay = w.loop.delay >> int(w.loop.divide.raw()), .ki = w.loop.ki, .kp = w.loop.kp,
-                                 .pole = w.loop.pole, .scale = w.loop.scale, .minimum = w.loop.minimum, .maximum = w.loop.maximum,
+                                 .alpha = w.loop.alpha, .scale = w.loop.scale, .minimum = w.loop.minimum, .maximum = w.loop.maximum,
                                  .hand_over = w.start.hand_over, .stall = w.protection.stall},
                           .before = out.frequency, .begins = !tracked_});
     tracked_ = asked_loop_ = true;
@@ -110,7 +110,7 @@ class ListeningEngine {
   void tell_speed(bool masked_lead, bool freewheels) {
     answer_speed();
     const Out& out = fixed_.output();
-    if (words_.source == Source::kBemf && words_.loop.bandwidth == Bandwidth::kPerSecond &&
+    if (config_.source == Source::kBemf && config_.loop.bandwidth == Bandwidth::kPerSecond &&
         (out.locked || out.state == State::kPullIn)) {
       tell_loop(out);
     }
@@ -119,15 +119,15 @@ class ListeningEngine {
     const bool control = controls(out.locked);
     told_.speed.push_back({.time = time(),
                            .in = {.mode = control ? SpeedMode::kControl : SpeedMode::kFixed, .frequency = out.frequency,
-                                  .target = out.state == State::kSlowDown ? Frequency(0) : fixed_.words().speed.target,
+                                  .target = out.state == State::kSlowDown ? Frequency(0) : fixed_.config().speed.target,
                                   .limited = limited_, .masked_lead = masked_lead,
-                                  .freewheels = freewheels, .period = words_.pwm.period, .slip = words_.protection.slip,
-                                  .words = words_.speed}});
+                                  .freewheels = freewheels, .period = config_.pwm.period, .slip = config_.protection.slip,
+                                  .config = config_.speed}});
     asked_speed_ = true;
     limited_ = false;
   }
 
-  bool controls(bool locked) const { return locked || (words_.start.method == Method::kFollow && in_pull_in_ > 1); }
+  bool controls(bool locked) const { return locked || (config_.start.method == Method::kFollow && in_pull_in_ > 1); }
 
   // A block has long answered when the next update comes.
   void answer_loop() {
@@ -143,7 +143,7 @@ class ListeningEngine {
   }
 
   FixedEngine fixed_;
-  Words words_;
+  SixStepConfig config_;
   HostCommand command_;
   double clock_hz_;
   std::uint64_t clock_ = 0, shake_, told_at_ = 0, loop_at_ = 0;
@@ -159,9 +159,9 @@ class ListeningEngine {
 LawInputs law_inputs(const design::Settings& s, double angle_deg, bool shaken, const std::function<bool(double done)>& progress) {
   constexpr double kShakes = 32;
   const double clock_hz = s.control.clock_hz;
-  const auto words = design::quantise(design::design_drive(s).parameters, clock_hz).words;
+  const auto config = design::quantise(design::design_drive(s).parameters, clock_hz).config;
   const auto shake = static_cast<std::uint64_t>(shaken ? s.scenario.duration_s * clock_hz / kShakes : 0);
-  ListeningEngine engine(hls_words(words), clock_hz, shake);
+  ListeningEngine engine(hls_config(config), clock_hz, shake);
   run_with(engine, s, {.angle_deg = angle_deg, .progress = progress});
   return engine.take();
 }

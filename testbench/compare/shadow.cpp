@@ -6,8 +6,8 @@
 #include "model/design/budget.hpp"
 #include "testbench/compare/differences.hpp"
 #include "testbench/compare/shadow_engine.hpp"
-#include "testbench/engine/words.hpp"
-#include "testbench/run/drive_loop.hpp"
+#include "testbench/drive/six_step/config.hpp"
+#include "testbench/drive/six_step/run.hpp"
 #include "testbench/run/units.hpp"
 
 namespace steplock {
@@ -69,12 +69,12 @@ FloatErrors shadow_errors(const design::Settings& s, const Summary& blocks,
   if (!blocks.locked || !blocks.start_time_s) return result;
   const design::Design designed = design::design_drive(s);
   const double clock_hz = s.control.clock_hz;
-  const design::Words words = design::quantise(designed.parameters, clock_hz).words;
+  const design::Config config = design::quantise(designed.parameters, clock_hz).config;
   // Where the steady span begins: the set speed is slewed all the way then, and the duty at rest.  Sooner
   // a slew that the blocks held back, and the reference does not know of, would stay in its duty for ever.
-  const double tick_s = words["pwm.period"] * words["pwm.tick_periods"] / clock_hz;
+  const double tick_s = config["pwm.period"] * config["pwm.tick_periods"] / clock_hz;
   const double join_s = result.from_s - (ShadowEngine::kPatience + 1) * tick_s;
-  ShadowEngine engine(hls_words(words), reference.value_or(designed.parameters), clock_hz,
+  ShadowEngine engine(hls_config(config), reference.value_or(designed.parameters), clock_hz,
                       static_cast<std::uint64_t>(join_s * clock_hz));
 
   design::Settings part = s;  // the same run, as far as it is needed
@@ -84,7 +84,7 @@ FloatErrors shadow_errors(const design::Settings& s, const Summary& blocks,
   const auto all = pairs(engine, result.from_s, result.to_s);
   result.count = all.size();
   result.signals = errors(
-      all, design::error_budget(s, designed, words, result.to_s - join_s), s.motor.pole_pairs);
+      all, design::error_budget(s, designed, config, result.to_s - join_s), s.motor.pole_pairs);
   return result;
 }
 

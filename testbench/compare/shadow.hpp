@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "model/design/parameters.hpp"
-#include "testbench/run/summary.hpp"
+#include "testbench/drive/six_step/summary.hpp"
 
 namespace steplock {
 

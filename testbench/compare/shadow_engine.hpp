@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/float.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/float_engine.hpp"
 
 namespace steplock {
 
@@ -27,11 +27,11 @@ struct StepChange {
 // locked.
 class ShadowEngine {
  public:
-  ShadowEngine(const Words& words, const design::Parameters& parameters, double clock_hz,
+  ShadowEngine(const SixStepConfig& config, const design::Parameters& parameters, double clock_hz,
                std::uint64_t from)
-      : fixed_(words, clock_hz), float_(parameters, clock_hz), speed_(parameters.speed),
-        clock_hz_(clock_hz), most_(words.speed.duty_slew.raw()), from_(from),
-        latest_(from + kPatience * words.pwm.period.raw() * words.pwm.tick_periods.raw()) {}
+      : fixed_(config, clock_hz), float_(parameters, clock_hz), speed_(parameters.speed),
+        clock_hz_(clock_hz), most_(config.speed.duty_slew.raw()), from_(from),
+        latest_(from + kPatience * config.pwm.period.raw() * config.pwm.tick_periods.raw()) {}
 
   void set_pins(const plant::Pins& pins) {
     fixed_.set_pins(pins);

@@ -5,8 +5,8 @@
 #include "model/design/design.hpp"
 #include "testbench/disturb/sinusoidal_aftermath.hpp"
 #include "testbench/run/drive_loop.hpp"
-#include "testbench/sinusoidal/float_engine.hpp"
-#include "testbench/sinusoidal/lockstep_engine.hpp"
+#include "testbench/drive/sinusoidal/float_engine.hpp"
+#include "testbench/drive/sinusoidal/lockstep_engine.hpp"
 #include "testbench/sweep/run_until.hpp"
 
 namespace steplock::sinusoidal {

@@ -11,7 +11,7 @@
 #include "testbench/range/range.hpp"
 #include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 
 namespace steplock {
@@ -23,7 +23,7 @@ struct SinusoidalDrive {
 
   // The words may not hold what the reference in doubles can do.
   static void check(const DriveFile& file, EngineKind engine) {
-    if (engine != EngineKind::kFloat) check_words(file);
+    if (engine != EngineKind::kFloat) check_config(file);
   }
   static Record run(const design::Settings& s, const RunOptions& options) { return sinusoidal::run(s, options); }
   static Summary summarise(const design::Settings& s, const RunOptions& options, const Record& record) {

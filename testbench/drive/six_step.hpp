@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "testbench/compare/shadow.hpp"
+#include "testbench/drive/six_step/recorder.hpp"
+#include "testbench/drive/six_step/report.hpp"
 #include "testbench/range/range.hpp"
-#include "testbench/report/report.hpp"
 #include "testbench/run/check.hpp"
-#include "testbench/run/recorder.hpp"
 #include "testbench/sweep/drawn_run.hpp"
 #include "testbench/sweep/sweep.hpp"
 

@@ -41,8 +41,8 @@ std::string kind_of(const toml::node& node) {
 }
 
 // The word of a list nearest to a misspelt one, if it is near at all.
-template <class Words>
-std::string nearest(std::string_view word, const Words& words) {
+template <class Config>
+std::string nearest(std::string_view word, const Config& config) {
   const auto distance = [&](std::string_view other) {
     std::vector<std::size_t> row(other.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
@@ -60,7 +60,7 @@ std::string nearest(std::string_view word, const Words& words) {
   const auto stem = [](std::string_view s) { return s.substr(0, s.rfind('_')); };
   std::string best;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
-  for (const auto& candidate : words) {
+  for (const auto& candidate : config) {
     const std::size_t d = stem(word) == stem(candidate) ? 1 : distance(candidate);
     if (d < least) least = d, best = candidate;
   }
@@ -204,13 +204,13 @@ class Loader {
   template <class E>
     requires std::is_enum_v<E>
   void read(const Key&, const toml::node& node, E& value) {
-    const auto words = enum_words(E{});
+    const auto config = enum_words(E{});
     std::string all;
-    for (const char* word : words) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", word);
+    for (const char* word : config) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", word);
     if (node.is_string()) {
       const std::string& text = **node.as_string();
-      for (std::size_t i = 0; i < words.size(); ++i) {
-        if (text == words[i]) {
+      for (std::size_t i = 0; i < config.size(); ++i) {
+        if (text == config[i]) {
           value = static_cast<E>(i);
           return;
         }

@@ -45,8 +45,8 @@ std::string with_every_key(const std::string& text, const std::string& path) {
     if (file.line_of.contains(section + "." + name)) return;
     if (!design::belongs(section, kind) || !design::belongs(section, name, kind)) return;
     const std::string line = fmt::format("# {} = {}", name, toml_text(value));
-    const std::string unit = key.unit.empty() ? "" : fmt::format("{}, ", key.unit), words = choices(value);
-    comments[section].push_back(fmt::format("{:<{}} # {}{}{}{}", line, kColumn, unit, key.about, words.empty() ? "" : ": ", words));
+    const std::string unit = key.unit.empty() ? "" : fmt::format("{}, ", key.unit), config = choices(value);
+    comments[section].push_back(fmt::format("{:<{}} # {}{}{}{}", line, kColumn, unit, key.about, config.empty() ? "" : ": ", config));
   };
   const design::Settings defaults;
   for_each_key(defaults, comment);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace steplock {
@@ -16,5 +17,6 @@ struct Lockstep {
 };
 
 std::string to_text(const Lockstep&);  // one line
+nlohmann::ordered_json to_json(const Lockstep&);
 
 }  // namespace steplock

@@ -1,6 +1,6 @@
 // What a member of a drive's words is called, from the way to it (hls/bus/register_map.hpp).
 //
-//     word_name<At<&Words::speed, &SpeedWords::kp>>('.') = "speed.kp"
+//     word_name<At<&SixStepConfig::speed, &SpeedConfig::kp>>('.') = "speed.kp"
 //
 // Test: tests/testbench/engine_test.cpp
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace steplock {
 
-// What the compiler calls the way to a word, such as "&steplock::Words::pwm, &steplock::PwmWords::period".
+// What the compiler calls the way to a word, such as "&steplock::SixStepConfig::pwm, &steplock::PwmConfig::period".
 template <auto... Path>
 constexpr std::string_view path_name(At<Path...>) {
   return __PRETTY_FUNCTION__;

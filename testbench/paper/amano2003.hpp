@@ -10,7 +10,7 @@
 #include "model/design/settings.hpp"
 #include "testbench/paper/paper_options.hpp"
 #include "testbench/paper/paper_page.hpp"
-#include "testbench/run/summary.hpp"
+#include "testbench/drive/six_step/summary.hpp"
 
 namespace steplock {
 

@@ -8,7 +8,7 @@
 #include "testbench/paper/amano2003.hpp"
 #include "testbench/paper/panels.hpp"
 #include "testbench/paper/waveform.hpp"
-#include "testbench/report/run_figures.hpp"
+#include "testbench/drive/six_step/figures.hpp"
 
 namespace steplock::amano2003 {
 namespace {

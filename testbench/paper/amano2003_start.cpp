@@ -7,7 +7,7 @@
 #include "model/design/design.hpp"
 #include "model/design/start.hpp"
 #include "testbench/paper/amano2003.hpp"
-#include "testbench/report/run_figures.hpp"
+#include "testbench/drive/six_step/figures.hpp"
 #include "testbench/run/units.hpp"
 
 namespace steplock::amano2003 {

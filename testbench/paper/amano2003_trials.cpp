@@ -2,6 +2,7 @@
 
 #include "model/design/design.hpp"
 #include "testbench/paper/amano2003.hpp"
+#include "testbench/drive/six_step/run.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
 

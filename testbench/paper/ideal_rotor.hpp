@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "testbench/engine/watch.hpp"
+#include "testbench/drive/six_step/watch.hpp"
 #include "testbench/run/advance.hpp"
 
 namespace steplock {

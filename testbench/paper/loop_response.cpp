@@ -9,10 +9,10 @@
 #include <stdexcept>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/rtl.hpp"
-#include "testbench/engine/words.hpp"
+#include "model/design/config.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/rtl_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/paper/ideal_rotor.hpp"
 
 namespace steplock {
@@ -35,14 +35,14 @@ std::vector<double> tone_frequencies(const LoopExperiment& e) {
 std::vector<StepTaken> commutations_of(const design::Settings& s, const LoopExperiment& e,
                                          const IdealRotor& rotor) {
   const double clock_hz = s.control.clock_hz;
-  const Words words =
-      hls_words(design::quantise(design::design_drive(s).parameters, clock_hz).words);
+  const SixStepConfig config =
+      hls_config(design::quantise(design::design_drive(s).parameters, clock_hz).config);
   const double seconds = e.settle_s + e.measure_s;
   if (e.engine == EngineKind::kRtl) {
-    RtlEngine engine(words, clock_hz);
+    RtlEngine engine(config, clock_hz);
     return commutations_on(engine, rotor, clock_hz, seconds);
   }
-  FixedEngine engine(words, clock_hz);
+  FixedEngine engine(config, clock_hz);
   return commutations_on(engine, rotor, clock_hz, seconds);
 }
 

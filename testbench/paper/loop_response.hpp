@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "testbench/run/run_drive.hpp"
+#include "testbench/drive/six_step/run.hpp"
 
 namespace steplock {
 

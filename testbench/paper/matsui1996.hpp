@@ -12,7 +12,7 @@
 
 #include "testbench/paper/paper_options.hpp"
 #include "testbench/paper/paper_page.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock {
 

@@ -7,9 +7,9 @@
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/paper/matsui1996.hpp"
 #include "testbench/run/timeline.hpp"
-#include "testbench/sinusoidal/fixed_engine.hpp"
-#include "testbench/sinusoidal/rtl_engine.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/fixed_engine.hpp"
+#include "testbench/drive/sinusoidal/rtl_engine.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock::matsui1996 {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/paper/matsui1996.hpp"
-#include "testbench/sinusoidal/fixed_engine.hpp"
+#include "testbench/drive/sinusoidal/fixed_engine.hpp"
 
 namespace steplock::matsui1996 {
 namespace {

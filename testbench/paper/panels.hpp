@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "testbench/report/figure.hpp"
-#include "testbench/run/record.hpp"
+#include "testbench/drive/six_step/record.hpp"
 
 namespace steplock {
 

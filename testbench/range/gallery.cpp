@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "model/design/design.hpp"
+#include "testbench/drive/six_step/run.hpp"
 #include "testbench/drive_file/sheet_terms.hpp"
 #include "testbench/run/units.hpp"
 

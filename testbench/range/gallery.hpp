@@ -10,7 +10,7 @@
 
 #include "testbench/drive_file/drive_file.hpp"
 #include "testbench/report/figure.hpp"
-#include "testbench/run/summary.hpp"
+#include "testbench/drive/six_step/summary.hpp"
 
 namespace steplock {
 

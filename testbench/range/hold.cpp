@@ -7,10 +7,11 @@
 
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
+#include "testbench/drive/six_step/recorder.hpp"
 #include "testbench/drive_file/csv_cells.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/run/cosimulation.hpp"
 #include "testbench/run/drive_loop.hpp"
 #include "testbench/run/units.hpp"
@@ -46,7 +47,7 @@ constexpr const char* kHead =
 
 Hold start_and_hold(const design::Settings& s) {
   const double clock_hz = s.control.clock_hz;
-  FixedEngine engine(hls_words(design::quantise(design::design_drive(s).parameters, clock_hz).words), clock_hz);
+  FixedEngine engine(hls_config(design::quantise(design::design_drive(s).parameters, clock_hz).config), clock_hz);
   const auto clock = [&](double t) { return static_cast<std::uint64_t>(t * clock_hz); };
   const double kept = kept_s(s), run_s = s.scenario.run_s, end = run_s + 2 * design::start_bounds(s).lock_s + kept;
   Timeline events;

@@ -8,9 +8,10 @@
 #include <stdexcept>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
+#include "model/design/config.hpp"
+#include "testbench/drive/six_step/recorder.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/run/cosimulation.hpp"
 #include "testbench/run/drive_loop.hpp"
 #include "testbench/run/units.hpp"
@@ -64,7 +65,7 @@ LoadPoint measure_load(const design::Settings& s, double set_rpm, double most_nm
   design::Parameters parameters = design::design_drive(s).parameters;
   parameters.speed.target = design::steps_per_second(s, set_rpm);
   const double clock_hz = s.control.clock_hz;
-  FixedEngine engine(hls_words(design::quantise(parameters, clock_hz).words), clock_hz);
+  FixedEngine engine(hls_config(design::quantise(parameters, clock_hz).config), clock_hz);
   const Plan plan = plan_for(s, set_rpm, most_nm);
 
   plant::Plant plant(plant_parameters(s), initial_state(s, s.scenario.start_angle_deg));

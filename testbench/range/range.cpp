@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "testbench/drive_file/drive_file.hpp"
-#include "testbench/run/run_drive.hpp"
+#include "testbench/run/run_options.hpp"
 
 namespace steplock {
 

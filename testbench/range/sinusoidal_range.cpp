@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "model/design/bounds.hpp"
-#include "model/design/sinusoidal/words.hpp"
+#include "model/design/sinusoidal/config.hpp"
 #include "testbench/range/range.hpp"
 #include "testbench/run/timeline.hpp"
 #include "testbench/run/units.hpp"
-#include "testbench/sinusoidal/fixed_engine.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/fixed_engine.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock {
 namespace {

@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
+#include "model/design/config.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/paper/ideal_rotor.hpp"
 #include "testbench/range/range.hpp"
 
@@ -45,7 +45,7 @@ RangePoint measure_point(const design::Settings& drive, const RangeSettings& r, 
   const design::Settings s = settings_at(drive, r, erpm);
   const double turns_per_second = erpm / 60;
   const design::Design d = design::design_drive(s);
-  FixedEngine engine(hls_words(design::quantise(d.parameters, r.clock_hz).words), r.clock_hz);
+  FixedEngine engine(hls_config(design::quantise(d.parameters, r.clock_hz).config), r.clock_hz);
   const IdealRotor rotor(turns_per_second);
   // Time to catch the rotor and for the loop to settle, then the span that is judged.
   const double settle = 0.15 + 60 / turns_per_second, span = kTurns / turns_per_second;

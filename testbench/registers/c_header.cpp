@@ -61,14 +61,14 @@ std::string c_header(const Map& map) {
 namespace {
 
 // `constants`: what else the program wants to know of the drive, each with its value.
-std::string words_text(const Map& map, const std::map<int, std::uint32_t>& values, const std::string& name,
+std::string config_text(const Map& map, const std::map<int, std::uint32_t>& values, const std::string& name,
                        const std::string& constants) {
   std::string text = fmt::format(
-      "/* The words of the drive {0}, for steplock_init().\n"
+      "/* The configuration of the drive {0}, for steplock_init().\n"
       " * Printed by `steplock design {0}.toml --c-header`. */\n"
       "#include \"{1}.h\"\n\n"
       "enum {{ {2} }};\n\n"
-      "static const struct steplock_word {0}_words[] = {{\n",
+      "static const struct steplock_word {0}_config[] = {{\n",
       name, map.stem, constants);
   for (const Register& r : registers(map)) {
     if (const auto value = values.find(r.address); value != values.end()) {
@@ -94,24 +94,24 @@ std::string list_text(const Map& map, const std::map<int, std::uint32_t>& values
 
 }  // namespace
 
-std::string words_c_header(const Words& words, const std::string& name, double clock_hz) {
-  return words_text(six_step(), values_of<SixStep>(words), name,
+std::string config_c_header(const SixStepConfig& config, const std::string& name, double clock_hz) {
+  return config_text(six_step(), values_of<SixStep>(config), name,
                     fmt::format("{0}_clock_hz = {1:.0f}, {0}_divide = {2}", name, clock_hz,
-                                int(words.loop.divide.raw())));
+                                int(config.loop.divide.raw())));
 }
-std::string words_c_header(const SinusoidalWords& words, const std::string& name, double clock_hz) {
-  return words_text(sinusoidal(), values_of<Sinusoidal>(words), name,
+std::string config_c_header(const SinusoidalConfig& config, const std::string& name, double clock_hz) {
+  return config_text(sinusoidal(), values_of<Sinusoidal>(config), name,
                     fmt::format("{0}_clock_hz = {1:.0f}, {0}_period = {2}", name, clock_hz,
-                                int(words.bridge.period.raw())));
+                                int(config.bridge.period.raw())));
 }
 
-std::string words_mem(const Words& words, const std::string& name, double clock_hz) {
-  return list_text(six_step(), values_of<SixStep>(words), name,
-                   fmt::format("Clock: {:.0f} Hz; LOOP.divide: {}.", clock_hz, int(words.loop.divide.raw())));
+std::string config_mem(const SixStepConfig& config, const std::string& name, double clock_hz) {
+  return list_text(six_step(), values_of<SixStep>(config), name,
+                   fmt::format("Clock: {:.0f} Hz; LOOP.divide: {}.", clock_hz, int(config.loop.divide.raw())));
 }
-std::string words_mem(const SinusoidalWords& words, const std::string& name, double clock_hz) {
-  return list_text(sinusoidal(), values_of<Sinusoidal>(words), name,
-                   fmt::format("Clock: {:.0f} Hz; PWM.period: {} clocks.", clock_hz, int(words.bridge.period.raw())));
+std::string config_mem(const SinusoidalConfig& config, const std::string& name, double clock_hz) {
+  return list_text(sinusoidal(), values_of<Sinusoidal>(config), name,
+                   fmt::format("Clock: {:.0f} Hz; PWM.period: {} clocks.", clock_hz, int(config.bridge.period.raw())));
 }
 
 }  // namespace steplock::registers

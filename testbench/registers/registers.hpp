@@ -21,7 +21,7 @@
 #include "hls/bus/sinusoidal_registers.hpp"
 #include "hls/bus/six_step_registers.hpp"
 #include "hls/sinusoidal/spi_adc.hpp"
-#include "hls/sinusoidal/words.hpp"
+#include "hls/sinusoidal/config.hpp"
 
 namespace steplock::registers {
 
@@ -54,26 +54,26 @@ std::string ip_xact(const Map&);
 
 // What a map says of a drive's words: registers by address.
 template <class Table>
-std::map<int, std::uint32_t> values_of(const typename Table::Words& words) {
+std::map<int, std::uint32_t> values_of(const typename Table::Config& config) {
   std::map<int, std::uint32_t> values;
   const auto place = [&](const auto& row) {
     using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-    values[row.address] |= static_cast<std::uint32_t>(bits_of(Word::of(words)).raw()) << row.lsb;
+    values[row.address] |= static_cast<std::uint32_t>(bits_of(Word::of(config)).raw()) << row.lsb;
   };
   std::apply([&](const auto&... row) { (place(row), ...); }, Table::kWordRows);
   return values;
 }
 
 // The words of a drive as initialisers of `struct steplock_word`, by address.
-std::string words_c_header(const Words&, const std::string& name, double clock_hz);
-std::string words_c_header(const SinusoidalWords&, const std::string& name, double clock_hz);
+std::string config_c_header(const SixStepConfig&, const std::string& name, double clock_hz);
+std::string config_c_header(const SinusoidalConfig&, const std::string& name, double clock_hz);
 // The same as a list for $readmemh, a register a line: 64 bits, its offset in the upper ones, its value in the lower ones.
-std::string words_mem(const Words&, const std::string& name, double clock_hz);
-std::string words_mem(const SinusoidalWords&, const std::string& name, double clock_hz);
+std::string config_mem(const SixStepConfig&, const std::string& name, double clock_hz);
+std::string config_mem(const SinusoidalConfig&, const std::string& name, double clock_hz);
 // The same words as constants: a module six_step_fixed, which is six_step_standalone with all words tied.
-std::string words_verilog(const Words&, const std::string& name, double clock_hz);
+std::string config_verilog(const SixStepConfig&, const std::string& name, double clock_hz);
 // Likewise sinusoidal_fixed around sinusoidal_standalone and its ADC.
-std::string words_verilog(const SinusoidalWords&, const SpiAdcWords&, const std::string& name,
+std::string config_verilog(const SinusoidalConfig&, const SpiAdcConfig&, const std::string& name,
                           double clock_hz);
 
 // In the texts.

@@ -52,31 +52,31 @@ class FixedModule {
 
 // Every word of a drive, at the port that is called after it.
 template <class Table>
-void tie_words(FixedModule& module, const typename Table::Words& words) {
+void tie_config(FixedModule& module, const typename Table::Config& config) {
   const auto tie = [&](const auto& row) {
     using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-    const auto value = static_cast<std::uint32_t>(bits_of(Word::of(words)).raw());
-    module.tie("words_" + word_name<Word>('_') + "_i", row.width, value);
+    const auto value = static_cast<std::uint32_t>(bits_of(Word::of(config)).raw());
+    module.tie("config_" + word_name<Word>('_') + "_i", row.width, value);
   };
   std::apply([&](const auto&... row) { (tie(row), ...); }, Table::kWordRows);
 }
 
 }  // namespace
 
-std::string words_verilog(const Words& words, const std::string& name, double clock_hz) {
+std::string config_verilog(const SixStepConfig& config, const std::string& name, double clock_hz) {
   FixedModule module;
   for (const char* pin : kPins) module.port("input ", "", fmt::format("pins_{}_i", pin));
   module.controls_and_gates();
   // Without Hall sensors, and without a look for a rotor that turns, nothing asks the decoder.
-  module.part("WITH_HALL_DECODER", words.source == Source::kHall || words.start.detect_spin != Ticks(0));
-  const bool follows = words.start.method == Method::kFollow;
+  module.part("WITH_HALL_DECODER", config.source == Source::kHall || config.start.detect_spin != Ticks(0));
+  const bool follows = config.start.method == Method::kFollow;
   module.part("WITH_RAMP", !follows);
   module.part("WITH_FOLLOWER", follows);
-  tie_words<SixStep>(module, words);
+  tie_config<SixStep>(module, config);
   return module.text("six_step", name, clock_hz);
 }
 
-std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& adc_words,
+std::string config_verilog(const SinusoidalConfig& config, const SpiAdcConfig& adc_config,
                           const std::string& name, double clock_hz) {
   FixedModule module;
   module.port("input ", "", "pins_fault_i");
@@ -84,13 +84,13 @@ std::string words_verilog(const SinusoidalWords& words, const SpiAdcWords& adc_w
   module.controls_and_gates();
   for (const char* pin : kConverterPins) module.port("output", "", fmt::format("{}_o", pin));
   const auto number = [](auto word) { return static_cast<std::uint64_t>(word.raw()); };
-  module.tie("adc_half_i", 6, number(adc_words.half));
-  module.tie("adc_quiet_i", 8, number(adc_words.quiet));
-  module.tie("adc_u_i", 3, number(adc_words.u));
-  module.tie("adc_v_i", 3, number(adc_words.v));
-  module.tie("adc_dc_i", 3, number(adc_words.dc));
-  module.tie("adc_twice_i", 1, adc_words.twice ? 1 : 0);
-  tie_words<Sinusoidal>(module, words);
+  module.tie("adc_half_i", 6, number(adc_config.half));
+  module.tie("adc_quiet_i", 8, number(adc_config.quiet));
+  module.tie("adc_u_i", 3, number(adc_config.u));
+  module.tie("adc_v_i", 3, number(adc_config.v));
+  module.tie("adc_dc_i", 3, number(adc_config.dc));
+  module.tie("adc_twice_i", 1, adc_config.twice ? 1 : 0);
+  tie_config<Sinusoidal>(module, config);
   return module.text("sinusoidal", name, clock_hz);
 }
 

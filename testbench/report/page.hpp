@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "testbench/run/summary.hpp"
+#include "model/design/settings.hpp"
+#include "testbench/run/float_errors.hpp"
 
 namespace steplock {
 
@@ -33,9 +34,6 @@ struct PageContent {
   std::optional<FloatErrors> float_errors;
   nlohmann::ordered_json numbers;                          // all of them
 };
-
-// Of a six-step drive.
-PageContent page_content(const design::Settings&, const Summary&, const Record&);
 
 std::string report_page(const PageContent&, const std::vector<PageFigure>&);
 

@@ -5,10 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "testbench/report/csv.hpp"
-#include "testbench/report/run_figures.hpp"
 #include "testbench/report/zoom.hpp"
-#include "testbench/run/recorder.hpp"
 
 namespace steplock {
 namespace fs = std::filesystem;
@@ -57,17 +54,6 @@ ReportFiles write_report(const fs::path& directory, const RunReport& report) {
   if (zoom_head().empty()) files.warnings.push_back(kNoZoom);
   add("report.html", report_page(report.page, figures));
   return files;
-}
-
-ReportFiles write_report(const fs::path& directory, const design::Settings& s, const Summary& summary,
-                         const Record& record, bool traced) {
-  const int pole_pairs = s.motor.pole_pairs;
-  return write_report(directory, {.page = page_content(s, summary, record),
-                                  .samples = {{"run.csv", samples_csv(record.overview, pole_pairs)},
-                                              {"lock.csv", samples_csv(record.lock, pole_pairs)},
-                                              {"steady.csv", samples_csv(record.steady, pole_pairs)}},
-                                  .figures = run_figures(s, summary, record),
-                                  .wave = traced ? &SixStepRecording::wave() : nullptr});
 }
 
 }  // namespace steplock

@@ -14,7 +14,6 @@
 
 #include "testbench/report/figure.hpp"
 #include "testbench/report/page.hpp"
-#include "testbench/run/summary.hpp"
 #include "testbench/run/trace_writer.hpp"
 
 namespace steplock {
@@ -32,10 +31,6 @@ struct RunReport {
   const WaveTable* wave = nullptr;                            // if wave.fst was written
 };
 ReportFiles write_report(const std::filesystem::path& directory, const RunReport&);
-
-// Of a six-step drive.
-ReportFiles write_report(const std::filesystem::path& directory, const design::Settings&, const Summary&,
-                         const Record&, bool traced);
 
 // Whole or not at all; makes the directory.  Throws std::runtime_error.
 void write_file(const std::filesystem::path&, const std::string& text);

@@ -19,7 +19,7 @@ double error_percent(const design::WordRow& w) {
 
 std::string word_table(const std::vector<design::WordRow>& rows) {
   std::string text =
-      fmt::format("\nregister words\n  {:<26}{:>10} {:>13} {:>13} {:<10}{:>10}\n", "word", "value",
+      fmt::format("\nconfiguration words\n  {:<26}{:>10} {:>13} {:>13} {:<10}{:>10}\n", "word", "value",
                   "wanted", "stands for", "unit", "error");
   for (const design::WordRow& w : rows) {
     text += fmt::format("  {:<26}{:>10} {:>13.6g} {:>13.6g} {:<10}{:>8.3f} %\n", w.name, w.word,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock {
 

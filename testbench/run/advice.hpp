@@ -1,6 +1,4 @@
-// What to change in the drive file after a run that failed, where the cause can be told from motor and record.
-//
-// Each line names the key and a value that the run passes with; the test follows each and runs again.
+// What to change in the drive file after a run that failed, for either kind of drive: lines that name the key and a value.
 //
 // Doc: docs/report.md   Test: tests/testbench/advice_test.cpp
 #pragma once
@@ -8,15 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "testbench/run/summary.hpp"
+#include "model/design/settings.hpp"
 #include "testbench/run/units.hpp"
 
 namespace steplock {
 
-// None if the run passed, or where nothing is known.
-std::vector<std::string> advice(const design::Settings&, const Summary&, const Record&);
-
-// The same for either kind of drive; empty where it is not so.
+// Each is empty where it is not so.
 
 // `gaining`: the speed at two times before the first disturbance, r/min in the wanted direction, while the drive was in lock.
 struct Gaining {

@@ -6,7 +6,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
-#include "model/design/sinusoidal/words.hpp"
+#include "model/design/sinusoidal/config.hpp"
 
 namespace steplock {
 namespace {
@@ -39,10 +39,10 @@ void check_drive_file(const DriveFile& file) {
   throw BadInput(all);
 }
 
-void check_words(const DriveFile& file) {
-  const auto words = design::sinusoidal::quantise(file.settings);
-  if (words.problems.empty()) return;
-  throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), words.problems.front()));
+void check_config(const DriveFile& file) {
+  const auto config = design::sinusoidal::quantise(file.settings);
+  if (config.problems.empty()) return;
+  throw BadInput(fmt::format("{}:{}: {}", file.path, file.line_of.at("drive.kind"), config.problems.front()));
 }
 
 void require_kind(const DriveFile& file, design::DriveKind kind, const std::string& what) {

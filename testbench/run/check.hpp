@@ -12,7 +12,7 @@ void check_drive_file(const DriveFile&);      // throws BadInput with all lines
 DriveFile open_drive_file(const std::string& path);  // loads and checks
 
 // Of a sinusoidal drive: what the blocks of fixed point cannot do, as one line at its kind.
-void check_words(const DriveFile&);
+void check_config(const DriveFile&);
 // For what serves one kind of drive alone: throws BadInput with one line that names `what` and the kind.
 void require_kind(const DriveFile&, design::DriveKind, const std::string& what);
 // The drives of one kind among files; the others are named on standard error.  Throws if there is none.

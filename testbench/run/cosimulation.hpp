@@ -12,7 +12,7 @@
 //     void set_reading(const plant::State&);    with ADCs only: at the clock of a sample strobe
 //
 // and may be able to take many clocks at once (run/advance.hpp).  What it is watched by is its own
-// (engine/watch.hpp, sinusoidal/watch.hpp).
+// (watch.hpp of drive/six_step/ and drive/sinusoidal/).
 //
 // Doc: docs/report.md   Test: tests/testbench/engine_test.cpp
 #pragma once
@@ -22,13 +22,12 @@
 #include <utility>
 
 #include "testbench/run/advance.hpp"
-#include "testbench/run/recorder.hpp"
 #include "testbench/run/timeline.hpp"
 
 namespace steplock {
 
-// `Recording` is a Recorder, or has its calls.
-template <class Engine, class Recording = Recorder>
+// `Recording` is a RecorderOf (recorder_of.hpp), or has its calls.
+template <class Engine, class Recording>
 class Cosimulation {
   using Watch = decltype(std::declval<const Engine&>().watch());
 

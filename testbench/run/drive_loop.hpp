@@ -7,8 +7,11 @@
 #include <chrono>
 #include <ctime>
 
+#include "testbench/drive_file/drive_file.hpp"
 #include "testbench/run/cosimulation.hpp"
-#include "testbench/run/run_drive.hpp"
+#include "testbench/run/recorder_of.hpp"
+#include "testbench/run/run_options.hpp"
+#include "testbench/run/timeline.hpp"
 
 namespace steplock {
 
@@ -54,12 +57,6 @@ typename Recording::Record run_recorded(Engine& engine, const design::Settings& 
   record.wall_s = std::chrono::duration<double>(Clock::now() - wall).count();
   record.cpu_s = cpu_seconds() - cpu;
   return record;
-}
-
-// A six-step engine.
-template <class Engine>
-Record run_with(Engine& engine, const design::Settings& s, const RunOptions& options) {
-  return run_recorded<Engine, Recorder>(engine, s, options);
 }
 
 }  // namespace steplock

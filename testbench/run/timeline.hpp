@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "model/design/settings.hpp"
-#include "testbench/engine/watch.hpp"
+#include "testbench/engine/host_command.hpp"
 #include "testbench/run/pin_faults.hpp"
 
 namespace steplock {

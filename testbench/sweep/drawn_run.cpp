@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/engine/lockstep_engine.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/float.hpp"
-#include "testbench/engine/rtl.hpp"
-#include "testbench/engine/words.hpp"
+#include "model/design/config.hpp"
+#include "testbench/drive/six_step/lockstep_engine.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/float_engine.hpp"
+#include "testbench/drive/six_step/rtl_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/run/drive_loop.hpp"
 #include "testbench/sweep/run_until.hpp"
 #include "testbench/sweep/sinusoidal_start.hpp"
@@ -121,7 +121,7 @@ WitnessSettings witness_settings(const DrawnRun& run) {
                     .pole_pairs = s.motor.pole_pairs,
                     .advance_deg = s.loop.advance_deg,
                     .at_rest = n.start_speed_rpm == 0 && !turns_by_itself(run)};
-  if (run.file.drive.kind == design::DriveKind::kSixStep) w.maximum_duty = static_cast<double>(run.words.speed.maximum.raw()) / 0x8000;
+  if (run.file.drive.kind == design::DriveKind::kSixStep) w.maximum_duty = static_cast<double>(run.config.speed.maximum.raw()) / 0x8000;
   if (run.seed.disturbed()) return w;
   if (run.seed.watched()) w.held_turns = kWatchedTurns, w.held_s = kWatchedTime;
   w.bounds = design::start_bounds(run.file, s);
@@ -152,7 +152,7 @@ DrawnRun drawn_run(const design::Settings& file, RunSeed seed) {
     return run;
   }
   run.parameters = design::design_drive(run.file).parameters;
-  run.words = hls_words(design::quantise(run.parameters, file.control.clock_hz).words);
+  run.config = hls_config(design::quantise(run.parameters, file.control.clock_hz).config);
   run.limit_s = longest(run.file, run.parameters) + witness_settings(run).held();
   return run;
 }
@@ -163,7 +163,7 @@ DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) {
   }
   const double clock_hz = run.settings.control.clock_hz;
   if (options.rtl_beside) {
-    LockstepEngine engine(run.words, clock_hz);
+    LockstepEngine engine(run.config, clock_hz);
     DrawnResult result = simulate_with(engine, run, options);
     result.rtl_agrees = engine.found().equal();
     if (!result.rtl_agrees) {
@@ -177,11 +177,11 @@ DrawnResult simulate(const DrawnRun& run, const SimulateOptions& options) {
       return simulate_with(engine, run, options);
     }
     case EngineKind::kRtl: {
-      RtlEngine engine(run.words, clock_hz);
+      RtlEngine engine(run.config, clock_hz);
       return simulate_with(engine, run, options);
     }
     default: {
-      FixedEngine engine(run.words, clock_hz);
+      FixedEngine engine(run.config, clock_hz);
       return simulate_with(engine, run, options);
     }
   }

@@ -8,10 +8,10 @@
 
 #include <functional>
 
-#include "hls/six_step/words.hpp"
+#include "hls/six_step/config.hpp"
 #include "model/design/parameters.hpp"
-#include "testbench/run/run_drive.hpp"
-#include "testbench/sinusoidal/recorder.hpp"
+#include "testbench/drive/six_step/run.hpp"
+#include "testbench/drive/sinusoidal/recorder.hpp"
 #include "testbench/sweep/aftermath.hpp"
 #include "testbench/sweep/conditions.hpp"
 #include "testbench/sweep/disturbance.hpp"
@@ -27,7 +27,7 @@ struct DrawnRun {
   Hardship hardship;                // if the seed says so
   design::Settings settings;        // of the plant: the drawn ones
   design::Parameters parameters;    // of a six-step drive: the file's
-  Words words;                      // of a six-step drive: the file's
+  SixStepConfig config;                      // of a six-step drive: the file's
   double limit_s = 0;               // the start is over then, whatever became of it
   Disturbance disturbance;          // if the seed says so; its aftermath has limit_s anew
 };

@@ -10,8 +10,8 @@
 
 #include "model/design/design.hpp"
 #include "model/design/sinusoidal/design.hpp"
-#include "model/design/sinusoidal/words.hpp"
-#include "model/design/words.hpp"
+#include "model/design/sinusoidal/config.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/run/drive_loop.hpp"
-#include "testbench/sinusoidal/float_engine.hpp"
-#include "testbench/sinusoidal/lockstep_engine.hpp"
+#include "testbench/drive/sinusoidal/float_engine.hpp"
+#include "testbench/drive/sinusoidal/lockstep_engine.hpp"
 #include "testbench/sweep/run_until.hpp"
 #include "testbench/sweep/sinusoidal_witness.hpp"
 

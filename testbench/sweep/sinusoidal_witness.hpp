@@ -8,7 +8,7 @@
 // Doc: docs/sweep.md   Test: tests/testbench/sinusoidal_sweep_test.cpp
 #pragma once
 
-#include "testbench/sinusoidal/recorder.hpp"
+#include "testbench/drive/sinusoidal/recorder.hpp"
 #include "testbench/sweep/start_judge.hpp"
 
 namespace steplock::sinusoidal {

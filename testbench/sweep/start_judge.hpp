@@ -34,8 +34,8 @@
 
 #include "model/design/bounds.hpp"
 #include "model/plant/plant.hpp"
-#include "testbench/engine/watch.hpp"
-#include "testbench/sinusoidal/watch.hpp"
+#include "testbench/drive/six_step/watch.hpp"
+#include "testbench/drive/sinusoidal/watch.hpp"
 
 namespace steplock {
 

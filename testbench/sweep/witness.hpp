@@ -8,7 +8,7 @@
 // Doc: docs/sweep.md   Test: tests/testbench/witness_test.cpp
 #pragma once
 
-#include "testbench/run/recorder.hpp"
+#include "testbench/drive/six_step/recorder.hpp"
 #include "testbench/sweep/start_judge.hpp"
 
 namespace steplock {

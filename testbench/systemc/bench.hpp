@@ -10,9 +10,9 @@
 #include <systemc>
 
 #include "model/design/design.hpp"
-#include "testbench/bus/register_words.hpp"
+#include "testbench/bus/register_config.hpp"
 #include "testbench/drive_file/drive_file.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/systemc/axi_adapter.hpp"
 #include "testbench/systemc/drive_signals.hpp"
 #include "testbench/systemc/host_module.hpp"
@@ -23,13 +23,13 @@ namespace steplock {
 inline HostModule::Plan plan_of(const design::Settings& s) {
   const double clock_hz = s.control.clock_hz;
   const design::Parameters p = design::design_drive(s).parameters;
-  const Words words = hls_words(design::quantise(p, clock_hz).words);
+  const SixStepConfig config = hls_config(design::quantise(p, clock_hz).config);
   // The ramp of the set speed from hand-over on, and what the speed then swings for.
   const double settle_s = (p.speed.target - p.start.hand_over) / p.speed.slew + 0.1;
   const auto erpm = static_cast<std::uint32_t>(s.scenario.speed_rpm * s.motor.pole_pairs);
-  return {.words = register_words(words),
+  return {.config = register_config(config),
           .speed = steplock_speed(erpm, static_cast<std::uint32_t>(clock_hz),
-                                  static_cast<unsigned>(words.loop.divide.raw())),
+                                  static_cast<unsigned>(config.loop.divide.raw())),
           .settle_s = settle_s};
 }
 

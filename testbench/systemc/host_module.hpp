@@ -25,7 +25,7 @@ namespace steplock {
 class HostModule : public sc_core::sc_module {
  public:
   struct Plan {
-    std::vector<steplock_word> words;
+    std::vector<steplock_word> config;
     std::uint32_t speed = 0;  // as steplock_speed() gives it
     double settle_s = 0;      // from the lock to the set speed
   };
@@ -57,7 +57,7 @@ class HostModule : public sc_core::sc_module {
     using sc_core::sc_time;
     const steplock_bus bus = {
         .write = &HostModule::write, .read = &HostModule::read, .context = this};
-    if (steplock_init(&bus, plan_.words.data(), plan_.words.size()) != STEPLOCK_OK) return "init";
+    if (steplock_init(&bus, plan_.config.data(), plan_.config.size()) != STEPLOCK_OK) return "init";
     // The map has nothing behind its last register: a bus error, which the drive survives.
     std::uint32_t nothing = 0;
     if (read(this, 0xffc, &nothing) == 0) return "a hole in the map was answered";

@@ -49,6 +49,9 @@ TEST_F(Spoken, OfBitsTheirLogic) {
   EXPECT_EQ(of(b.op(Op::kXor, run, held)), "run_xor_held");
   EXPECT_EQ(of(b.inv(held)), "not_held");
   EXPECT_EQ(of(b.inv(b.op(Op::kOr, run, held))), "neither_run_nor_held");
+  EXPECT_EQ(of(b.inv(b.op(Op::kOr, b.inv(run), b.inv(held)))), "run_and_held");
+  EXPECT_EQ(of(b.op(Op::kOr, b.op(Op::kAnd, run, held), over)), "run_and_held_or_over");
+  EXPECT_EQ(of(b.op(Op::kAnd, b.op(Op::kOr, run, held), over)), "") << "would read as the one before";
   EXPECT_EQ(inverted("not_run"), "run");
   EXPECT_EQ(inverted(""), "");
 }
@@ -94,6 +97,44 @@ TEST_F(Spoken, OfAChoiceItsCondition) {
   EXPECT_EQ(of(b.mux(run, b.op(Op::kAdd, duty, last), none)), "") << "what is chosen has no name";
 }
 
+TEST_F(Spoken, OfAComparisonThatIsNoWireWhatItCompares) {
+  const NodeId idle = b.op(Op::kEq, state, b.constant(2, 0)), runs = b.op(Op::kEq, state, b.constant(2, 2));
+  b.named(idle, "was_idle_next");  // a register takes it, but nobody sees it by that name
+  EXPECT_EQ(of(b.op(Op::kOr, idle, runs)), "state_is_idle_or_run");
+  wires = {idle};
+  EXPECT_EQ(of(b.op(Op::kOr, idle, runs)), "was_idle_next_or_state_is_run");
+}
+
+TEST_F(Spoken, WhatDecidesAChoice) {
+  const auto selector = [this](NodeId id) { return names([&](const SpokenNames& all) { return all.selector(id); }); };
+  const NodeId sum = b.op(Op::kAdd, duty, last), none = b.constant(4, 0);
+  EXPECT_EQ(selector(b.mux(run, sum, none)), "run");
+  EXPECT_EQ(selector(b.mux(b.inv(run), sum, none)), "run");
+  EXPECT_EQ(selector(b.mux(b.op(Op::kEq, state, b.constant(2, 1)), sum, none)), "state");
+  EXPECT_EQ(selector(b.mux(b.op(Op::kAnd, run, held), sum, none)), "run_and_held");
+  EXPECT_EQ(selector(b.mux(b.op(Op::kUlt, sum, none), sum, none)), "");
+  EXPECT_EQ(selector(sum), "") << "no choice";
+  const NodeId at = b.input("at", 3), bit = b.slice(at, 1, 1);
+  sets.assign(b.m.nodes.size(), -1);
+  sets[at] = 0;
+  EXPECT_EQ(selector(b.mux(bit, sum, none)), "state") << "the enumeration of the set";
+}
+
+TEST_F(Spoken, WhatAValueIsToTheOnlyOneThatReadsIt) {
+  const auto role = [this](NodeId id, NodeId reader) { return names([&](const SpokenNames& all) { return all.role(id, reader); }); };
+  const NodeId bit = b.op(Op::kUlt, b.op(Op::kAdd, last, duty), duty), number = b.op(Op::kAdd, last, duty), none = b.constant(4, 0);
+  EXPECT_EQ(role(bit, b.op(Op::kAnd, bit, run)), "_if_run");
+  EXPECT_EQ(role(bit, b.op(Op::kAnd, b.inv(run), bit)), "_unless_run");
+  EXPECT_EQ(role(bit, b.op(Op::kOr, bit, run)), "_unless_run");
+  EXPECT_EQ(role(bit, b.op(Op::kOr, bit, b.inv(run))), "_if_run");
+  EXPECT_EQ(role(number, b.mux(run, number, none)), "_if_run");
+  EXPECT_EQ(role(number, b.mux(run, none, number)), "_unless_run");
+  EXPECT_EQ(role(number, b.mux(b.inv(run), none, number)), "_if_run");
+  EXPECT_EQ(role(number, b.op(Op::kAdd, number, duty)), "") << "no condition";
+  EXPECT_EQ(role(number, b.op(Op::kAnd, number, duty)), "") << "a mask";
+  EXPECT_EQ(role(run, b.mux(run, none, number)), "") << "the condition itself";
+}
+
 TEST_F(Spoken, OfABitOfASetItsEnumerator) {
   const NodeId at = b.input("at", 3);
   const NodeId bit = b.slice(at, 1, 1);
@@ -111,8 +152,9 @@ TEST_F(Spoken, OfABitOfASetItsEnumerator) {
 }
 
 TEST_F(Spoken, WhatIsLongerThanItSaysHasNone) {
-  const NodeId a = b.input("the_one_and_only_reason", 1), c = b.input("the_other_reason", 1);
+  const NodeId a = b.input("the_one_and_only_reason", 1), c = b.input("the_second_reason", 1), d = b.input("another_reason", 1);
   EXPECT_EQ(of(b.op(Op::kAnd, a, c)), "");
+  EXPECT_EQ(of(b.op(Op::kAnd, a, d)), "the_one_and_only_reason_and_another_reason") << "one less than 44 characters";
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ struct AxiBench {
   std::uint32_t read(int address) { return master_.read(address).data; }
   bool any_gate() const { return !(out.gates == Gates{}); }
   void start() {
-    for (const auto& [address, value] : Drive::words()) EXPECT_TRUE(write(address, value));
+    for (const auto& [address, value] : Drive::config()) EXPECT_TRUE(write(address, value));
     write(kControl, 3);
   }
   bool gates_move(int clocks = Drive::kMoves) {
@@ -161,7 +161,7 @@ void the_host_turns_the_bridge_on_and_off() {
 }
 
 template <class Top, class Map>
-void the_bridges_words_are_refused_while_it_runs() {
+void the_bridges_config_is_refused_while_it_runs() {
   constexpr std::uint32_t bits = mask_of(field<Map>("PWM", "period"));
   AxiBench<Top, Map> bench;
   bench.start();

@@ -33,7 +33,7 @@ struct Seen {
 
 // `disturb` may turn the true level into what the pin shows: (level, clock, clocks since the last edge).
 template <class Disturb>
-Seen run(BemfComparator& dut, const Motor& motor, const BemfWords& words, Disturb disturb) {
+Seen run(BemfComparator& dut, const Motor& motor, const BemfConfig& config, Disturb disturb) {
   Seen seen;
   const bool rising = (motor.step % 2 == 1) != motor.reverse;
   const int floating = std::array{2, 1, 0, 2, 1, 0}[motor.step];
@@ -54,7 +54,7 @@ Seen run(BemfComparator& dut, const Motor& motor, const BemfWords& words, Distur
                                .commutate = clock == 0 || clock == motor.clocks,
                                .chop = chop,
                                .phase = phase,
-                               .words = words});
+                               .config = config});
     if (clock != 0 && out.crossing) {
       ++seen.crossings;
       seen.phase = int(out.crossing_phase.raw());
@@ -68,9 +68,9 @@ Seen run(BemfComparator& dut, const Motor& motor, const BemfWords& words, Distur
   return seen;
 }
 
-Seen run(const Motor& motor, const BemfWords& words) {
+Seen run(const Motor& motor, const BemfConfig& config) {
   BemfComparator dut;
-  return run(dut, motor, words, [](bool after, int, int) { return after; });
+  return run(dut, motor, config, [](bool after, int, int) { return after; });
 }
 
 // In step k, forward, theta runs from 30 + 60 k to 90 + 60 k; reverse, the applied step is k + 3.
@@ -195,10 +195,10 @@ TEST(BemfComparator, FreewheelingWithoutAnEndIsShownUntilOneIsSeen) {
   run(dut, {.freewheel = 0x9000}, {.samples = 3}, [](bool after, int, int) { return after; });
   // The next step's freewheeling lasts: U floats, and its level of after is "above".
   for (int clock = 0; clock < 20; ++clock) {
-    EXPECT_EQ(dut.tick({.u = true, .step = 5, .chop = true, .phase = clock, .words = {.samples = 3}}).freewheel, Phase::max()) << clock;
+    EXPECT_EQ(dut.tick({.u = true, .step = 5, .chop = true, .phase = clock, .config = {.samples = 3}}).freewheel, Phase::max()) << clock;
   }
-  for (int clock = 0; clock < 3; ++clock) dut.tick({.step = 5, .chop = true, .phase = 1000 + clock, .words = {.samples = 3}});
-  EXPECT_EQ(dut.tick({.step = 5, .chop = true, .phase = 2000, .words = {.samples = 3}}).freewheel, 1002);
+  for (int clock = 0; clock < 3; ++clock) dut.tick({.step = 5, .chop = true, .phase = 1000 + clock, .config = {.samples = 3}});
+  EXPECT_EQ(dut.tick({.step = 5, .chop = true, .phase = 2000, .config = {.samples = 3}}).freewheel, 1002);
 }
 
 TEST(BemfComparator, ALaggingRotorShowsTheLevelBeforeAndNoCrossing) {
@@ -284,9 +284,9 @@ TEST(BemfComparator, SamplesZeroCountsAsOne) {
   std::mt19937 random(1);
   for (int clock = 0; clock < 20000; ++clock) {
     BemfComparator::In in{.u = random() % 2 == 0, .step = 5, .commutate = clock % 64 == 0, .chop = true, .phase = clock % 64 * 1024};
-    in.words.samples = 0;
+    in.config.samples = 0;
     const auto none = of_none.tick(in);
-    in.words.samples = 1;
+    in.config.samples = 1;
     const auto one = of_one.tick(in);
     ASSERT_TRUE(none.crossing == one.crossing && none.crossing_phase == one.crossing_phase && none.before_seen == one.before_seen &&
                 none.freewheel == one.freewheel) << clock;

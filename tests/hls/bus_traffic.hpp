@@ -109,7 +109,7 @@ void start_fault_and_stop() {
     }
     return moved;
   };
-  for (const auto& [address, value] : Drive::words()) EXPECT_TRUE(write(address, value));
+  for (const auto& [address, value] : Drive::config()) EXPECT_TRUE(write(address, value));
   EXPECT_TRUE(write(address_of(index_of("INTERRUPT_ENABLE")), 1));
   EXPECT_FALSE(gates_move(Drive::kMoves));
   EXPECT_TRUE(write(kControl, 3));

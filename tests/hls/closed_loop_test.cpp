@@ -9,11 +9,11 @@
 
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "model/plant/plant.hpp"
 #include "testbench/drive_file/drive_file.hpp"
-#include "testbench/engine/skipping_top.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/skipping_top.hpp"
+#include "testbench/drive/six_step/config.hpp"
 
 namespace steplock {
 namespace {
@@ -25,10 +25,10 @@ const design::Settings& settings() {
   return file.settings;
 }
 
-Words designed_words(design::Source source = design::Source::kBemf) {
+SixStepConfig designed_config(design::Source source = design::Source::kBemf) {
   auto s = settings();
   s.control.source = source;
-  return hls_words(design::quantise(design::design_drive(s).parameters, s.control.clock_hz).words);
+  return hls_config(design::quantise(design::design_drive(s).parameters, s.control.clock_hz).config);
 }
 
 struct Rig {
@@ -45,7 +45,7 @@ struct Rig {
 
   explicit Rig(double angle_deg = 0, double rpm = 0)
       : plant(plant_parameters(settings()), start(angle_deg, rpm)) {
-    in.words = designed_words();
+    in.config = designed_config();
     in.command.configured = in.command.run = true;
   }
 
@@ -194,10 +194,10 @@ TEST(ClosedLoop, ComesDownToASlowerSetSpeedWithoutFallingATenthBelowIt) {
   for (const bool caught : {false, true}) {
     Rig rig(100, caught ? 7000 : 0);
     if (!caught) {
-      rig.in.words.speed.target = Frequency(2 * rig.in.words.speed.target.raw());
+      rig.in.config.speed.target = Frequency(2 * rig.in.config.speed.target.raw());
       rig.run_for(1.5);
       ASSERT_GT(rig.mean_rpm(0.05), 1.5 * set_rpm());
-      rig.in.words.speed.target = designed_words().speed.target;
+      rig.in.config.speed.target = designed_config().speed.target;
     }
     double lowest = rig.rpm();
     for (int i = 0; i < 150; ++i) {
@@ -221,7 +221,7 @@ TEST(ClosedLoop, BrakesARotorThatTurnsTheOtherWayAndThenStarts) {
 TEST(ClosedLoop, RunsOnHallSensorsToo) {
   for (const bool reverse : {false, true}) {
     Rig rig(20);
-    rig.in.words = designed_words(design::Source::kHall);
+    rig.in.config = designed_config(design::Source::kHall);
     rig.in.command.reverse = reverse;
     rig.run_for(1.0);
     EXPECT_EQ(rig.out.state, State::kRun);
@@ -237,7 +237,7 @@ TEST(ClosedLoop, ARotorHeldFastIsBlockedAndEndsInAFault) {
   for (int i = 0; i < 10 && rig.out.state != State::kFault; ++i) rig.run_for(0.5);
   EXPECT_EQ(rig.out.state, State::kFault);
   EXPECT_EQ(rig.out.reason, Reason::kBlocked);
-  EXPECT_EQ(int(rig.out.counts.retries.raw()), int(rig.in.words.start.retries.raw()) + 1);
+  EXPECT_EQ(int(rig.out.counts.retries.raw()), int(rig.in.config.start.retries.raw()) + 1);
 }
 
 // From a lock, what each part that breaks ends the drive with; gates off, and latched.
@@ -254,8 +254,8 @@ TEST(ClosedLoop, EachPartThatBreaksEndsInAFaultWithItsReason) {
   };
   for (const Broken& broken : cases) {
     Rig rig;
-    if (broken.reason == Reason::kHallCode) rig.in.words = designed_words(design::Source::kHall);
-    rig.in.words.start.retries = 0;
+    if (broken.reason == Reason::kHallCode) rig.in.config = designed_config(design::Source::kHall);
+    rig.in.config.start.retries = 0;
     rig.run_for(0.5);
     ASSERT_EQ(rig.out.state, State::kRun) << int(broken.reason);
     broken.part(rig);
@@ -270,17 +270,17 @@ TEST(ClosedLoop, EachPartThatBreaksEndsInAFaultWithItsReason) {
 // What may be written while the motor turns, each at its worst: the drive may lose its lock, or latch.  The shunt sees what the
 // bus drives, and past it flows what shorted windings drive at the speed that it turns at: no phase carries more than both.
 TEST(ClosedLoop, NoGainWrittenWhileRunningDrivesMoreThanTheLimitAndShortedWindings) {
-  void (*const writes[])(Words&) = {
-      [](Words& w) { w.loop.ki = UInt<16>::max(); }, [](Words& w) { w.loop.kp = UInt<16>::max(); },
-      [](Words& w) { w.loop.ki = w.loop.kp = UInt<16>::max(); }, [](Words& w) { w.speed.kp = UInt<16>::max(); },
-      [](Words& w) { w.speed.ki = UInt<16>::max(); }, [](Words& w) { w.speed.ki = w.speed.kp = UInt<16>::max(); },
+  void (*const writes[])(SixStepConfig&) = {
+      [](SixStepConfig& w) { w.loop.ki = UInt<16>::max(); }, [](SixStepConfig& w) { w.loop.kp = UInt<16>::max(); },
+      [](SixStepConfig& w) { w.loop.ki = w.loop.kp = UInt<16>::max(); }, [](SixStepConfig& w) { w.speed.kp = UInt<16>::max(); },
+      [](SixStepConfig& w) { w.speed.ki = UInt<16>::max(); }, [](SixStepConfig& w) { w.speed.ki = w.speed.kp = UInt<16>::max(); },
   };
   for (std::size_t k = 0; k < std::size(writes); ++k) {
     Rig rig;
     rig.run_for(0.5);
     ASSERT_EQ(rig.out.state, State::kRun);
     rig.peak = 0;
-    writes[k](rig.in.words);
+    writes[k](rig.in.config);
     double fastest = 0, slowest = 1e9;
     for (int i = 0; i < 100; ++i) {
       rig.run_for(0.01);
@@ -294,14 +294,14 @@ TEST(ClosedLoop, NoGainWrittenWhileRunningDrivesMoreThanTheLimitAndShortedWindin
 
 TEST(ClosedLoop, ASetSpeedOfNothingStopsAndTheNextOneStarts) {
   Rig rig;
-  const auto target = rig.in.words.speed.target;
+  const auto target = rig.in.config.speed.target;
   rig.run_for(0.5);
-  rig.in.words.speed.target = 0;
+  rig.in.config.speed.target = 0;
   rig.run_for(0.8);
   EXPECT_EQ(rig.out.state, State::kIdle);
   EXPECT_FALSE(rig.was(State::kRetryDelay)) << "no lock was lost on the way";
   EXPECT_NEAR(rig.rpm(), 0, 0.01 * set_rpm());
-  rig.in.words.speed.target = target;
+  rig.in.config.speed.target = target;
   rig.run_for(0.5);
   EXPECT_EQ(rig.out.state, State::kRun);
 }
@@ -309,7 +309,7 @@ TEST(ClosedLoop, ASetSpeedOfNothingStopsAndTheNextOneStarts) {
 // The control of all the above: a drive that never looks does not lock.
 TEST(ClosedLoop, WithoutSamplesNothingLocks) {
   Rig rig;
-  rig.in.words.bemf.blanking = 1023;  // no clock between two edges of the PWM is left
+  rig.in.config.bemf.blanking = 1023;  // no clock between two edges of the PWM is left
   rig.run_for(0.6);
   EXPECT_FALSE(rig.was(State::kRun));
 }

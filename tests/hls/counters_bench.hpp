@@ -14,7 +14,7 @@ struct CountersBench {
   StartCounters::Out out;  // of the last clock
 
   CountersBench() {
-    in.words = {.pre_align = 3,
+    in.config = {.pre_align = 3,
                 .align = 5,
                 .good_crossings = 4,
                 .pull_in = 20,

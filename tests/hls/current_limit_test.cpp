@@ -12,7 +12,7 @@ namespace {
 using In = CurrentLimit::In;
 
 In limit(bool on, bool comparator, int blanking, int off_time) {
-  return {.on = on, .comparator = comparator, .words = {.blanking = blanking, .off_time = off_time}};
+  return {.on = on, .comparator = comparator, .config = {.blanking = blanking, .off_time = off_time}};
 }
 
 TEST(CurrentLimit, APulseBelowTheLimitPassesUntouchedAndWithoutDelay) {

@@ -18,7 +18,7 @@ using namespace turning;
 
 CurrentModel::In in_of(const Turning& motor) {
   auto in = motor.in<CurrentModel::In>();
-  in.words = {.decay = kDecay, .gain = kGain, .k_e = 541, .k_theta = 3277, .k_speed = 5894};
+  in.config = {.decay = kDecay, .gain = kGain, .k_e = 541, .k_theta = 3277, .k_speed = 5894};
   return in;
 }
 
@@ -125,7 +125,7 @@ TEST(CurrentModel, BelowItsEdgeARotorAtRestDoesNotSeemToTurnBackward) {
       for (int n = 0; n < 1000; ++n) {
         motor.step();
         in = in_of(motor);
-        in.words.decay = kDecay * 5 / 4;
+        in.config.decay = kDecay * 5 / 4;
         in.edge = edge(-way * slow);
         turned += way * turns_of(dut.tick(in).step);
       }

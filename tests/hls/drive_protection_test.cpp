@@ -13,7 +13,7 @@ class Watched {
  public:
   // Well: regulating, locked, fast, plausible; limits of 10 samples, 3 lost ones.
   DriveProtection::In in{.regulating = true, .locked = true, .fast = true, .plausible = true,
-                              .words = {.saturated = 10, .slow = 10, .emf = 10, .lost_samples = 3}};
+                              .config = {.saturated = 10, .slow = 10, .emf = 10, .lost_samples = 3}};
 
   DriveProtection::Out sample(bool lost = false) {
     in.period = true;
@@ -61,7 +61,7 @@ TEST(DriveProtection, WhereItDoesNotApplyNothingFails) {
   EXPECT_EQ(fails([](In& in) { in.slow = true, in.locked = false; }), never);
   EXPECT_EQ(fails([](In& in) {
     in.saturated = in.slow = true, in.plausible = false;
-    in.words.saturated = in.words.slow = in.words.emf = 0;
+    in.config.saturated = in.config.slow = in.config.emf = 0;
   }), never);
 }
 
@@ -98,7 +98,7 @@ TEST(DriveProtection, OverCurrentAndThreeLostSamplesAreFatal) {
 TEST(DriveProtection, AsManyLostSamplesAsTheWordSaysAreFatalAndNoneForZero) {
   for (const int most : {0, 1, 2, 15}) {
     Watched w;
-    w.in.words.lost_samples = most;
+    w.in.config.lost_samples = most;
     w.sample();
     int lost = 0;
     while (lost < 40 && w.sample(true).fatal == Reason::kNone) ++lost;

@@ -55,7 +55,7 @@ TYPED_TEST(DriveRegistersOf, ResetIsThatOfTheTable) {
   Bench<TypeParam> bench;
   bench.in.no_period = true;
   for (const Field& f : TypeParam::kSystemFields) {
-    if (f.address <= 4 * index_of("CAPABILITY")) continue;  // constants: WordRegisters
+    if (f.address <= 4 * index_of("CAPABILITY")) continue;  // constants: ConfigRegisters
     EXPECT_EQ(bench.read(f.address / 4) >> f.lsb & (mask_of(f) >> f.lsb), f.reset)
         << f.group << '.' << f.name;
   }

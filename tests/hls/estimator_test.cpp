@@ -26,13 +26,13 @@ TEST(Estimator, ItIsTheChosenModelInEverySample) {
     for (int n = 0; n < 5000; ++n) {
       motor.step();
       auto in = motor.in<Estimator::In>();
-      in.words = {.voltage = voltage, .average = true, .decay = kDecay, .gain = kGain,
+      in.config = {.voltage = voltage, .average = true, .decay = kDecay, .gain = kGain,
                   .k_theta = kTheta, .k_e = kE, .k_speed = kSpeed, .k_emf = kEmf, .k_si = kSi};
       auto in_current = motor.in<CurrentModel::In>();
-      in_current.words = {.decay = kDecay, .gain = kGain, .k_e = kE, .k_theta = kTheta,
+      in_current.config = {.decay = kDecay, .gain = kGain, .k_e = kE, .k_theta = kTheta,
                           .k_speed = kSpeed};
       auto in_voltage = motor.in<VoltageModel::In>();
-      in_voltage.words = {.average = true, .decay = kDecay, .gain = kGain, .k_emf = kEmf,
+      in_voltage.config = {.average = true, .decay = kDecay, .gain = kGain, .k_emf = kEmf,
                           .k_theta = kTheta, .k_si = kSi};
       const bool enable = std::uniform_int_distribution<>(0, 999)(any) != 0;
       in.enable = in_current.enable = in_voltage.enable = enable;

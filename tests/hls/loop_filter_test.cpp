@@ -44,7 +44,7 @@ LoopFilter at(double frequency) {
 }
 
 In track() {
-  return {.loop = Loop::kTrack, .pole = 0x8000, .maximum = Frequency::max()};
+  return {.loop = Loop::kTrack, .alpha = 0x8000, .maximum = Frequency::max()};
 }
 
 // A constant error e makes x_n = x_0 + n A and v_n = x_n + B with A = ki e s, B = kp e s.  Behind
@@ -58,13 +58,13 @@ RC_GTEST_PROP(LoopFilter, StepResponseIsTheDiscretisedLagLeadFilters, ()) {
   in.scale = *rc::gen::inRange(1 << 6, 1 << 16) * 16;
   in.ki = *rc::gen::inRange(1, 1 << 12);
   in.kp = *rc::gen::inRange(1, 1 << 16);
-  in.pole = *rc::gen::inRange(1 << 9, (1 << 14) + 1) * 2;
+  in.alpha = *rc::gen::inRange(1 << 9, (1 << 14) + 1) * 2;
   in.error = *rc::gen::inRange(1, 1 << 14);
 
   const double start = std::ldexp(1.0, -10);
   const double s = double(in.scale.raw()) / kTurn, e = double(in.error.raw()) / 65536;
   const double A = double(in.ki.raw()) / 16384 * e * s, B = double(in.kp.raw()) / 16384 * e * s;
-  const double a = double(in.pole.raw()) / 32768, C = B - A * (1 - a) / a;
+  const double a = double(in.alpha.raw()) / 32768, C = B - A * (1 - a) / a;
 
   auto dut = at(start);
   for (int n = 1; n <= 40; ++n) {
@@ -258,7 +258,7 @@ RC_GTEST_PROP(LoopFilter, CatchingConvergesToOneOverTheInterval, ()) {
     const double e = std::clamp(1 - f * interval, -0.5, 0.49998);
     const In in = {.loop = Loop::kCatchSpin,
                    .error = PhaseError(std::int32_t(std::floor(e * 65536))),
-                   .pole = 0x8000,
+                   .alpha = 0x8000,
                    .maximum = Frequency::max()};
     f = double(update(dut, in).raw()) / kTurn;
   }

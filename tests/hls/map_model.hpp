@@ -41,7 +41,7 @@ template <>
 struct Behind<SixStep> {
   static constexpr int kPeriod = 200, kTick = 200, kMoves = 2000;  // clocks
   // A reset pattern that lasts, half of the time on.
-  static std::vector<std::pair<int, std::uint32_t>> words() {
+  static std::vector<std::pair<int, std::uint32_t>> config() {
     return {{kPwm, 1u << 24 | kPeriod},
             {address_of(index_of("START_ALIGN")), 4095u << 16},
             {address_of(index_of("START_DUTY")), 0x4000},
@@ -58,7 +58,7 @@ template <>
 struct Behind<Sinusoidal> {
   static constexpr int kPeriod = 700, kTick = 16 * kPeriod, kMoves = 24 * kPeriod;  // clocks
   // A pattern that lasts, a quarter of the voltage; 16 samples are calibrated before.
-  static std::vector<std::pair<int, std::uint32_t>> words() {
+  static std::vector<std::pair<int, std::uint32_t>> config() {
     return {{kPwm, kPeriod},
             {address_of(index_of<Sinusoidal>("PWM_RECIPROCAL")), (1u << 25) / (3 * kPeriod)},
             {address_of(index_of<Sinusoidal>("START")), 0x1000u << 16},

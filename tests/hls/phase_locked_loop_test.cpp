@@ -22,7 +22,7 @@ struct Loop6 {
   PhaseDetector detector;
   LoopFilter filter;
   PhaseDetector::In detect{.detector_source = DetectorSource::kCrossings, .window = 0x1000};
-  LoopFilter::In tune{.loop = Loop::kTrack, .pole = 0x8000, .maximum = Frequency::max()};
+  LoopFilter::In tune{.loop = Loop::kTrack, .alpha = 0x8000, .maximum = Frequency::max()};
   int divide = 0;
 
   VcoCounter::Out turn;

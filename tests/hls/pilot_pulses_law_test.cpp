@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "tests/hls/random_words.hpp"
+#include "tests/hls/random_config.hpp"
 
 namespace steplock {
 namespace {
@@ -19,28 +19,28 @@ using Seen = PilotPulsesLaw::Seen;
 // What stands for the ADCs and the current control: any currents, but the same for the same question.
 class Currents {
  public:
-  Currents(std::uint32_t seed, const PilotWords& words) : seed_(seed), words_(words) {}
+  Currents(std::uint32_t seed, const PilotConfig& config) : seed_(seed), config_(config) {}
 
   Int<16> peak(int winding, bool reversed, Angle axis, int number) const {
-    RandomWords r = answer(winding * 2 + reversed, int(axis.raw() >> 8), number);
+    RandomConfig r = answer(winding * 2 + reversed, int(axis.raw() >> 8), number);
     // The long ones about the bound of polarity, most of the time.
-    const int half = int(words_.polarity.raw()) / 2, step = int(r.below(5)) - 2;
-    if (number >= 6 * int(words_.rounds.raw()) && !r.one_in(4)) return signed_word((r.one_in(2) ? half : -half) + step);
+    const int half = int(config_.polarity.raw()) / 2, step = int(r.below(5)) - 2;
+    if (number >= 6 * int(config_.rounds.raw()) && !r.one_in(4)) return signed_word((r.one_in(2) ? half : -half) + step);
     return signed_word(int(r.word<16>().raw()));
   }
   Seen seen(Int<16> u, Int<16> v, Angle from) const {
-    RandomWords r = answer(int(u.raw()), int(v.raw()), int(from.raw() >> 8));
-    const int along = r.one_in(3) ? int(r.word<16>().raw()) : int(words_.saliency.raw()) + int(r.below(5)) - 1;
+    RandomConfig r = answer(int(u.raw()), int(v.raw()), int(from.raw() >> 8));
+    const int along = r.one_in(3) ? int(r.word<16>().raw()) : int(config_.saliency.raw()) + int(r.below(5)) - 1;
     return {signed_word(along), r.one_in(2)};
   }
 
  private:
   static Int<16> signed_word(int x) { return wrap<Int<16>>(Int<20>(((x + 0x8000) & 0xffff) - 0x8000)); }
-  RandomWords answer(int a, int b, int c) const {
-    return RandomWords((((seed_ * 31337u + unsigned(a)) * 65537u + unsigned(b)) * 40503u + unsigned(c)) * 2654435761u);
+  RandomConfig answer(int a, int b, int c) const {
+    return RandomConfig((((seed_ * 31337u + unsigned(a)) * 65537u + unsigned(b)) * 40503u + unsigned(c)) * 2654435761u);
   }
   std::uint32_t seed_;
-  PilotWords words_;
+  PilotConfig config_;
 };
 
 struct Result {
@@ -50,7 +50,7 @@ struct Result {
   bool operator==(const Result&) const = default;
 };
 
-PilotWords random_words(RandomWords& r) {
+PilotConfig random_config(RandomConfig& r) {
   return {.short_periods = UInt<6>::of(r.below(4)),
           .long_periods = UInt<6>::of(r.below(8)),
           .rounds = UInt<5>::of(2 + 2 * r.below(3)),
@@ -59,10 +59,10 @@ PilotWords random_words(RandomWords& r) {
           .polarity = r.one_in(3) ? UInt<15>::of(r.below(4)) : UInt<15>::of(r.below(0x2000))};
 }
 
-Result by_law(const PilotWords& words, const Currents& currents) {
+Result by_law(const PilotConfig& config, const Currents& currents) {
   Result result;
   PilotPulsesLaw law;
-  law.find(words,
+  law.find(config,
            [&](Pulse pulse, Angle axis) {
              const auto i = currents.peak(pulse.winding, pulse.reversed, axis, int(result.pulses.size()));
              pulse.periods = std::max(pulse.periods, 1);  // 0 counts as 1
@@ -76,9 +76,9 @@ Result by_law(const PilotWords& words, const Currents& currents) {
 }
 
 // Periods of random length, in which a sample is taken and worked through; currents that decay in their own time.
-Result by_machine(PilotPulses& dut, const PilotWords& words, const Currents& currents, RandomWords r) {
+Result by_machine(PilotPulses& dut, const PilotConfig& config, const Currents& currents, RandomConfig r) {
   Result result;
-  PilotPulses::In in{.enable = true, .words = words};
+  PilotPulses::In in{.enable = true, .config = config};
   PilotPulses::Out out;
   bool was = false;
   int decays = 0, quiet = 0;  // samples: with a current that has not decayed yet, and in a row without one
@@ -124,20 +124,20 @@ Result by_machine(PilotPulses& dut, const PilotWords& words, const Currents& cur
 struct Found {
   int differ = 0, found = 0, turned = 0, no_saliency = 0, no_polarity = 0;
 };
-Found compare(int seeds, const std::function<void(PilotWords&)>& spoil = [](PilotWords&) {}) {
+Found compare(int seeds, const std::function<void(PilotConfig&)>& spoil = [](PilotConfig&) {}) {
   Found found;
   PilotPulses dut;  // one for all: each begins from a rest
   for (int seed = 1; seed <= seeds; ++seed) {
-    RandomWords r(static_cast<std::uint32_t>(seed));
-    const PilotWords words = random_words(r);
-    const Currents currents(static_cast<std::uint32_t>(seed), words);
-    PilotWords other = words;
+    RandomConfig r(static_cast<std::uint32_t>(seed));
+    const PilotConfig config = random_config(r);
+    const Currents currents(static_cast<std::uint32_t>(seed), config);
+    PilotConfig other = config;
     spoil(other);
     const Result law = by_law(other, currents);
     PilotPulses::In rest;
     rest.rest = true;
     dut.tick(rest);
-    found.differ += !(by_machine(dut, words, currents, r) == law);
+    found.differ += !(by_machine(dut, config, currents, r) == law);
     found.found += law.failed == R::kNone;
     found.turned += law.failed == R::kNone && law.angle.bit(23);
     found.no_saliency += law.failed == R::kNoSaliency;
@@ -158,12 +158,12 @@ TEST(PilotPulsesLaw, IsWhatTheMachineDoes) {
 
 // The comparison sees a last bit of each word, and another sum.
 TEST(PilotPulsesLaw, ADifferenceOfOneBitIsFound) {
-  const auto found = [](const std::function<void(PilotWords&)>& spoil) { return compare(1000, spoil).differ > 0; };
-  EXPECT_TRUE(found([](PilotWords& w) { w.short_periods = wrap<UInt<6>>(w.short_periods + 1); }));
-  EXPECT_TRUE(found([](PilotWords& w) { w.long_periods = wrap<UInt<6>>(w.long_periods + 1); }));
-  EXPECT_TRUE(found([](PilotWords& w) { w.rounds = wrap<UInt<5>>(w.rounds + 2); }));
-  EXPECT_TRUE(found([](PilotWords& w) { w.saliency = w.saliency ^ UInt<15>(1); }));
-  EXPECT_TRUE(found([](PilotWords& w) { w.polarity = w.polarity ^ UInt<15>(1); }));
+  const auto found = [](const std::function<void(PilotConfig&)>& spoil) { return compare(1000, spoil).differ > 0; };
+  EXPECT_TRUE(found([](PilotConfig& w) { w.short_periods = wrap<UInt<6>>(w.short_periods + 1); }));
+  EXPECT_TRUE(found([](PilotConfig& w) { w.long_periods = wrap<UInt<6>>(w.long_periods + 1); }));
+  EXPECT_TRUE(found([](PilotConfig& w) { w.rounds = wrap<UInt<5>>(w.rounds + 2); }));
+  EXPECT_TRUE(found([](PilotConfig& w) { w.saliency = w.saliency ^ UInt<15>(1); }));
+  EXPECT_TRUE(found([](PilotConfig& w) { w.polarity = w.polarity ^ UInt<15>(1); }));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class Bench {
 
   Rotor rotor;
   PilotPulses::In in{.enable = true,
-                     .words = {.short_periods = 3, .long_periods = 12, .rounds = 4,
+                     .config = {.short_periods = 3, .long_periods = 12, .rounds = 4,
                                .decayed = 150, .saliency = 1000, .polarity = 470}};
   PilotPulses::Out out;
   std::vector<int> pulses;    // legs that were high, u v w as bits 0 1 2
@@ -54,7 +54,7 @@ class Bench {
       const Vector seen = i * std::polar(1.0, -2 * kPi * double(out.angle.raw()) / (1 << 24));
       in.i_gamma = saturate<Int<16>>(Int<32>(std::lround(seen.real() * 32768)));
       in.backward = seen.imag() < 0;
-      const double limit = out.waiting ? part(in.words.decayed) : 0.9;
+      const double limit = out.waiting ? part(in.config.decayed) : 0.9;
       in.over = false;
       for (int k = 0; k < 3; ++k) in.over = in.over || std::abs(along(held, 120 * k)) > limit;
       out = dut_.tick(in);
@@ -149,7 +149,7 @@ TEST(PilotPulses, EachPulseWaitsUntilTheCurrentOfTheLastIsGone) {
     for (const double i : b.gaps) EXPECT_LT(i, 1.16 * 150 / 32768) << decay;
   }
   Bench never({.theta = 1, .decay = 10'000});
-  never.in.words.decayed = 0;
+  never.in.config.decayed = 0;
   for (int n = 0; n < 40; ++n) never.period();
   EXPECT_EQ(never.pulses.size(), 1u);
   EXPECT_FALSE(never.over_with());

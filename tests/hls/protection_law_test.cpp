@@ -7,7 +7,7 @@
 #include <map>
 
 #include "model/reference/protection.hpp"
-#include "tests/hls/random_words.hpp"
+#include "tests/hls/random_config.hpp"
 
 namespace steplock {
 namespace {
@@ -20,21 +20,21 @@ bool equal(const Out& a, const Out& b) {
          (a.reason == b.reason || !(a.lost || a.fatal));
 }
 
-class Story : public RandomWords {
+class Story : public RandomConfig {
  public:
-  explicit Story(std::uint32_t seed) : RandomWords(seed) { words(); }
+  explicit Story(std::uint32_t seed) : RandomConfig(seed) { config(); }
 
   // Levels hold for three clocks before a clock with strobes, and stay in it.
   void levels() {
     // An attempt that ended is followed by a rest.
     in.running = running_ ? in.running && !one_in(200) : one_in(20);
     running_ = in.running;
-    if (one_in(400) || (!running_ && one_in(20))) words();
+    if (one_in(400) || (!running_ && one_in(20))) config();
     if (one_in(30)) in.hall = one_in(4);
     if (one_in(40)) kind_ = below(5);
     in.slow = kind_ == 1 && !one_in(20);
     in.slips = kind_ == 2 && !one_in(4);
-    in.freewheel = one_in(3) ? in.words.freewheel : wrap<Phase>(in.words.freewheel + UInt<16>::of(below(3)));
+    in.freewheel = one_in(3) ? in.config.freewheel : wrap<Phase>(in.config.freewheel + UInt<16>::of(below(3)));
     if (kind_ != 3) in.freewheel = 0;
     in.hall_illegal = one_in(3);
     in.stuck = one_in(50) ? UInt<4>::of(below(16)) : UInt<4>(0);
@@ -53,8 +53,8 @@ class Story : public RandomWords {
   In in;
 
  private:
-  void words() {
-    auto& w = in.words;
+  void config() {
+    auto& w = in.config;
     w.misses = one_in(8) ? UInt<6>(0) : UInt<6>::of(1 + below(20));
     w.wrong_lock = one_in(8) ? Ticks(0) : Ticks::of(1 + below(40));
     w.over_current = one_in(4) ? decltype(w.over_current)(0) : decltype(w.over_current)::of(8 + below(8));
@@ -103,11 +103,11 @@ TEST(ProtectionLaw, IsWhatTheMachineDoes) {
 
 TEST(ProtectionLaw, ADifferenceOfOneIsFound) {
   const auto found = [](const std::function<void(In&)>& spoil) { return differences(7, 20000, nullptr, spoil) > 0; };
-  EXPECT_TRUE(found([](In& in) { if (in.words.misses != 0) in.words.misses = in.words.misses ^ UInt<6>(1); }));
-  EXPECT_TRUE(found([](In& in) { if (in.words.misses == 0) in.words.misses = 1; }));
-  EXPECT_TRUE(found([](In& in) { in.words.wrong_lock = in.words.wrong_lock ^ Ticks(1); }));
-  EXPECT_TRUE(found([](In& in) { in.words.freewheel = wrap<Phase>(in.words.freewheel + UInt<16>(1)); }));
-  EXPECT_TRUE(found([](In& in) { in.words.over_current = wrap<UInt<4>>(in.words.over_current + UInt<4>(1)); }));
+  EXPECT_TRUE(found([](In& in) { if (in.config.misses != 0) in.config.misses = in.config.misses ^ UInt<6>(1); }));
+  EXPECT_TRUE(found([](In& in) { if (in.config.misses == 0) in.config.misses = 1; }));
+  EXPECT_TRUE(found([](In& in) { in.config.wrong_lock = in.config.wrong_lock ^ Ticks(1); }));
+  EXPECT_TRUE(found([](In& in) { in.config.freewheel = wrap<Phase>(in.config.freewheel + UInt<16>(1)); }));
+  EXPECT_TRUE(found([](In& in) { in.config.over_current = wrap<UInt<4>>(in.config.over_current + UInt<4>(1)); }));
   EXPECT_TRUE(found([](In& in) { in.lags = false; }));
   EXPECT_TRUE(found([](In& in) { in.good = false; }));
   EXPECT_TRUE(found([](In& in) { in.hall = false; }));
@@ -126,7 +126,7 @@ int verdicts_beside_the_reference(std::uint32_t seed, int attempts, std::map<Rea
     In idle = story.in;
     idle.running = false;
     law.clock(idle);
-    const auto w = story.in.words;
+    const auto w = story.in.config;
     design::ProtectionParameters p{.misses = int(w.misses.raw()), .stall = 1, .slip = 0.5, .freewheel = double(w.freewheel.raw()) * kTurn,
                                    .wrong_lock = double(w.wrong_lock.raw()), .over_current = int(w.over_current.raw())};
     spoil(p);
@@ -135,7 +135,7 @@ int verdicts_beside_the_reference(std::uint32_t seed, int attempts, std::map<Rea
       story.levels();
       story.strobes();
       In in = story.in;
-      in.running = true, in.words = w;
+      in.running = true, in.config = w;
       const Out is = law.clock(in);
       reference.update({.running = true, .tick = in.tick, .commutated = in.commutate, .updated = in.update, .good = in.good,
                         .missed = in.missed, .lags = in.lags, .hall = in.hall, .hall_illegal = in.hall_illegal,

@@ -8,7 +8,7 @@ namespace {
 Protection::In running() {
   Protection::In in;
   in.running = true;
-  in.words = {.misses = 12,
+  in.config = {.misses = 12,
               .stall = 100,
               .slip = 5000,
               .freewheel = 0x8000,
@@ -245,8 +245,8 @@ TEST(Protection, HallCodesMeanNothingWithoutHalls) {
 
 TEST(Protection, ZeroDisablesEachTestThatSaysSo) {
   auto in = running();
-  in.words.wrong_lock = 0;
-  in.words.over_current = 0;
+  in.config.wrong_lock = 0;
+  in.config.over_current = 0;
   auto dut = armed(in);
   in.tick = true;
   in.slips = true;

@@ -57,11 +57,11 @@ TYPED_TEST_SUITE(RegisterFieldsOf, Maps);
 
 TYPED_TEST(RegisterFieldsOf, TheMapBreaksNoRule) { EXPECT_EQ(problem(TypeParam::kFields), nullptr); }
 
-// Bits of every input of the drive whose name begins with `words_`.
+// Bits of every input of the drive whose name begins with `config_`.
 std::map<std::string, int> word_ports(const std::string& top) {
   std::ifstream file(STEPLOCK_ROOT "/rtl/" + top + ".sv");
   std::map<std::string, int> ports;
-  const std::regex port(R"( *input +logic *(\[(\d+):0\])? *words_(\w+)_i.*)");
+  const std::regex port(R"( *input +logic *(\[(\d+):0\])? *config_(\w+)_i.*)");
   std::smatch found;
   for (std::string line; std::getline(file, line);) {
     if (std::regex_match(line, found, port)) {
@@ -87,10 +87,10 @@ TYPED_TEST(RegisterFieldsOf, EveryWordOfTheDriveHasOnePlaceOfItsWidth) {
 // Each row moves a word that no row before it has moved.
 TYPED_TEST(RegisterFieldsOf, NoTwoPlacesAreOfOneWord) {
   std::map<const void*, int> seen;
-  typename TypeParam::Words words;
+  typename TypeParam::Config config;
   std::apply(
       [&](const auto&... row) {
-        ((++seen[static_cast<const void*>(&std::remove_cvref_t<decltype(row)>::Word::of(words))]),
+        ((++seen[static_cast<const void*>(&std::remove_cvref_t<decltype(row)>::Word::of(config))]),
          ...);
       },
       TypeParam::kWordRows);

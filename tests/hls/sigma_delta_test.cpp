@@ -47,7 +47,7 @@ struct Bench {
   double noise() const { return u_.noise(); }
 
   SigmaDelta<> dut;
-  SigmaDelta<>::In in{.sample = false, .data = {}, .words = {.half = kHalf}};
+  SigmaDelta<>::In in{.sample = false, .data = {}, .config = {.half = kHalf}};
   long clock = 0;
   int missed = 0;
 
@@ -119,7 +119,7 @@ TEST(SigmaDelta, CodesAreRoundedToTheNearest) {
 TEST(SigmaDelta, AStandingLineIsTheEndOfTheRange) {
   for (const bool level : {false, true}) {
     SigmaDelta<> dut;
-    SigmaDelta<>::In in{.sample = true, .data = {level, level, level}, .words = {.half = 1}};
+    SigmaDelta<>::In in{.sample = true, .data = {level, level, level}, .config = {.half = 1}};
     SigmaDelta<>::Out out;
     for (int clock = 0; clock < 1000 && !out.codes.valid; ++clock, in.sample = false) out = dut.tick(in);
     EXPECT_EQ(out.codes.u, level ? 2047 : -2048);
@@ -133,7 +133,7 @@ void expect_instant(int delay_bits, int period, double stated_bits) {
   Bench b;
   const double slope = 1.6 / (12.0 * period);
   b.u = [=](double clock) { return -0.8 + slope * clock; };
-  b.in.words.delay = delay_bits;
+  b.in.config.delay = delay_bits;
   int seen = 0;
   for (const Sampled& s : sampled(b, period, 12)) {
     const double instant = (double(s.codes.u.raw()) / 2048 + 0.8) / slope;
@@ -183,14 +183,14 @@ TEST(SigmaDelta, APeriodShorterThanTheWindowGivesNoCodesAndSaysSo) {
   EXPECT_TRUE(sampled(b, kBit * 3 * kM - kBit, 5).empty());
   EXPECT_GE(b.missed, 3);
   Bench late;
-  late.in.words.delay = 300;
+  late.in.config.delay = 300;
   EXPECT_TRUE(sampled(late, kBit * 200, 5).empty());
   EXPECT_GE(late.missed, 3);
 }
 
 TEST(SigmaDelta, OffMovesNoPin) {
   Bench b;
-  b.in.words.half = 0;
+  b.in.config.half = 0;
   EXPECT_TRUE(sampled(b, 1000, 3).empty());
   EXPECT_FALSE(b.tick().mclk);
 }

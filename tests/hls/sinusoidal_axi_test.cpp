@@ -14,7 +14,7 @@ TEST(SinusoidalAxi, RandomTrafficGetsTheAnswersOfTheTable) {
 TEST(SinusoidalAxi, ADroppedAnswerIsNoticed) { a_dropped_answer_is_noticed<SinusoidalAxi, Sinusoidal>(); }
 TEST(SinusoidalAxi, TheHostTurnsTheBridgeOnAndOff) { the_host_turns_the_bridge_on_and_off<SinusoidalAxi, Sinusoidal>(); }
 TEST(SinusoidalAxi, TheBridgesWordsAreRefusedWhileItRuns) {
-  the_bridges_words_are_refused_while_it_runs<SinusoidalAxi, Sinusoidal>();
+  the_bridges_config_is_refused_while_it_runs<SinusoidalAxi, Sinusoidal>();
 }
 TEST(SinusoidalAxi, AFaultPinIsAnInterruptAndAFaultUntilCleared) {
   a_fault_pin_is_an_interrupt_and_a_fault_until_cleared<SinusoidalAxi, Sinusoidal>();

@@ -47,7 +47,7 @@ Estimator::In estimator_in(const SinusoidalControl::In& in) {
           .pattern = {.on_u = in.ended.on_u, .on_v = in.ended.on_v, .on_w = in.ended.on_w,
                       .period = in.bridge.period, .dead = in.bridge.dead_time_loss,
                       .inverse = in.bridge.reciprocal},
-          .words = in.estimator};
+          .config = in.estimator};
 }
 
 TEST(SinusoidalControl, TheAngleIsOfThisSampleAndTheSpeedIsPassedOn) {
@@ -61,7 +61,7 @@ TEST(SinusoidalControl, TheAngleIsOfThisSampleAndTheSpeedIsPassedOn) {
     const auto out = control.tick(in);
     const auto model = estimator.tick(estimator_in(in));
     const auto speed = regulator.tick({.enable = in.regulate, .reverse = in.reverse, .locked = in.locked, .step = model.step,
-                                       .emf_step = model.emf_step, .words = in.speed});
+                                       .emf_step = model.emf_step, .config = in.speed});
     ASSERT_EQ(out.angle, model.angle) << sample;
     ASSERT_EQ(out.speed.speed, speed.speed) << sample;
     ASSERT_EQ(out.speed.current, speed.current) << sample;

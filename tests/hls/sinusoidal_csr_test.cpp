@@ -65,7 +65,7 @@ template <class... Values>
 Life life_with(Values... bad) {
   Bench b;
   b.write(kLock, kLockKey);
-  for (const auto& [address, value] : Drive::words()) b.write(address, value);
+  for (const auto& [address, value] : Drive::config()) b.write(address, value);
   (b.write(bad.address, bad.data), ...);
   b.write(kControl, 3);
   Life life;
@@ -128,9 +128,9 @@ TEST(SinusoidalCsr, TheDriveItselfTakesEveryPeriod) {
   SinusoidalTop::In in;
   SinusoidalTop::Out out;
   in.command = {.configured = true, .run = true};
-  in.words.bridge.period = kShortestPeriod - 1;
-  in.words.sequence.pattern = 1000;
-  in.words.speed.target = 1 << 20;
+  in.config.bridge.period = kShortestPeriod - 1;
+  in.config.sequence.pattern = 1000;
+  in.config.speed.target = 1 << 20;
   int on = 0;
   for (int clock = 0; clock < 50'000; ++clock) {
     Drive::pins(in, out, false);
@@ -174,7 +174,7 @@ TEST(SinusoidalCsr, WithoutWordsNoFaultIsLatched) {
 class Beside {
  public:
   explicit Beside(int late) : late_(late) {
-    SinusoidalWords w;
+    SinusoidalConfig w;
     w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true, .reciprocal = 9321};
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288};
@@ -200,13 +200,13 @@ class Beside {
     const bool due = since_ == 100, under_way = since_ > 100 && since_ < 100 + SinusoidalLoop::kClocks;
     CurrentSense::Codes codes{.valid = due, .u = int(random_() % 201) - 100, .v = int(random_() % 201) - 100, .dc = 2700};
 
-    auto words = words_.tick({.request = request, .stopped = true}).words;
+    auto config = config_.tick({.request = request, .stopped = true}).config;
     if (request.write && request.index == index_of("SPEED_TARGET")) {
       target_ = request.data.raw();
       if (!command_[1].run) taken_ = target_;  // at once while the drive is stopped
     }
-    words.speed.target = UInt<25>::of(taken_);
-    const auto alone = alone_.tick({.fault = false, .codes = codes, .command = command_[0], .words = words});
+    config.speed.target = UInt<25>::of(taken_);
+    const auto alone = alone_.tick({.fault = false, .codes = codes, .command = command_[0], .config = config});
     command_[0] = command_[1];
     if (request.write && request.index == kControl / 4) {
       command_[1].configured = request.data.bit(0);
@@ -231,7 +231,7 @@ class Beside {
   int late_;
   std::mt19937_64 random_{1};
   SinusoidalCsr registered_;
-  WordRegisters<Sinusoidal> words_;
+  ConfigRegisters<Sinusoidal> config_;
   SinusoidalTop alone_;
   Command command_[2];
   std::uint64_t target_ = 0, taken_ = 0;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hls/sinusoidal/sinusoidal_sequence.hpp"
-#include "tests/hls/random_words.hpp"
+#include "tests/hls/random_config.hpp"
 
 namespace steplock {
 namespace {
@@ -54,19 +54,19 @@ struct Law {
   void enter(S s, R why) { at = s, reason = why, entered = true; }
   void enter(S s) { enter(s, reason); }
   void wait(S s, Periods periods) { timer = int(periods.raw()), enter(s); }
-  void fail(R why, const SequenceWords& w) {
+  void fail(R why, const SequenceConfig& w) {
     const bool last = retries >= int(w.retries.raw());
     timer = int(w.retry_delay.raw());
     retries += !last;
     enter(last ? S::kFault : S::kRetryDelay, why);
   }
-  void turn(const SequenceWords& w) {
+  void turn(const SequenceConfig& w) {
     wait(S::kStarting, w.give_up);
     trust = int(w.lock.raw()), periods_of_loop = 0, on_times = false;
   }
 
   void clock(const In& in) {
-    const SequenceWords& w = in.words;
+    const SequenceConfig& w = in.config;
     const bool over = timer == 0, trusted = trust == 0;
     entered = false;
     timer -= in.period && timer > 0;
@@ -128,14 +128,14 @@ struct Law {
   }
 };
 
-class Stimulus : public RandomWords {
+class Stimulus : public RandomConfig {
  public:
-  using RandomWords::RandomWords;
+  using RandomConfig::RandomConfig;
 
   // Each input for some clocks, most of them as in a start that gets somewhere.
   void change(In& in) {
     if (one_in(200)) {
-      SequenceWords& w = in.words;
+      SequenceConfig& w = in.config;
       w.pattern = below(4), w.lock = below(4), w.give_up = one_in(4) ? below(3) : 20, w.brake = below(4), w.retry_delay = below(4);
       w.retries = below(3), w.arbitrary = one_in(3), w.pilot = one_in(2);
     }

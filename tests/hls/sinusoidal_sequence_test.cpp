@@ -18,7 +18,7 @@ class Started {
   SinusoidalSequence::In in{
       .command = {.configured = true, .run = true},
       .measured = true,
-      .words = {.pattern = 10, .lock = 5, .give_up = 50, .brake = 7, .retry_delay = 9, .retries = 2}};
+      .config = {.pattern = 10, .lock = 5, .give_up = 50, .brake = 7, .retry_delay = 9, .retries = 2}};
 
   // A PWM period of eight clocks: its start, then a sample worked through.
   SinusoidalSequence::Out period() {
@@ -80,7 +80,7 @@ TEST(SinusoidalSequence, AStartGoesThroughItsStatesInTheirTimes) {
 // later: only then a whole period of them has been seen.
 TEST(SinusoidalSequence, GatesAndEstimatorWaitForOnTimesOfTheLoop) {
   Started s;
-  s.in.words.arbitrary = true;
+  s.in.config.arbitrary = true;
   s.until(S::kStarting);
   auto out = s.period();
   int period = 0, gates = -1, estimator = -1;
@@ -95,7 +95,7 @@ TEST(SinusoidalSequence, GatesAndEstimatorWaitForOnTimesOfTheLoop) {
 
 TEST(SinusoidalSequence, PilotPulsesTakeThePatternsPlaceUntilTheyFound) {
   Started s;
-  s.in.words.pilot = true;
+  s.in.config.pilot = true;
   s.until(S::kPilot);
   for (int n = 0; n < 5; ++n) {
     const auto out = s.period();
@@ -109,7 +109,7 @@ TEST(SinusoidalSequence, PilotPulsesTakeThePatternsPlaceUntilTheyFound) {
 TEST(SinusoidalSequence, PilotPulsesThatFindNothingAreAFailedTry) {
   for (const R reason : {R::kNoSaliency, R::kNoPolarity, R::kNoDecay}) {
     Started s;
-    s.in.words.pilot = true;
+    s.in.config.pilot = true;
     s.until(S::kPilot);
     if (reason != R::kNoDecay) s.in.failed = reason;
     s.until(S::kRetryDelay);
@@ -121,7 +121,7 @@ TEST(SinusoidalSequence, PilotPulsesThatFindNothingAreAFailedTry) {
 
 TEST(SinusoidalSequence, OneDoubtfulSampleBeginsTheWaitForLockAnew) {
   Started s;
-  s.in.words.arbitrary = true;
+  s.in.config.arbitrary = true;
   s.until(S::kStarting);
   for (int n = 0; n < 10; ++n) {
     s.in.fast = s.in.plausible = true;

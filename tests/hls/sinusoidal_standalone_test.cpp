@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kPeriod = 700;
 constexpr int kLook = 256 * kPeriod;  // clocks between two looks at the pins
-const SpiAdcWords kFast{.half = 1, .quiet = 8, .u = 0, .v = 1, .dc = 2};
+const SpiAdcConfig kFast{.half = 1, .quiet = 8, .u = 0, .v = 1, .dc = 2};
 
 // A pattern that lasts.
-SinusoidalWords lasting_words(int period = kPeriod) {
-  SinusoidalWords w;
+SinusoidalConfig lasting_config(int period = kPeriod) {
+  SinusoidalConfig w;
   w.bridge = {.period = period, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
               .reciprocal = (1 << 25) / (3 * period)};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
@@ -32,7 +32,7 @@ SinusoidalWords lasting_words(int period = kPeriod) {
 
 class Bench {
  public:
-  SinusoidalStandalone::In in{.pins = {}, .controls = {}, .adc = kFast, .words = lasting_words()};
+  SinusoidalStandalone::In in{.pins = {}, .controls = {}, .adc = kFast, .config = lasting_config()};
   SinusoidalStandalone::Out out;
   SpiAdcModel adc;
   int u = 0;  // code of phase u's current
@@ -41,7 +41,7 @@ class Bench {
 
   Bench() {
     adc.input = [this](int channel, long) { return channel == 2 ? 2700 : 2048 + (channel == 0 ? u : 0); };
-    adc.words = in.adc;
+    adc.config = in.adc;
   }
   Bench(const Bench&) = delete;
 
@@ -185,9 +185,9 @@ struct Wires {
   SinusoidalTop::Out out;
   SpiAdcModel adc;
 
-  Wires(const SpiAdcWords& adc_words, const SinusoidalWords& words) {
-    spi.words = adc.words = adc_words;
-    in.words = words;
+  Wires(const SpiAdcConfig& adc_config, const SinusoidalConfig& config) {
+    spi.config = adc.config = adc_config;
+    in.config = config;
     in.command.configured = true;
     adc.input = [](int channel, long) { return channel == 2 ? 2700 : 2048; };
   }
@@ -212,7 +212,7 @@ struct Wires {
 TEST(SinusoidalStandalone, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) {
   for (const int half : {1, 2, 5}) {
     for (const int quiet : {4, 8, 30}) {
-      Wires wires({.half = half, .quiet = quiet, .u = 0, .v = 1, .dc = 2}, lasting_words(1400));
+      Wires wires({.half = half, .quiet = quiet, .u = 0, .v = 1, .dc = 2}, lasting_config(1400));
       for (int n = 0; n < 2; ++n) wires.until([&] { return wires.out.sample; });  // it is awake
       const int codes = wires.until([&] { return wires.in.codes.valid; });
       EXPECT_EQ(codes, 98 * half + 2 * quiet + 5) << half << ' ' << quiet;
@@ -228,10 +228,10 @@ TEST(SinusoidalStandalone, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) 
 
 // The 12 clocks that a leg loses by dead time are made up for by the sign of its current: what a current is in
 // one period shows in the width of a pulse in one of the next.
-int periods_until_it_acts(const SpiAdcWords& adc_words, int period) {
+int periods_until_it_acts(const SpiAdcConfig& adc_config, int period) {
   Bench bench;
-  bench.in.words = lasting_words(period);
-  bench.in.adc = bench.adc.words = adc_words;
+  bench.in.config = lasting_config(period);
+  bench.in.adc = bench.adc.config = adc_config;
   bench.in.controls.run = true;
   bench.until_gate(300 * period);
   std::vector<int> widths;  // clocks of the high side, by the period in whose begin u is held
@@ -260,16 +260,16 @@ TEST(SinusoidalStandalone, CodesActInTheNextPeriodAndLateOnesInTheOneAfter) {
 // second look `then` and half of `whole`, which the host says `late` clocks after it.
 int differing(int speed, int whole, int target, bool reverse = false, int then = -1, int late = 0) {
   Bench bare;
-  bare.in.words.sequence.arbitrary = true;
-  bare.in.words.speed.target = whole;
-  Wires host(kFast, bare.in.words);
-  host.in.words.speed.target = target;
+  bare.in.config.sequence.arbitrary = true;
+  bare.in.config.speed.target = whole;
+  Wires host(kFast, bare.in.config);
+  host.in.config.speed.target = target;
   host.in.command.reverse = reverse;
   int clocks = 0, differ = 0;
   const int look = 2 * kLook + 10;  // the first one is in clock 3
   for (int i = 0; i < (then < 0 ? kLook : 2 * kLook) + 200 * kPeriod; ++i) {
     if (i == kLook + 54'321 && then >= 0) bare.in.controls.speed = then;
-    if (i == look + late && then >= 0) host.in.words.speed.target = whole / 2;
+    if (i == look + late && then >= 0) host.in.config.speed.target = whole / 2;
     if (i == 1000) bare.in.controls = {.run = true, .reverse = reverse, .speed = speed};
     bare.tick();
     host.in.command.run = i > kLook + 20;  // after the look, and before the codes of that period

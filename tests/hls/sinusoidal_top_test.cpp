@@ -16,7 +16,7 @@ class Bench {
   SinusoidalTop::Out out;
 
   Bench() {
-    auto& w = in.words;
+    auto& w = in.config;
     w.bridge = {.period = 1200, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
                 .reciprocal = 9321};
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
@@ -70,9 +70,9 @@ TEST(SinusoidalTop, ThePatternIsLegWThenBothThenLegUAgainstTheOthers) {
 // The currents that come back are none, so that the search ends with no saliency.
 TEST(SinusoidalTop, PilotPulsesChopTheirLegsAgainstTheOthersWithAllGatesOffBetween) {
   Bench b;
-  b.in.words.sequence.pilot = true;
-  b.in.words.sequence.pattern = 1000;
-  b.in.words.pilot = {.short_periods = 2, .rounds = 2, .decayed = 100, .saliency = 100};
+  b.in.config.sequence.pilot = true;
+  b.in.config.sequence.pattern = 1000;
+  b.in.config.pilot = {.short_periods = 2, .rounds = 2, .decayed = 100, .saliency = 100};
   for (int round = 0; round < 2; ++round) {
     for (const int legs : {1, 6, 2, 5, 4, 3}) {
       int high = 0, low = 0;
@@ -98,9 +98,9 @@ TEST(SinusoidalTop, PilotPulsesChopTheirLegsAgainstTheOthersWithAllGatesOffBetwe
 
 TEST(SinusoidalTop, AFaultPinEndsAPilotPulseInThreeClocks) {
   Bench b;
-  b.in.words.sequence.pilot = true;
-  b.in.words.sequence.pattern = 1000;
-  b.in.words.pilot = {.short_periods = 20, .rounds = 2, .decayed = 100};
+  b.in.config.sequence.pilot = true;
+  b.in.config.sequence.pattern = 1000;
+  b.in.config.pilot = {.short_periods = 20, .rounds = 2, .decayed = 100};
   ASSERT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
   b.in.fault = true;
   for (int n = 0; n < 3; ++n) b.tick();
@@ -113,9 +113,9 @@ TEST(SinusoidalTop, AFaultPinEndsAPilotPulseInThreeClocks) {
 // In a pulse the limit is that of the drive, between pulses that of the decay, which is no fault.
 TEST(SinusoidalTop, OverCurrentEndsAPilotPulseToo) {
   Bench b;
-  b.in.words.sequence.pilot = true;
-  b.in.words.sequence.pattern = 1000;
-  b.in.words.pilot = {.short_periods = 20, .rounds = 2, .decayed = 100};
+  b.in.config.sequence.pilot = true;
+  b.in.config.sequence.pattern = 1000;
+  b.in.config.pilot = {.short_periods = 20, .rounds = 2, .decayed = 100};
   ASSERT_GT(b.clocks_until([](const auto& o) { return o.gates.uh; }), 0);
   b.u = 1900;
   b.clocks_until([](const auto& o) { return o.state == SinusoidalState::kFault; });

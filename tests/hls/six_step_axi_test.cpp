@@ -14,7 +14,7 @@ TEST(SixStepAxi, RandomTrafficGetsTheAnswersOfTheTable) {
 TEST(SixStepAxi, ADroppedAnswerIsNoticed) { a_dropped_answer_is_noticed<SixStepAxi, SixStep>(); }
 TEST(SixStepAxi, TheHostTurnsTheBridgeOnAndOff) { the_host_turns_the_bridge_on_and_off<SixStepAxi, SixStep>(); }
 TEST(SixStepAxi, TheBridgesWordsAreRefusedWhileItRuns) {
-  the_bridges_words_are_refused_while_it_runs<SixStepAxi, SixStep>();
+  the_bridges_config_is_refused_while_it_runs<SixStepAxi, SixStep>();
 }
 TEST(SixStepAxi, AFaultPinIsAnInterruptAndAFaultUntilCleared) {
   a_fault_pin_is_an_interrupt_and_a_fault_until_cleared<SixStepAxi, SixStep>();

@@ -1,4 +1,4 @@
-// Words with short times, and pins and a host that do anything: what the drive's tests share.
+// A configuration with short times, and pins and a host that do anything: what the drive's tests share.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace steplock {
 
-// Words of a drive with short times, so that a few thousand clocks see all states.
-inline Words quick_words() {
-  Words w;
+// Configuration of a drive with short times, so that a few thousand clocks see all states.
+inline SixStepConfig quick_config() {
+  SixStepConfig w;
   w.pwm = {.period = 200, .minimum = 4, .complementary = true, .dead_time = 14, .tick_periods = 1};
   w.limit = {.blanking = 10, .off_time = 50};
   w.bemf = {.blanking = 5, .sample_every = 3, .samples = 2};
@@ -31,7 +31,7 @@ struct Chaos {
   SixStepTop::In in;
 
   Chaos() {
-    in.words = quick_words();
+    in.config = quick_config();
     in.command.configured = true;
   }
 
@@ -51,12 +51,12 @@ struct Chaos {
     flip(in.command.run, 50000);
     flip(in.command.reverse, 20000);
     flip(in.command.brake_to_stop, 20000);
-    if (once_in(30000)) in.words.source = Source(random() % 2);
-    if (once_in(3000)) in.words.pwm.complementary = random() % 2;
-    if (once_in(3000)) in.words.pwm.centred = random() % 2;
-    if (once_in(3000)) in.words.pwm.dead_time = random() % 40;
-    if (once_in(20000)) in.words.start.method = Method(random() % 2);
-    if (source) in.words.source = *source;
+    if (once_in(30000)) in.config.source = Source(random() % 2);
+    if (once_in(3000)) in.config.pwm.complementary = random() % 2;
+    if (once_in(3000)) in.config.pwm.centred = random() % 2;
+    if (once_in(3000)) in.config.pwm.dead_time = random() % 40;
+    if (once_in(20000)) in.config.start.method = Method(random() % 2);
+    if (source) in.config.source = *source;
     return top.tick(in);
   }
 };

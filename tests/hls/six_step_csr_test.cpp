@@ -139,9 +139,9 @@ TEST(SixStepCsr, TheDriveItselfTakesAPeriodOfZeroForNoPulse) {
   SixStepTop drive;
   SixStepTop::In in;
   in.command = {.configured = true, .run = true};
-  in.words.speed.target = 0x1000;
-  in.words.start.align = 4095;
-  in.words.start.align_duty = 0x4000;
+  in.config.speed.target = 0x1000;
+  in.config.start.align = 4095;
+  in.config.start.align_duty = 0x4000;
   int on = 0;
   for (int clock = 0; clock < 50'000; ++clock) {
     const Gates g = drive.tick(in).gates;

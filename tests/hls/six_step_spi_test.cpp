@@ -20,8 +20,8 @@ TEST(SixStepSpi, TheCDriverRefusesHallWordsWithoutADecoder) {
     SpiBench<SixStepSpi, SixStep> b;
     b.in.with.hall_decoder = decoder;
     const steplock_bus bus = b.bus();
-    const steplock_word words[] = {{STEPLOCK_LOOP, STEPLOCK_LOOP_SOURCE_MASK}};
-    EXPECT_EQ(steplock_init(&bus, words, 1), decoder ? STEPLOCK_NO_PERIOD : STEPLOCK_NO_HALL);
+    const steplock_word config[] = {{STEPLOCK_LOOP, STEPLOCK_LOOP_SOURCE_MASK}};
+    EXPECT_EQ(steplock_init(&bus, config, 1), decoder ? STEPLOCK_NO_PERIOD : STEPLOCK_NO_HALL);
     EXPECT_EQ(b.init(), STEPLOCK_OK) << "words of a drive without sensors";
   }
 }
@@ -31,8 +31,8 @@ TEST(SixStepSpi, TheCDriverRefusesWordsOfAStartThatIsLeftOut) {
       SpiBench<SixStepSpi, SixStep> b;
       (follow ? b.in.with.follower : b.in.with.ramp) = there;
       const steplock_bus bus = b.bus();
-      const steplock_word words[] = {{STEPLOCK_START_LOCK, follow ? STEPLOCK_START_LOCK_METHOD_MASK : 0u}};
-      EXPECT_EQ(steplock_init(&bus, words, 1), there ? STEPLOCK_NO_PERIOD : STEPLOCK_NO_METHOD);
+      const steplock_word config[] = {{STEPLOCK_START_LOCK, follow ? STEPLOCK_START_LOCK_METHOD_MASK : 0u}};
+      EXPECT_EQ(steplock_init(&bus, config, 1), there ? STEPLOCK_NO_PERIOD : STEPLOCK_NO_METHOD);
     }
   }
 }

@@ -9,8 +9,8 @@ namespace {
 constexpr int kBounce = 1 << 17;  // clocks between two looks at the pins
 
 // A reset pattern that lasts, half of the time on.
-Words lasting_words() {
-  Words w;
+SixStepConfig lasting_config() {
+  SixStepConfig w;
   w.pwm = {.period = 200, .minimum = 4, .dead_time = 14, .tick_periods = 100};
   w.start = {.pre_align = 4095, .align_duty = 0x4000, .hand_over = 1 << 20};
   w.speed = {.target = 1 << 23, .maximum = 0x8000, .duty_slew = 0xfff};
@@ -19,7 +19,7 @@ Words lasting_words() {
 
 struct Bench {
   SixStepStandalone dut;
-  SixStepStandalone::In in{.pins = {}, .controls = {}, .words = lasting_words()};
+  SixStepStandalone::In in{.pins = {}, .controls = {}, .config = lasting_config()};
   SixStepStandalone::Out out;
 
   bool any_gate() const {
@@ -115,14 +115,14 @@ TEST(SixStepStandalone, TakingRunAwayRearmsAsSoonAsTheCauseIsGone) {
 
 // A drive with Hall sensors, on a rotor turned by hand: what it is told to reach shows in its pulses.
 struct Turned {
-  Words words = lasting_words();
+  SixStepConfig config = lasting_config();
   Turned() {
-    words.source = Source::kHall;
-    words.loop = {.divide = 0, .ki = 655, .kp = 6554, .minimum = 1 << 16, .maximum = 1 << 25};
-    words.start = {.pre_align = 2, .align = 3, .align_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xfffff,
+    config.source = Source::kHall;
+    config.loop = {.divide = 0, .ki = 655, .kp = 6554, .minimum = 1 << 16, .maximum = 1 << 25};
+    config.start = {.pre_align = 2, .align = 3, .align_duty = 0x4000, .start_duty = 0x4000, .ramp = 0xfffff,
                    .hand_over = 1 << 20, .window = 0x7fff, .good_crossings = 2, .pull_in = 4000,
                    .detect_spin = 200, .retries = 15};
-    words.speed = {.target = 0, .slew = 0xfffff, .shift = 9, .kp = 4096, .ki = 100, .bemf = 0x2000,
+    config.speed = {.target = 0, .slew = 0xfffff, .shift = 9, .kp = 4096, .ki = 100, .bemf = 0x2000,
                    .minimum = 0x100, .maximum = 0x8000, .duty_slew = 0xfff};
   }
   static void turn(Synchroniser::Pins& pins, int clock) {
@@ -138,10 +138,10 @@ struct Turned {
 bool same_gates(int speed, Frequency whole, std::int64_t target) {
   SixStepStandalone bare;
   SixStepTop drive;
-  SixStepStandalone::In in{.pins = {}, .controls = {.run = true, .speed = speed}, .words = Turned().words};
-  in.words.speed.target = whole;
-  SixStepTop::In host{.pins = {}, .command = {.configured = true}, .words = in.words};
-  host.words.speed.target = Frequency::of(target);
+  SixStepStandalone::In in{.pins = {}, .controls = {.run = true, .speed = speed}, .config = Turned().config};
+  in.config.speed.target = whole;
+  SixStepTop::In host{.pins = {}, .command = {.configured = true}, .config = in.config};
+  host.config.speed.target = Frequency::of(target);
   bool same = true, locked = false;
   for (int i = 0; i < kBounce + 120000; ++i) {
     Turned::turn(in.pins, i);
@@ -167,7 +167,7 @@ TEST(SixStepStandalone, IsTheDriveToldAQuarterToTheWholeOfItsSpeed) {
 }
 
 TEST(SixStepStandalone, AsksForTheHandOverFrequencyAtLeast) {
-  const std::int64_t hand_over = Turned().words.start.hand_over.raw();
+  const std::int64_t hand_over = Turned().config.start.hand_over.raw();
   EXPECT_TRUE(same_gates(0, Frequency::of(2 * hand_over), hand_over));
 }
 

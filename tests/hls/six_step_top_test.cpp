@@ -100,9 +100,9 @@ TEST(SixStepTop, AFaultStaysLatchedWhenThePinIsReleased) {
 TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
   SixStepTop top;
   SixStepTop::In in;
-  in.words = quick_words();
-  in.words.start.detect_spin = 0;
-  in.words.pwm.complementary = false;
+  in.config = quick_config();
+  in.config.start.detect_spin = 0;
+  in.config.pwm.complementary = false;
   in.command = {.configured = true, .run = true};
   // In the reset pattern U and V are chopped: find a pulse past its blanking.
   int on = 0;
@@ -116,7 +116,7 @@ TEST(SixStepTop, TheCurrentLimitPinTakesTheHighSideOffInFiveClocks) {
 // A cut of a rotor that runs turns all gates off for a quarter of the off-time, or its back-EMF would drive the current on through
 // zero; a cut at rest closes the low side for all of it, and so does the PWM's own pause.
 TEST(SixStepTop, ACutOfARotorThatRunsTurnsAllGatesOffForAQuarterOfTheOffTime) {
-  constexpr int kOffTime = 50, kGuard = 3;  // clocks: quick_words's; from a request to its gate
+  constexpr int kOffTime = 50, kGuard = 3;  // clocks: quick_config's; from a request to its gate
   Chaos chaos;
   int since_hit = 1000, since_run = 0, same_step = 0, on_in_a_cut = 0, cuts = 0, paused_low = 0, low_in_a_cut_at_rest = 0;
   int soonest = 1000;  // clocks from a hit to the next high side
@@ -147,14 +147,14 @@ TEST(SixStepTop, ACutOfARotorThatRunsTurnsAllGatesOffForAQuarterOfTheOffTime) {
 // Without a decoder no start looks for a rotor that turns; all else stays, clock by clock.
 TEST(SixStepTop, WithoutTheHallDecoderItIsTheDriveThatDoesNotObserve) {
   Chaos chaos;
-  chaos.in.words.start.detect_spin = 0;
+  chaos.in.config.start.detect_spin = 0;
   SixStepTop without;
   unsigned states = 0;
   for (int i = 0; i < 1000000; ++i) {
     const auto with = chaos.clock_of(Source::kBemf);
     auto in = chaos.in;
     in.with.hall_decoder = false;
-    in.words.start.detect_spin = 4;
+    in.config.start.detect_spin = 4;
     const auto out = without.tick(in);
     ASSERT_EQ(out, with) << i;
     states |= 1u << unsigned(out.state);
@@ -165,8 +165,8 @@ TEST(SixStepTop, WithoutTheHallDecoderItIsTheDriveThatDoesNotObserve) {
 TEST(SixStepTop, WithoutTheHallDecoderWordsOfHallSensorsLeaveItIdle) {
   for (const bool decoder : {false, true}) {
     SixStepTop dut;
-    SixStepTop::In in{.with = {.hall_decoder = decoder}, .command = {.configured = true, .run = true}, .words = quick_words()};
-    in.words.source = Source::kHall;
+    SixStepTop::In in{.with = {.hall_decoder = decoder}, .command = {.configured = true, .run = true}, .config = quick_config()};
+    in.config.source = Source::kHall;
     in.pins.hall_u = true;
     int on = 0, idle = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -8,22 +8,22 @@ namespace steplock::test {
 inline SpeedControl::In typical() {
   SpeedControl::In in;
   in.period = 1600;
-  in.words.shift = 4;
-  in.words.slew = 1 << 19;
-  in.words.kp = 2 << 12;
-  in.words.ki = 6554;  // a tenth per tick
-  in.words.bemf = in.words.loaded = 1 << 12;
-  in.words.maximum = 0x8000;
-  in.words.duty_slew = 4095;
+  in.config.shift = 4;
+  in.config.slew = 1 << 19;
+  in.config.kp = 2 << 12;
+  in.config.ki = 6554;  // a tenth per tick
+  in.config.bemf = in.config.loaded = 1 << 12;
+  in.config.maximum = 0x8000;
+  in.config.duty_slew = 4095;
   return in;
 }
 
 // Without the integral the duty is what the reference has gained on the frequency, in normalised speed: its slew is 100 a tick.
 inline SpeedControl::In reference_as_duty() {
   auto in = typical();
-  in.words.ki = 0;
-  in.words.kp = 1 << 12;
-  in.words.slew = 100 << 4;
+  in.config.ki = 0;
+  in.config.kp = 1 << 12;
+  in.config.slew = 100 << 4;
   return in;
 }
 

@@ -17,9 +17,9 @@ TEST(SpeedControl, DoesNotWindUpAtItsLimits) {
   for (const bool high : {true, false}) {
     SpeedControl dut;
     auto in = typical();
-    in.words.kp = 0;
-    in.words.minimum = 1000;
-    in.words.maximum = 20000;
+    in.config.kp = 0;
+    in.config.minimum = 1000;
+    in.config.maximum = 20000;
     in.fixed_duty = 10000;
     in.frequency = 10000 << 4;
     update(dut, in);
@@ -42,9 +42,9 @@ TEST(SpeedControl, DoesNotWindUpWhereTheProportionalPartIsLimited) {
     for (const int duty_slew : {4095, 10}) {
       SpeedControl dut;
       auto in = typical();
-      in.words.kp = 8 << 12;
-      in.words.duty_slew = duty_slew;
-      in.words.slew = (1 << 20) - 1;
+      in.config.kp = 8 << 12;
+      in.config.duty_slew = duty_slew;
+      in.config.slew = (1 << 20) - 1;
       in.fixed_duty = 16000;
       in.frequency = 10000 << 4;
       update(dut, in);
@@ -65,8 +65,8 @@ TEST(SpeedControl, DoesNotWindUpWhereTheProportionalPartIsLimited) {
 TEST(SpeedControl, BeginsOnceMoreWhereARotorHasComeDownToALowerTarget) {
   SpeedControl dut;
   auto in = typical();
-  in.mode = SpeedMode::kAboveBemf;
-  in.words.slew = 1000 << 4;
+  in.mode = SpeedMode::kFeedForwardDrive;
+  in.config.slew = 1000 << 4;
   in.frequency = 20000 << 4;
   update(dut, in);
   in.mode = SpeedMode::kControl;
@@ -80,7 +80,7 @@ TEST(SpeedControl, BeginsOnceMoreWhereARotorHasComeDownToALowerTarget) {
   update(dut, in);  // sees that it is below
   EXPECT_NEAR(duty_of(update(dut, in)), 7900, 1);
   // Once: from here on it is the law's.
-  in.words.ki = in.words.kp = 0;
+  in.config.ki = in.config.kp = 0;
   EXPECT_NEAR(duty_of(update(dut, in)), 7900, 1);
   in.frequency = 7000 << 4;
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(duty_of(update(dut, in)), 7900, 1);
@@ -91,15 +91,15 @@ TEST(SpeedControl, BeginsOnceMoreWithTheDutyThatItHasIfThatIsMore) {
   for (const bool loaded : {true, false}) {
     SpeedControl dut;
     auto in = typical();
-    in.words.ki = in.words.kp = 0;
-    in.words.maximum = 30000;
-    in.words.bemf = loaded ? 1 << 12 : 4 << 12;
+    in.config.ki = in.config.kp = 0;
+    in.config.maximum = 30000;
+    in.config.bemf = loaded ? 1 << 12 : 4 << 12;
     in.fixed_duty = 15000;
     in.frequency = 9000 << 4;
     update(dut, in);
     in.mode = SpeedMode::kControl;
     in.fixed_duty = 0;
-    in.words.slew = 100 << 4;
+    in.config.slew = 100 << 4;
     in.target = 8500 << 4;
     for (int i = 0; i < 10; ++i) update(dut, in);
     in.frequency = 8000 << 4;
@@ -117,7 +117,7 @@ TEST(SpeedControl, KeepsItsIntegralWhereTheReferenceWasAtTheTarget) {
   update(dut, in);
   in.mode = SpeedMode::kControl;
   in.target = 4000 << 4;
-  in.words.ki = 0;
+  in.config.ki = 0;
   in.frequency = 12000 << 4;
   for (int i = 0; i < 5; ++i) update(dut, in);
   EXPECT_EQ(update(dut, in).duty, Duty(0));
@@ -129,7 +129,7 @@ TEST(SpeedControl, KeepsItsIntegralWhereTheReferenceWasAtTheTarget) {
 // From a start's duty of 10000 to a set speed far above.
 SpeedControl::In accelerating(SpeedControl& dut) {
   auto in = typical();
-  in.words.duty_slew = 50;
+  in.config.duty_slew = 50;
   in.fixed_duty = 10000;
   update(dut, in);
   in.mode = SpeedMode::kControl;
@@ -150,7 +150,7 @@ int falls(SpeedControl& dut, const SpeedControl::In& in, int duty, int times = 2
 TEST(SpeedControl, HoldsTheDutyWhileTheCurrentLimitCutsAndDoesNotWindUp) {
   SpeedControl dut;
   auto in = accelerating(dut);
-  in.words.kp = 0;
+  in.config.kp = 0;
   in.limited = true;
   update(dut, in);  // the first cut holds the duty from the next integral on
   const Duty held = update(dut, in).duty;
@@ -203,8 +203,8 @@ TEST(SpeedControl, LowersTheDutyWhereFreewheelingIsLongAndItIsToRiseSlowly) {
   for (const int error : {36, 41}) {
     SpeedControl with, without;
     auto in = typical();
-    in.words.kp = 0;
-    in.words.duty_slew = 50;
+    in.config.kp = 0;
+    in.config.duty_slew = 50;
     in.fixed_duty = 10000;
     in.frequency = in.target = 5000 << 4;
     update(with, in), update(without, in);
@@ -255,8 +255,8 @@ TEST(SpeedControl, KeepsItsLeastDutyWhereItYields) {
   for (const bool masked_lead : {true, false}) {
     SpeedControl dut;
     auto in = reference_as_duty();
-    in.words.minimum = 3000;
-    in.words.duty_slew = 50;
+    in.config.minimum = 3000;
+    in.config.duty_slew = 50;
     in.fixed_duty = 3020;
     in.frequency = 4000 << 4;
     update(dut, in);
@@ -266,7 +266,7 @@ TEST(SpeedControl, KeepsItsLeastDutyWhereItYields) {
     in.freewheels = in.limited = !masked_lead;
     for (int i = 0; i < 5; ++i) EXPECT_GE(duty_of(update(dut, in)), 3000) << masked_lead << i;
     EXPECT_EQ(duty_of(update(dut, in)), 3000) << masked_lead;
-    in.words.minimum = 5000;
+    in.config.minimum = 5000;
     EXPECT_EQ(duty_of(update(dut, in)), 5000) << masked_lead;
   }
 }
@@ -280,8 +280,8 @@ TEST(SpeedControl, ApproachesALowerLimitByItsSlew) {
   update(dut, in);
   in.mode = SpeedMode::kControl;
   in.target = 20000 << 4;
-  in.words.duty_slew = 50;
-  in.words.maximum = 10000;
+  in.config.duty_slew = 50;
+  in.config.maximum = 10000;
   EXPECT_EQ(duty_of(update(dut, in)), 20000 - 51);
   EXPECT_EQ(duty_of(update(dut, in)), 20000 - 102);
 }

@@ -40,33 +40,33 @@ TEST(SpeedControl, FullDutyIsTheWholePeriodAndNoneIsNone) {
 TEST(SpeedControl, StaysAboveTheBackEmfBeforeLock) {
   SpeedControl dut;
   auto in = typical();
-  in.mode = SpeedMode::kAboveBemf;
+  in.mode = SpeedMode::kFeedForwardDrive;
   in.frequency = 16384 << 4;
-  in.words.bemf = 6144;  // 1.5
+  in.config.bemf = 6144;  // 1.5
   const auto out = update(dut, in);
   EXPECT_EQ(out.duty, Duty(24576));
   in.fixed_duty = 1000;
   EXPECT_EQ(update(dut, in).duty, Duty(25576));
   in.fixed_duty = 0x8000;
-  EXPECT_EQ(update(dut, in).duty, in.words.maximum);
+  EXPECT_EQ(update(dut, in).duty, in.config.maximum);
 }
 
 // A brake: 1 + I R / V - E / V, one last bit less, since the one's complement stands for the negative.
 TEST(SpeedControl, BrakesWithSoMuchLessThanTheBackEmfWants) {
   SpeedControl dut;
   auto in = typical();
-  in.mode = SpeedMode::kBelowBemf;
-  in.words.bemf = 6144;  // 1.5
+  in.mode = SpeedMode::kFeedForwardBrake;
+  in.config.bemf = 6144;  // 1.5
   in.fixed_duty = 40000;
   in.frequency = 16384 << 4;  // 24576 of the duty
   EXPECT_EQ(update(dut, in).duty, Duty(40000 - 24576 - 1));
   in.frequency = 0;
-  EXPECT_EQ(update(dut, in).duty, in.words.maximum) << "slow: the current is less than it may be";
+  EXPECT_EQ(update(dut, in).duty, in.config.maximum) << "slow: the current is less than it may be";
   in.frequency = 32768 << 4;
   EXPECT_EQ(update(dut, in).duty, Duty(0)) << "so fast that the diodes brake";
   in.mode = SpeedMode::kControl;
   in.target = in.frequency;
-  EXPECT_LE(update(dut, in).duty, in.words.minimum + 1000) << "control begins with none";
+  EXPECT_LE(update(dut, in).duty, in.config.minimum + 1000) << "control begins with none";
 }
 
 TEST(SpeedControl, BeginsWithoutAJump) {
@@ -108,7 +108,7 @@ TEST(SpeedControl, SlipsWhenTheDutyIsMoreThanTheBackEmfExplains) {
   EXPECT_FALSE(update(dut, in).slips);
   in.slip = 1000;
   EXPECT_TRUE(update(dut, in).slips);
-  in.words.loaded = 0x1480;  // 9/32 of the speed more, for commutation: 2250
+  in.config.loaded = 0x1480;  // 9/32 of the speed more, for commutation: 2250
   EXPECT_FALSE(update(dut, in).slips);
   in.mode = SpeedMode::kFixed;  // only a lock can slip
   EXPECT_FALSE(update(dut, in).slips);
@@ -117,7 +117,7 @@ TEST(SpeedControl, SlipsWhenTheDutyIsMoreThanTheBackEmfExplains) {
 TEST(SpeedControl, DutyMovesByItsSlewOnly) {
   SpeedControl dut;
   auto in = typical();
-  in.words.duty_slew = 10;
+  in.config.duty_slew = 10;
   update(dut, in);
   in.mode = SpeedMode::kControl;
   in.target = Frequency::max();
@@ -129,9 +129,9 @@ TEST(SpeedControl, DutyMovesByItsSlewOnly) {
 // one unit (times kp and ki), the proportional product by one, the integral's upper half by one.
 RC_GTEST_PROP(SpeedControl, EqualsTheLawToTheLastBits, ()) {
   auto in = typical();
-  in.words.kp = *rc::gen::inRange(0, 4 << 12);
-  in.words.ki = *rc::gen::inRange(0, 20000);
-  in.words.slew = (1 << 20) - 1;
+  in.config.kp = *rc::gen::inRange(0, 4 << 12);
+  in.config.ki = *rc::gen::inRange(0, 20000);
+  in.config.slew = (1 << 20) - 1;
   in.fixed_duty = *rc::gen::inRange(8000, 24000);
   in.frequency = *rc::gen::inRange(8000 << 4, 24000 << 4);
   SpeedControl dut;
@@ -139,8 +139,8 @@ RC_GTEST_PROP(SpeedControl, EqualsTheLawToTheLastBits, ()) {
   in.mode = SpeedMode::kControl;
   in.target = in.frequency.raw() + *rc::gen::inRange(-400 * 16, 400 * 16);
 
-  const double kp = double(in.words.kp.raw()) / 4096;
-  const double ki = double(in.words.ki.raw()) / 65536;
+  const double kp = double(in.config.kp.raw()) / 4096;
+  const double ki = double(in.config.ki.raw()) / 65536;
   const double error = (double(in.target.raw()) - double(in.frequency.raw())) / 16;
   double integral = double(in.fixed_duty.raw());
   Duty duty = in.fixed_duty;
@@ -149,7 +149,7 @@ RC_GTEST_PROP(SpeedControl, EqualsTheLawToTheLastBits, ()) {
     integral += ki * error;
     const double expected = integral + kp * error;
     // Beyond these a limit has a say: speed_control_limits_test.cpp.
-    if (expected < 0 || expected > kFull || std::abs(expected - before) > double(in.words.duty_slew.raw())) break;
+    if (expected < 0 || expected > kFull || std::abs(expected - before) > double(in.config.duty_slew.raw())) break;
     duty = update(dut, in).duty;
     RC_ASSERT(std::abs(double(duty.raw()) - expected) <= 2 + kp + i * ki);
   }

@@ -17,7 +17,7 @@ constexpr double kPlace = 1.0 / 32768;  // the last of s0.15
 double value(Int<16> x) { return double(x.raw()) * kPlace; }
 Int<20> step(double x) { return static_cast<int>(std::lround(std::ldexp(x, 19))); }
 
-RegulatorWords words() {
+RegulatorConfig config() {
   return {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288,
           .start_current = 1000, .lock = 1000, .slow = 500, .stop = 1000, .emf_low = 3277, .emf_high = 20480};
 }
@@ -40,7 +40,7 @@ TEST(SpeedRegulator, IsTheReferenceWithinItsRounding) {
     const double way = reverse ? -1 : 1;
     SpeedRegulator dut;
     reference::sinusoidal::SpeedRegulator exact(meant(), 1);
-    dut.tick({.words = words()});
+    dut.tick({.config = config()});
     exact.start(0);
     double speed = 0;
     std::mt19937 any(1);
@@ -50,7 +50,7 @@ TEST(SpeedRegulator, IsTheReferenceWithinItsRounding) {
       const double noise = std::uniform_real_distribution<>(-0.002, 0.002)(any);
       const auto seen = step(way * (speed + noise));
       const auto out =
-          dut.tick({.enable = true, .reverse = reverse, .locked = n >= 400, .step = seen, .words = words()});
+          dut.tick({.enable = true, .reverse = reverse, .locked = n >= 400, .step = seen, .config = config()});
       const double wanted = exact.update(0.125, way * double(seen.raw()) / (1 << 19), n >= 400);
       ASSERT_NEAR(way * value(out.current), wanted, 3 * kPlace) << n;
       ASSERT_NEAR(way * value(out.speed), exact.speed(), 2 * kPlace) << n;
@@ -70,11 +70,11 @@ TEST(SpeedRegulator, IsTheReferenceWithinItsRounding) {
 TEST(SpeedRegulator, AnErrorOfZeroInTheMeanMovesNothing) {
   SpeedRegulator dut;
   SpeedRegulator::Out out;
-  const int target = int(words().target.raw()) >> 6;  // in s0.19
+  const int target = int(config().target.raw()) >> 6;  // in s0.19
   const auto turn = [&](int samples, bool settled) {
     for (int n = 0; n < samples; ++n) {
       const Int<20> seen = (settled ? target : std::min(n * 63, target)) + (n % 41 - 20);
-      out = dut.tick({.enable = true, .locked = true, .step = seen, .words = words()});
+      out = dut.tick({.enable = true, .locked = true, .step = seen, .config = config()});
     }
     return value(out.current);
   };
@@ -89,8 +89,8 @@ TEST(SpeedRegulator, TheIntegralBeginsAtTheStartsCurrent) {
   for (const bool reverse : {false, true}) {
     const int way = reverse ? -1 : 1;
     SpeedRegulator dut;
-    SpeedRegulator::In in{.reverse = reverse, .locked = true, .words = words()};
-    in.words.target = 0;
+    SpeedRegulator::In in{.reverse = reverse, .locked = true, .config = config()};
+    in.config.target = 0;
     EXPECT_EQ(dut.tick(in).current, 0) << "not before the loop is closed";
     in.enable = true;
     for (int n = 0; n < 3; ++n) EXPECT_EQ(dut.tick(in).current, way * 1000);
@@ -111,8 +111,8 @@ TEST(SpeedRegulator, NothingBrakesBeforeTheLock) {
   for (const bool reverse : {false, true}) {
     const int way = reverse ? -1 : 1;
     SpeedRegulator dut;
-    SpeedRegulator::In in{.reverse = reverse, .words = words()};
-    in.words.target = 1 << 21;  // 0.0625
+    SpeedRegulator::In in{.reverse = reverse, .config = config()};
+    in.config.target = 1 << 21;  // 0.0625
     dut.tick(in);
     in.enable = true, in.step = step(way * 0.2);
     SpeedRegulator::Out out;
@@ -134,7 +134,7 @@ TEST(SpeedRegulator, NothingBrakesBeforeTheLock) {
 
 TEST(SpeedRegulator, ALimitedIntegralComesBackAtOnce) {
   SpeedRegulator dut;
-  SpeedRegulator::In in{.enable = true, .locked = true, .words = words()};
+  SpeedRegulator::In in{.enable = true, .locked = true, .config = config()};
   SpeedRegulator::Out out;
   for (int n = 0; n < 20'000; ++n) out = dut.tick(in);
   EXPECT_EQ(out.current, 12288);
@@ -149,10 +149,10 @@ TEST(SpeedRegulator, ALimitedIntegralComesBackAtOnce) {
 // The proportional part alone reaches the limit: the integral stands, and with the error gone nothing is left of it.
 TEST(SpeedRegulator, WhatTheProportionalPartLimitsWindsNothingUp) {
   SpeedRegulator dut;
-  SpeedRegulator::In in{.enable = true, .locked = true, .words = words()};
-  in.words.slew = (1 << 19) - 1;
-  in.words.k_p = 2800;
-  in.words.filter = 0x7fff;
+  SpeedRegulator::In in{.enable = true, .locked = true, .config = config()};
+  in.config.slew = (1 << 19) - 1;
+  in.config.k_p = 2800;
+  in.config.filter = 0x7fff;
   SpeedRegulator::Out out;
   int limited = 0;
   for (int n = 0; n < 2000; ++n) limited += (out = dut.tick(in)).saturated;
@@ -169,7 +169,7 @@ TEST(SpeedRegulator, ItSaysWhereTheSpeedStands) {
     SpeedRegulator::Out out;
     for (int n = 0; n < 2000; ++n) {
       out = dut.tick({.enable = true, .step = Int<20>(places * 16),
-                      .emf_step = step(emf * places * kPlace), .words = words()});
+                      .emf_step = step(emf * places * kPlace), .config = config()});
     }
     return out;
   };
@@ -189,12 +189,12 @@ TEST(SpeedRegulator, SlowingDownAimsBelowTheStopSpeed) {
   SpeedRegulator dut;
   SpeedRegulator::Out out;
   for (int n = 0; n < 5000; ++n) {
-    out = dut.tick({.enable = true, .slow_down = true, .words = words()});
+    out = dut.tick({.enable = true, .slow_down = true, .config = config()});
   }
   EXPECT_EQ(out.reference, 750);
-  out = dut.tick({.words = words()});
+  out = dut.tick({.config = config()});
   EXPECT_EQ(out.current, 0);
-  out = dut.tick({.enable = true, .words = words()});
+  out = dut.tick({.enable = true, .config = config()});
   EXPECT_EQ(out.reference, 3) << "4000 / 1024, from 0 again";
 }
 

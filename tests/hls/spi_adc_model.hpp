@@ -20,7 +20,7 @@ class SpiAdcModel {
   };
   std::function<int(int channel, long clock)> input;  // 0 .. 4095
   int delay = 1;                                      // clocks from an edge to the line, at least 1
-  SpiAdcWords words;                                  // what the pins' times are judged by
+  SpiAdcConfig config;                                  // what the pins' times are judged by
   std::map<int, long> held;                           // clock, by channel
   int violations = 0;                                 // of the interface's rules
   int frames = 0;
@@ -33,7 +33,7 @@ class SpiAdcModel {
 
   bool clock(const Pins& pins) {
     ++now_;
-    const int half = int(words.half.raw());
+    const int half = int(config.half.raw());
     if (pins.sclk != sclk_ && now_ - sclk_changed_ < half) ++violations;
     if (pins.mosi != mosi_ && sclk_ && !pins.sclk) ++violations;
     if (pins.mosi != mosi_ && !pins.cs_n && !pins.sclk) ++violations;  // holds while low
@@ -53,7 +53,7 @@ class SpiAdcModel {
 
  private:
   void begin(const Pins& pins) {
-    if (!pins.sclk || (frames > 0 && now_ - cs_changed_ < int(words.quiet.raw()))) ++violations;
+    if (!pins.sclk || (frames > 0 && now_ - cs_changed_ < int(config.quiet.raw()))) ++violations;
     held[channel_] = now_;
     const int code = input(channel_, now_) ^ (binary_ ? 0 : 2048);
     answer_ = asleep_ > 0 ? int(any_() & 0xffff) : channel_ << 12 | code;
@@ -61,14 +61,14 @@ class SpiAdcModel {
     drive();
   }
   void falls(bool mosi) {
-    if (edges_ == 0 && now_ - cs_changed_ < int(words.half.raw())) ++violations;
+    if (edges_ == 0 && now_ - cs_changed_ < int(config.half.raw())) ++violations;
     if (++edges_ <= 12) written_ = written_ << 1 | int(mosi);
     // WRITE, SEQ, -, ADD, PM, SHADOW, -, RANGE, CODING
     if (edges_ == 12 && asleep_ == 0 && (written_ & 0x800)) {
       channel_ = written_ >> 6 & 7;
       binary_ = written_ & 1;
       if ((written_ >> 4 & 3) != 3 || (written_ & 0x408)) ++violations;  // normal mode, no sequence
-      if (((written_ >> 1 & 1) == 0) != words.twice) ++violations;
+      if (((written_ >> 1 & 1) == 0) != config.twice) ++violations;
     }
     drive();
   }

@@ -13,8 +13,8 @@ namespace {
 
 struct Bench {
   explicit Bench(int half = 2, int quiet = 10) {
-    in.words = {.half = half, .quiet = quiet, .u = 3, .v = 6, .dc = 1};
-    adc.words = in.words;
+    in.config = {.half = half, .quiet = quiet, .u = 3, .v = 6, .dc = 1};
+    adc.config = in.config;
     adc.input = [](int channel, long) { return 100 * channel; };
   }
   SpiAdc::Out tick(bool sample = false) {
@@ -154,12 +154,12 @@ TEST(SpiAdc, ASampleThatComesTooEarlyIsMissedAndDisturbsNothing) {
 
 TEST(SpiAdc, OffMovesNoPinAndOnWakesTheConverter) {
   Bench b;
-  b.in.words.half = 0;
+  b.in.config.half = 0;
   for (int clock = 0; clock < 1000; ++clock) {
     b.tick();
     ASSERT_TRUE(b.out.cs_n && b.out.sclk && !b.out.ready);
   }
-  b.in.words.half = 2;
+  b.in.config.half = 2;
   b.wake();
   EXPECT_NE(b.sampled(), 0);
 }
@@ -179,8 +179,8 @@ TEST(SpiAdc, TheDriveGetsASampleInEveryPeriod) {
   Bench b;
   SinusoidalTop drive;
   SinusoidalTop::In in;
-  in.words.bridge.period = 1000;
-  in.words.bridge.reciprocal = 11185;  // 2^25 / (3 * 1000)
+  in.config.bridge.period = 1000;
+  in.config.bridge.reciprocal = 11185;  // 2^25 / (3 * 1000)
   int strobes = 0, done = 0;
   bool sample = false;
   for (int clock = 0; clock < 50'000; ++clock) {

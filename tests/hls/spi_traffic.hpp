@@ -90,9 +90,9 @@ class SpiBench {
   steplock_bus bus() { return steplock_over_spi(&spi_); }
   steplock_result init() {
     const steplock_bus over = bus();
-    std::vector<steplock_word> words;
-    for (const auto& [address, value] : Drive::words()) words.push_back({std::uint32_t(address), value});
-    return steplock_init(&over, words.data(), words.size());
+    std::vector<steplock_word> config;
+    for (const auto& [address, value] : Drive::config()) config.push_back({std::uint32_t(address), value});
+    return steplock_init(&over, config.data(), config.size());
   }
 
   typename Top::In in;

@@ -17,7 +17,7 @@ struct StartBench {
   StartBench() {
     in.tick = true;
     in.command.configured = true;
-    in.words = {.pre_align = 3,
+    in.config = {.pre_align = 3,
                 .align = 5,
                 .align_duty = 1000,
                 .start_duty = 2000,

@@ -12,7 +12,7 @@ constexpr int kMost = 4 * 4096 - 2, kVerdict = kMost - 3 * 4096 + 1;  // ticks u
 // What has seen no rotor move until then would not in as many again; one that moves is only slow.
 TEST(StartCountersFollow, ARotorThatMovesHasFourTimesTheTicks) {
   Bench bench;
-  bench.in.words.method = Method::kFollow;
+  bench.in.config.method = Method::kFollow;
   bench.enter(State::kIdle);
   EXPECT_EQ(bench.ticks_of(State::kAccelerate), kVerdict + 1);
   bench.enter(State::kIdle);
@@ -34,7 +34,7 @@ TEST(StartCountersFollow, ARotorThatMovesHasFourTimesTheTicks) {
 TEST(StartCountersFollow, AllTriesThatFollowShareTheirTicks) {
   for (const bool hopeful : {false, true}) {
     Bench bench;
-    bench.in.words.method = Method::kFollow;
+    bench.in.config.method = Method::kFollow;
     bench.enter(State::kIdle);
     int ticks = 0;
     const auto follow = [&](int most) {
@@ -75,7 +75,7 @@ TEST(StartCountersFollow, ARotorThatWentOnMovingInTheLastThousandTicksIsHopeful)
                         {1280, 900, false}, {4096, 1025, false}, {4096, 897, true}};
   for (const Case& c : cases) {
     Bench bench;
-    bench.in.words.method = Method::kFollow;
+    bench.in.config.method = Method::kFollow;
     bench.enter(State::kIdle);
     bench.enter(State::kAccelerate);
     const auto moves = [&](int from, int to) {  // ticks left
@@ -99,7 +99,7 @@ TEST(StartCountersFollow, ARotorThatWentOnMovingInTheLastThousandTicksIsHopeful)
 TEST(StartCountersFollow, ARotorThatIsShakenIsNot) {
   for (const int moment : {1, 40, 126}) {
     Bench bench;
-    bench.in.words.method = Method::kFollow;
+    bench.in.config.method = Method::kFollow;
     bench.enter(State::kAccelerate);
     for (int i = 0; i < kVerdict; ++i) {
       bench.in.hopeful = i % (moment + 1) != 0;
@@ -115,7 +115,7 @@ TEST(StartCountersFollow, ATryThatFollowsUntilNoTicksAreLeftIsTheLast) {
     for (const Method method : {Method::kFollow, Method::kRamp}) {
       Bench bench;
       bench.enter(State::kIdle);
-      bench.in.words.method = method;
+      bench.in.config.method = method;
       bench.in.hopeful = hopeful;
       bench.enter(State::kAccelerate);
       const int ticks = method != Method::kFollow ? 4095 : hopeful ? kMost : kVerdict;

@@ -76,7 +76,7 @@ TEST(StartCounters, TellsFailedTriesUpToThree) {
 TEST(StartCounters, NoTriesAreLeftAfterAsManyFailuresAsTheWordSays) {
   for (const int retries : {0, 1, 2, 15}) {
     Bench bench;
-    bench.in.words.retries = UInt<4>(retries);
+    bench.in.config.retries = UInt<4>(retries);
     bench.enter(State::kRetryDelay);
     for (int i = 0; i < retries; ++i) {
       EXPECT_FALSE(bench.out.retries_exhausted);
@@ -127,7 +127,7 @@ TEST(StartCounters, ARotorIsUnstoppableAfter255BrakingIntervalsSinceALockOrStand
 TEST(StartCounters, AsManyGoodCrossingsInARowAsTheWordSaysAreEnough) {
   for (const int needed : {1, 4, 63}) {
     Bench bench;
-    bench.in.words.good_crossings = UInt<6>(needed);
+    bench.in.config.good_crossings = UInt<6>(needed);
     bench.enter(State::kPullIn);
     for (int i = 0; i < needed - 1; ++i) ASSERT_FALSE(bench.crossing(true)) << i;
     EXPECT_TRUE(bench.crossing(true));

@@ -8,7 +8,7 @@ using Bench = test::StartBench;
 
 TEST(StartSequence, EachFailedTryMakesTheRampGentlerThreeTimes) {
   Bench bench;
-  bench.in.words.retries = 6;
+  bench.in.config.retries = 6;
   bench.in.command.run = true;
   for (const int backoff : {0, 1, 2, 3, 3, 3, 3}) {
     bench.in.fast = false;
@@ -23,7 +23,7 @@ TEST(StartSequence, EachFailedTryMakesTheRampGentlerThreeTimes) {
 // 3 and 5 ticks: a rotor too heavy for them still swings at their end.
 TEST(StartSequence, EachFailedTryDoublesSettleAndResetThreeTimes) {
   Bench bench;
-  bench.in.words.retries = 6;
+  bench.in.config.retries = 6;
   bench.in.command.run = true;
   for (const int factor : {1, 2, 4, 8, 8}) {
     int settle = 0, reset = 0;
@@ -42,9 +42,9 @@ TEST(StartSequence, EachFailedTryDoublesSettleAndResetThreeTimes) {
 
 TEST(StartSequence, FromTheThirdTryOnTheStartHasTwiceTheDutyUpToTheWhole) {
   Bench bench;
-  bench.in.words.retries = 6;
-  bench.in.words.align_duty = 0x1800;
-  bench.in.words.start_duty = 0x7000;  // twice as much is more than the whole
+  bench.in.config.retries = 6;
+  bench.in.config.align_duty = 0x1800;
+  bench.in.config.start_duty = 0x7000;  // twice as much is more than the whole
   bench.in.command.run = true;
   for (const bool twice : {false, false, true, true, true}) {
     bench.in.fast = false;
@@ -60,8 +60,8 @@ TEST(StartSequence, FromTheThirdTryOnTheStartHasTwiceTheDutyUpToTheWhole) {
 
 TEST(StartSequence, TheLongestResetCanBeDoubledThreeTimes) {
   Bench bench;
-  bench.in.words.retries = 6;
-  bench.in.words.align = Ticks::max();
+  bench.in.config.retries = 6;
+  bench.in.config.align = Ticks::max();
   bench.in.command.run = true;
   for (const int factor : {1, 2, 4, 8}) {
     bench.in.fast = false;
@@ -84,7 +84,7 @@ TEST(StartSequence, ARampThatNeverArrivesIsAFailedTry) {
 TEST(StartSequence, ARotorThatNeverStopsIsAFaultInTheEnd) {
   Bench bench;
   bench.in.command.run = true;
-  bench.in.words.detect_spin = 100;
+  bench.in.config.detect_spin = 100;
   for (int brakes = 0; brakes < 255; ++brakes) {
     bench.until(State::kDetectSpin);
     for (int i = 0; i < 5; ++i) bench.move(true, 1);
@@ -127,7 +127,7 @@ TEST(StartSequence, ALostLockRestsAndStartsAgain) {
 
 TEST(StartSequence, ALongLockForgivesEarlierFailures) {
   Bench bench;
-  bench.in.words.retries = 1;
+  bench.in.config.retries = 1;
   for (int i = 0; i < 4; ++i) {
     bench.run();
     bench.clocks(1100);

@@ -6,7 +6,7 @@ namespace {
 
 struct Bench : test::StartBench {
   Bench() {
-    in.words.method = Method::kFollow;
+    in.config.method = Method::kFollow;
     in.command.run = true;
   }
   // The follower's word that it has the rotor, in the middle of this step.
@@ -31,7 +31,7 @@ TEST(StartSequenceFollows, NeitherSettlesNorResets) {
 
 TEST(StartSequenceFollows, WithoutALookForARotorThatTurnsItBeginsAtOnce) {
   Bench bench;
-  bench.in.words.detect_spin = 0;
+  bench.in.config.detect_spin = 0;
   bench.until(State::kAccelerate);
   EXPECT_EQ(bench.visited, (std::vector{State::kAccelerate}));
 }
@@ -52,7 +52,7 @@ TEST(StartSequenceFollows, TheLoopStopsForAClockAndThenFollows) {
   StartSequence dut;
   StartSequence::In in;
   in.command.configured = in.command.run = true;
-  in.words.method = Method::kFollow;
+  in.config.method = Method::kFollow;
   StartSequence::Out out;
   while (out.state != State::kAccelerate) out = dut.tick(in);
   EXPECT_EQ(out.loop, Loop::kStop);
@@ -79,8 +79,8 @@ TEST(StartSequenceFollows, ARotorThatIsHandedOverIsControlledFromTheSecondTickOn
   Bench bench;
   bench.until(State::kAccelerate);
   for (int tries = 0; tries < 2; ++tries) {
-    EXPECT_EQ(bench.caught(4).mode, SpeedMode::kAboveBemf);
-    EXPECT_EQ(bench.clock().mode, SpeedMode::kAboveBemf);
+    EXPECT_EQ(bench.caught(4).mode, SpeedMode::kFeedForwardDrive);
+    EXPECT_EQ(bench.clock().mode, SpeedMode::kFeedForwardDrive);
     EXPECT_EQ(bench.clock().mode, SpeedMode::kControl);
     bench.until(State::kRetryDelay);
     EXPECT_NE(bench.until(State::kAccelerate).mode, SpeedMode::kControl);
@@ -122,9 +122,9 @@ TEST(StartSequenceFollows, ABlockedRotorFailsTheTryAtOnceAndIsTheReason) {
 TEST(StartSequenceFollows, AMethodThatChangesDuringTheAlignmentIsTaken) {
   for (const State state : {State::kPreAlign, State::kAlign}) {
     Bench bench;
-    bench.in.words.method = Method::kRamp;
+    bench.in.config.method = Method::kRamp;
     bench.until(state);
-    bench.in.words.method = Method::kFollow;
+    bench.in.config.method = Method::kFollow;
     bench.clock();
     EXPECT_EQ(bench.clock().state, State::kAccelerate);
   }

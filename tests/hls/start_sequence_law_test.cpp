@@ -7,19 +7,19 @@
 #include <map>
 #include <utility>
 
-#include "tests/hls/random_words.hpp"
+#include "tests/hls/random_config.hpp"
 
 namespace steplock {
 namespace {
 
 using In = StartSequence::In;
 
-class Stimulus : public RandomWords {
+class Stimulus : public RandomConfig {
  public:
-  using RandomWords::RandomWords;
+  using RandomConfig::RandomConfig;
 
-  StartWords words() {
-    StartWords w;
+  StartConfig config() {
+    StartConfig w;
     w.method = one_in(2) ? Method::kFollow : Method::kRamp;
     w.pre_align = below(4), w.align = below(4), w.detect_spin = one_in(4) ? 0 : 1 + below(8), w.pull_in = below(8), w.slow_down = below(8);
     w.brake = below(4), w.retry_delay = below(4), w.retries = below(3), w.good_crossings = 1 + below(3);
@@ -27,7 +27,7 @@ class Stimulus : public RandomWords {
   }
   // Each input for some clocks, most of them as in a start that gets somewhere.
   void change(In& in) {
-    if (one_in(200)) in.words = words(), in.source = one_in(4) ? Source::kHall : Source::kBemf;
+    if (one_in(200)) in.config = config(), in.source = one_in(4) ? Source::kHall : Source::kBemf;
     if (one_in(60)) in.command.run = !one_in(5);
     if (one_in(60)) in.command.reverse = one_in(3);
     if (one_in(60)) in.command.brake_to_stop = one_in(2);
@@ -70,7 +70,7 @@ int differences(Stimulus any, int clocks, bool detects_spin, Arrows* seen = null
   Looks looks;
   In in;
   in.detects_spin = detects_spin;
-  in.words = any.words();
+  in.config = any.config();
   in.command.configured = true;
   int differ = 0, same = 0;
   for (int k = 0; k < clocks; ++k) {
@@ -87,13 +87,13 @@ int differences(Stimulus any, int clocks, bool detects_spin, Arrows* seen = null
                                        .good = other.good,
                                        .turns_reverse = other.turns_reverse,
                                        .hopeful = other.moves,
-                                       .words = other.words});
+                                       .config = other.config});
     const auto out = dut.tick(in);
     differ += out.state != law.at || out.reason != law.reason || out.reverse != law.reverse || out.load_step != law.load_step ||
               out.began != law.began || out.failed != law.failed ||
               out.running != (law.at == State::kRun || law.at == State::kSlowDown) || out.detector_source != looks.at(law.at) ||
               out.turn_vco != turns(law.at);
-    looks = {.from = law.at, .hall = other.source == Source::kHall, .follows = other.words.method == Method::kFollow};
+    looks = {.from = law.at, .hall = other.source == Source::kHall, .follows = other.config.method == Method::kFollow};
     law.clock(other, counts);
     if (seen != nullptr) ++(*seen)[{from, law.at}];
     // A fault that is latched needs a host that knows how to clear it, and a drive that idles one that starts it.

@@ -110,7 +110,7 @@ TEST(StartSequence, FadesItsTorquePerStepWhilePullingIn) {
 
 TEST(StartSequence, GivesALaggingRotorItsTorqueBackPerStep) {
   Bench bench;
-  bench.in.words.pull_in = 200;
+  bench.in.config.pull_in = 200;
   bench.in.command.run = true;
   bench.until(State::kAccelerate);
   bench.in.fast = true;
@@ -146,7 +146,7 @@ TEST(StartSequence, CatchesARotorThatTurnsTheWantedWay) {
     Bench bench;
     bench.in.command.run = true;
     bench.in.command.reverse = reverse;
-    bench.in.words.detect_spin = 100;
+    bench.in.config.detect_spin = 100;
     bench.until(State::kDetectSpin);
     StartSequence::Out out;
     for (int i = 0; i < 5 && out.state != State::kRun; ++i) out = bench.move(reverse, 2);
@@ -163,7 +163,7 @@ TEST(StartSequence, StartsARotorThatTurnsTheWantedWaySlowerThanItMayRun) {
     Bench bench;
     bench.in.command.run = true;
     bench.in.slow = true;
-    bench.in.words.detect_spin = 100;
+    bench.in.config.detect_spin = 100;
     bench.until(State::kDetectSpin);
     for (int i = 0; i < 8; ++i) bench.move(backward, i % 6);
     EXPECT_EQ(bench.clock().state, backward ? State::kBrake : State::kDetectSpin);
@@ -181,7 +181,7 @@ TEST(StartSequence, BrakesARotorThatTurnsTheOtherWayAndLooksAgain) {
   EXPECT_EQ(out.state, State::kBrake);
   EXPECT_EQ(out.pattern, Pattern::kBrake);
   EXPECT_EQ(out.duty, Duty(500));
-  EXPECT_EQ(out.mode, SpeedMode::kBelowBemf);
+  EXPECT_EQ(out.mode, SpeedMode::kFeedForwardBrake);
   EXPECT_EQ(out.loop, Loop::kCatchSpin) << "the frequency found is kept: the brake's duty is less that of the back-EMF";
   EXPECT_EQ(out.detector_source, DetectorSource::kNone);
   bench.until(State::kDetectSpin);
@@ -194,8 +194,8 @@ TEST(StartSequence, AFollowerTurnsRoundWhatIsSlowerThanHandOverUnlessItIsToStop)
   for (const int what : {kSlow, kFast, kToStop, kNoSetSpeed}) {
     Bench bench;
     bench.in.command.run = true;
-    bench.in.words.method = Method::kFollow;
-    bench.in.words.detect_spin = 100;
+    bench.in.config.method = Method::kFollow;
+    bench.in.config.detect_spin = 100;
     bench.until(State::kDetectSpin);
     bench.in.command.brake_to_stop = what == kToStop;
     bench.in.command.run = what != kToStop;

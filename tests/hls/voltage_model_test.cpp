@@ -20,7 +20,7 @@ constexpr int kEmf = 3275, kTheta = 3277, kSi = 839;
 
 VoltageModel::In in_of(const Turning& motor, bool average) {
   auto in = motor.in<VoltageModel::In>();
-  in.words = {.average = average, .decay = kDecay, .gain = kGain, .k_emf = kEmf,
+  in.config = {.average = average, .decay = kDecay, .gain = kGain, .k_emf = kEmf,
               .k_theta = kTheta, .k_si = kSi};
   return in;
 }

@@ -1,8 +1,8 @@
 // AXI4-Lite, answers under back-pressure: rtl/axi_lite.sv with the registers that make its payload,
 // rtl/drive_registers.sv.  While an answer waits for its host, bresp, rdata and rresp stand still, and they are
 // those of its own transfer, whatever the other channel, the drive and the map do meanwhile: all of these are
-// free here.  So is the host, who need not even keep valid until ready.  What WordRegisters answers is free
-// too, within its contract: it stays until the next read, and is 0 if that is of a hole (proof word_registers
+// free here.  So is the host, who need not even keep valid until ready.  What ConfigRegisters answers is free
+// too, within its contract: it stays until the next read, and is 0 if that is of a hole (proof config_registers
 // and tests/hls/six_step_axi_test.cpp).
 //! solver cvc5
 //! connect never_written_0 registers.copies_0.words[0]

@@ -84,7 +84,7 @@ module pwm_generator_proof (
       nothing_yet: assert (!running);
     end else begin
       // Two ways to 100 %: by name, or by a pulse that ends with its period.
-      words_taken: assert (left != 0);
+      config_taken: assert (left != 0);
       all_of_it: assert (always_on || (pulse == left && (first ? waiting && lead == 0 : on && !waiting)));
       no_gap: assert (on || !(running || start));
       started_by_now: assert (first || running || start);

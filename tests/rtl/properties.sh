@@ -6,9 +6,9 @@
 #   properties.sh [--sinusoidal] --map WORK          the registers that they take for keyed or read-only are those of the register map's page
 #   properties.sh [--sinusoidal] --bound WORK         bound, as docs/integration.md says, to the drive of another bench, which has a flaw: they notice
 set -euo pipefail
-kind= core=six_step_axi bench=random_traffic words=rtl/words/m2310p_servo.mem page=docs/six_step_registers.md fault_pin=pins_fault_i driven=first_start
+kind= core=six_step_axi bench=random_traffic words=rtl/config/m2310p_servo.mem page=docs/six_step_registers.md fault_pin=pins_fault_i driven=first_start
 if [ "$1" = --sinusoidal ]; then
-  kind=_sinusoidal core=sinusoidal_axi bench=random_sinusoidal_traffic words=rtl/words/m2310p_sinusoidal.mem page=docs/sinusoidal_registers.md fault_pin=fault_i driven=turning_sinusoidal
+  kind=_sinusoidal core=sinusoidal_axi bench=random_sinusoidal_traffic words=rtl/config/m2310p_sinusoidal.mem page=docs/sinusoidal_registers.md fault_pin=fault_i driven=turning_sinusoidal
   shift
 fi
 mode=$1 work=$2
@@ -27,7 +27,7 @@ case $mode in
   --taken_away) file=drive_registers$kind flaw='s/assign command_configured_o = .*/logic ever; always_ff @(posedge clk) ever <= !rst \&\& (ever || configured); assign command_configured_o = ever;/' said='after CONTROL.configured was taken away' ;;
   --dropped) file=$core flaw='s/assign axi_bvalid_o = .*/assign axi_bvalid_o = axi_bvalid \&\& !axi_arvalid_i;/' said="a write's answer has changed|a write is taken before the last one is answered" ;;
   --invented | --bound) file=$core flaw='s/assign axi_rvalid_o = \(.*\);/assign axi_rvalid_o = \1 || axi_bvalid_o;/' said='an answer without a read' ;;
-  --unlocked) file=word_registers$kind flaw='s/stopped_i && unlocked;/stopped_i;/' said='a keyed register was written behind the closed lock' ;;
+  --unlocked) file=config_registers$kind flaw='s/stopped_i && unlocked;/stopped_i;/' said='a keyed register was written behind the closed lock' ;;
   --read_only) file=$core flaw="s/assign axi_bresp_o = .*/assign axi_bresp_o = 2'd0;/" said='(keyed|read-only) register was written' ;;
   --icarus) clocks=40000 ;;
   --map) ;;
@@ -55,11 +55,11 @@ if [ "$mode" = --bound ]; then
   grep "^bind $core " docs/integration.md >"$work/bind.sv"
   options+=(--with rtl/bench/drive_properties.sv --with "$work/bind.sv")
 fi
-tools/bench "${options[@]}" verilator $bench "+words=$words" "+clocks=$clocks" >"$work/log" 2>&1 || [ $? != 2 ] || { cat "$work/log"; exit 2; }
+tools/bench "${options[@]}" verilator $bench "+config=$words" "+clocks=$clocks" >"$work/log" 2>&1 || [ $? != 2 ] || { cat "$work/log"; exit 2; }
 grep -v -e finish -e Error -e Abort "$work/log"
 case $mode in
   --icarus)
-    tools/bench "${options[@]}" icarus $bench "+words=$words" "+clocks=$clocks" | grep -v -e WARNING -e finish >"$work/icarus"
+    tools/bench "${options[@]}" icarus $bench "+config=$words" "+clocks=$clocks" | grep -v -e WARNING -e finish >"$work/icarus"
     diff <(grep -v finish "$work/log") "$work/icarus" && echo "both say the same" ;;
   --*) grep -q -E "FAILED: [0-9]*: .*($said)" "$work/log" && echo "noticed" ;;
 esac

@@ -5,12 +5,12 @@
 #include <cstdint>
 
 #include "Vdrive_registers.h"
-#include "Vword_registers.h"
+#include "Vconfig_registers.h"
 #include "hls/bus/drive_registers.hpp"
 #include "hls/bus/six_step_registers.hpp"
-#include "hls/bus/word_registers.hpp"
+#include "hls/bus/config_registers.hpp"
 #include "ports/drive_registers_ports.hpp"
-#include "ports/word_registers_ports.hpp"
+#include "ports/config_registers_ports.hpp"
 #include "testbench/lockstep.hpp"
 #include "testbench/stimulus.hpp"
 
@@ -18,12 +18,12 @@ namespace steplock {
 namespace {
 
 struct WordPorts {
-  using Block = WordRegisters<>;
-  using Rtl = Vword_registers;
-  static void randomise(Block::In& in, Stimulus& any) { ports::word_registers::randomise(in, any); }
-  static void drive(Rtl& rtl, const Block::In& in) { ports::word_registers::drive_ports(rtl, in); }
+  using Block = ConfigRegisters<>;
+  using Rtl = Vconfig_registers;
+  static void randomise(Block::In& in, Stimulus& any) { ports::config_registers::randomise(in, any); }
+  static void drive(Rtl& rtl, const Block::In& in) { ports::config_registers::drive_ports(rtl, in); }
   static const char* differs(const Rtl& rtl, const Block::Out& out) {
-    return ports::word_registers::differs(rtl, out);
+    return ports::config_registers::differs(rtl, out);
   }
 };
 struct DrivePorts {

@@ -83,9 +83,9 @@ struct SpiRtl {
 
 constexpr int kPeriod = 1200, kSample = SinusoidalLoop::kClocks + 10;  // clocks; of a sample at most
 
-// Words under which it starts at once, regulates and locks on anything.
-SinusoidalWords lenient_words() {
-  SinusoidalWords w;
+// A configuration under which it starts at once, regulates and locks on anything.
+SinusoidalConfig lenient_config() {
+  SinusoidalConfig w;
   w.bridge = {.period = kPeriod, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true, .reciprocal = 9321};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
   w.speed = {.target = 1 << 20, .slew = 30000, .filter = 983, .k_p = 700, .k_i = 530, .limit = 12288, .emf_high = 32767};
@@ -105,7 +105,7 @@ class Life {
   void live(std::int64_t clocks) {
     ask({.write = true, .address = kPwm, .data = healthy().at(kPwm)});
     while (since_sample_ >= kNever && differs == nullptr) tick();
-    write_healthy_words();
+    write_healthy_config();
     ask({.write = true, .address = kControl, .data = 3});
     while (clock_ < clocks && differs == nullptr) act();
   }
@@ -157,17 +157,17 @@ class Life {
         if (chance(60)) ask({.write = true, .address = kControl, .data = 1});  // else it is refused
         ask_between_samples({.write = true, .address = address, .data = draw()});
         if (chance(30)) return;
-        write_healthy_words();
+        write_healthy_config();
         return ask({.write = true, .address = kControl, .data = 3});
       }
     }
   }
   static std::map<int, std::uint32_t> healthy() {
     std::map<int, std::uint32_t> values;
-    const SinusoidalWords words = lenient_words();
+    const SinusoidalConfig config = lenient_config();
     const auto place = [&](const auto& row) {
       using Word = typename std::remove_cvref_t<decltype(row)>::Word;
-      values[row.address] |= std::uint32_t(bits_of(Word::of(words)).raw()) << row.lsb;
+      values[row.address] |= std::uint32_t(bits_of(Word::of(config)).raw()) << row.lsb;
     };
     std::apply([&](const auto&... row) { (place(row), ...); }, kSinusoidalWordRows);
     return values;
@@ -182,7 +182,7 @@ class Life {
     while (since_codes_ < kSample || since_sample_ > kPeriod - Bus::kLands) tick();
     ask(t);
   }
-  void write_healthy_words() {
+  void write_healthy_config() {
     ask({.write = true, .address = kLock, .data = kLockKey});
     for (const auto& [at, value] : healthy()) ask_between_samples({.write = true, .address = at, .data = value});
   }

@@ -41,7 +41,7 @@ sed -e 's/^comparator_offset_v.*/comparator_offset_v = [0, 0, 0]/' -e 's/^compar
 "$steplock" run "$work/$name.toml" --engine fixed --out "$work/run" >/dev/null || true  # it is not at its set speed yet
 "$steplock" design "$work/$name.toml" --json >"$work/design.json"
 jq -n --argjson bench "$locked" --slurpfile run "$work/run/summary.json" --slurpfile design "$work/design.json" -r '
-  ($design[0].words[] | select(.name == "start.detect_spin") | .meant) as $looked |
+  ($design[0].config[] | select(.name == "start.detect_spin") | .meant) as $looked |
   (($run[0].lock_time_s - $looked) * 1e3) as $model |
   ($design[0].start | (4 * .look + .probe) * 1e3) as $tolerance |
   "bench \($bench) ms, co-simulation \($model * 100 | round / 100) ms, four looks and a probe \($tolerance * 100 | round / 100) ms: " +

@@ -1,11 +1,12 @@
 // Advice after a run that failed: it names a key and a value, and the run passes with them.
+#include "testbench/drive/six_step/advice.hpp"
 #include "testbench/run/advice.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "model/design/design.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {

@@ -152,8 +152,8 @@ TEST(Command, DesignPrintsEveryWordAsTextAndAsJson) {
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_TRUE(fs::exists(out / "bode.svg"));
   const auto j = nlohmann::json::parse(steplock("design " + kDrive + " --json", false).output);
-  EXPECT_GT(j["words"].size(), 40u);
-  for (const auto& word : j["words"]) {
+  EXPECT_GT(j["config"].size(), 40u);
+  for (const auto& word : j["config"]) {
     EXPECT_NE(text.output.find(word["name"].get<std::string>()), text.output.npos);
   }
 }
@@ -162,11 +162,11 @@ TEST(Command, DesignPrintsTheWordsOfASinusoidalDriveToo) {
   const std::string file = STEPLOCK_DRIVES "/m2310p_sinusoidal.toml";
   const Result text = steplock("design " + file);
   const auto j = nlohmann::json::parse(steplock("design " + file + " --json", false).output);
-  ASSERT_GT(j["words"].size(), 40u);
-  for (const auto& w : j["words"]) {
+  ASSERT_GT(j["config"].size(), 40u);
+  for (const auto& w : j["config"]) {
     EXPECT_NE(text.output.find("  " + w["name"].get<std::string>() + " "), std::string::npos) << w;
   }
-  EXPECT_EQ(j["words"][0]["word"], 1200) << "bridge.period: 24 MHz / 20 kHz";
+  EXPECT_EQ(j["config"][0]["word"], 1200) << "bridge.period: 24 MHz / 20 kHz";
 }
 
 TEST(Command, RunWritesPageAndWaveOfASinusoidalDriveInLockstep) {

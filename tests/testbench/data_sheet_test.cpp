@@ -10,7 +10,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "testbench/run/check.hpp"
 
 namespace steplock {

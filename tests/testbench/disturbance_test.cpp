@@ -128,7 +128,7 @@ design::Settings blind_drive() {
 // The negative control: what a drive without protection does not tell, the rotor's true angle does.
 TEST(Disturbance, ABlindDriveLosesItsRotorSilentlyAndIsCounted) {
   DrawnRun run = run_of(blind_drive(), Trouble::kLoadStep, 5);
-  run.words.protection.misses = 0;
+  run.config.protection.misses = 0;
   const AfterFindings f = simulate(run).after;
   EXPECT_EQ(f.outcome, After::kSilentStepOut);
   EXPECT_GT(f.slips, 0u);
@@ -139,7 +139,7 @@ TEST(Disturbance, ABlindDriveLosesItsRotorSilentlyAndIsCounted) {
 
 TEST(Disturbance, ABlindDriveOnAnOpenPhaseEndsBadly) {
   DrawnRun run = run_of(blind_drive(), Trouble::kOpenPhase, 1);
-  run.words.protection.misses = 0;
+  run.config.protection.misses = 0;
   run.limit_s = 2;
   EXPECT_FALSE(ends_well(Trouble::kOpenPhase, simulate(run).after.outcome));
 }

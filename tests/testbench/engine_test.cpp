@@ -12,11 +12,12 @@
 
 #include "hls/bus/word_rows.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/lockstep_engine.hpp"
-#include "testbench/engine/words.hpp"
-#include "testbench/run/drive_loop.hpp"
+#include "model/design/config.hpp"
+#include "testbench/engine/word_name.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/lockstep_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
+#include "testbench/drive/six_step/run.hpp"
 #include "tests/hls/six_step_chaos.hpp"
 #include "tests/testbench/short_drive.hpp"
 
@@ -43,10 +44,10 @@ TEST(Watch, EverySignalHasItsPlace) {
 }
 
 // All but the scale of gains per second, which a loop of gains per step does not have.
-TEST(HlsWords, EachIsTheOneOfItsName) {
+TEST(HlsConfig, EachIsTheOneOfItsName) {
   const design::Settings s = short_drive();
-  const design::Words d = design::quantise(design::design_drive(s).parameters, 12e6).words;
-  const Words w = hls_words(d);
+  const design::Config d = design::quantise(design::design_drive(s).parameters, 12e6).config;
+  const SixStepConfig w = hls_config(d);
   EXPECT_EQ(w.pwm.period.raw(), 400);  // 12 MHz over 30 kHz
   EXPECT_EQ(w.pwm.complementary, true);
   EXPECT_EQ(w.source, Source::kBemf);
@@ -63,12 +64,12 @@ TEST(HlsWords, EachIsTheOneOfItsName) {
   EXPECT_EQ(checked, 59u);
 }
 
-TEST(HlsWords, OneThatTheDriveDoesNotHaveOrThatDoesNotFitIsRefused) {
+TEST(HlsConfig, OneThatTheDriveDoesNotHaveOrThatDoesNotFitIsRefused) {
   const auto refusal = [](const char* name, design::Word word) -> std::string {
-    design::Words d;
+    design::Config d;
     d.set(name, word);
     try {
-      hls_words(d);
+      hls_config(d);
     } catch (const std::logic_error& e) {
       return e.what();
     }
@@ -77,7 +78,7 @@ TEST(HlsWords, OneThatTheDriveDoesNotHaveOrThatDoesNotFitIsRefused) {
   EXPECT_EQ(refusal("loop.divide", 3), "");
   EXPECT_EQ(refusal("loop.divide", 4), "loop.divide has fewer bits than the design library gives it");
   EXPECT_EQ(refusal("loop.divider", 3), "the drive has no word loop.divider, which the design library names");
-  EXPECT_THROW(design::Words{}["loop.divide"], std::out_of_range);
+  EXPECT_THROW(design::Config{}["loop.divide"], std::out_of_range);
 }
 
 // Ticks on every clock, and remembers all outputs of the last one.
@@ -90,9 +91,9 @@ class TickingEngine : public FixedEngine {
 // Skipping must be invisible to the last bit: same motor angle, same current, same outputs.
 TEST(FixedEngine, SkippingQuietClocksEndsInTheSamePlaceAsTicking) {
   design::Settings s = short_drive();
-  const Words words = hls_words(design::quantise(design::design_drive(s).parameters, 12e6).words);
-  FixedEngine skipping(words, s.control.clock_hz);
-  TickingEngine ticking(words, s.control.clock_hz);
+  const SixStepConfig config = hls_config(design::quantise(design::design_drive(s).parameters, 12e6).config);
+  FixedEngine skipping(config, s.control.clock_hz);
+  TickingEngine ticking(config, s.control.clock_hz);
   const Record a = run_with(skipping, s, {.engine = EngineKind::kFixed, .angle_deg = 75});
   const Record b = run_with(ticking, s, {.engine = EngineKind::kFixed, .angle_deg = 75});
   EXPECT_EQ(skipping.output(), ticking.output());
@@ -111,12 +112,12 @@ struct Chase {
   LockstepEngine engine;
   std::vector<Run> runs = {};
 
-  static Words words() {
-    Words w = quick_words();
+  static SixStepConfig config() {
+    SixStepConfig w = quick_config();
     w.pwm.period = 4000;
     return w;
   }
-  Chase() : engine(words(), 12e6) {}
+  Chase() : engine(config(), 12e6) {}
 
   // Not more than `most` clocks at once.
   Lockstep chase(std::uint64_t most) {

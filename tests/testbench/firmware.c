@@ -6,7 +6,7 @@ enum { kBase = 0x40000000, kRpm = 3000, kPolePairs = 4 };
 int main(void) {
   const struct steplock_bus bus = steplock_memory_mapped((volatile uint32_t *)kBase);
   struct steplock_status status;
-  if (steplock_init(&bus, my_motor_words, sizeof my_motor_words / sizeof my_motor_words[0]) != STEPLOCK_OK) {
+  if (steplock_init(&bus, my_motor_config, sizeof my_motor_config / sizeof my_motor_config[0]) != STEPLOCK_OK) {
     return 1;
   }
   if (steplock_set_watchdog(&bus, 100) != STEPLOCK_OK) return 1;

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 
 namespace steplock {
 namespace {

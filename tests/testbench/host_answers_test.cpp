@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "hls/sinusoidal/words.hpp"
-#include "hls/six_step/words.hpp"
+#include "hls/sinusoidal/config.hpp"
+#include "hls/six_step/config.hpp"
 #include "rtl/host/steplock.h"
 #include "rtl/host/steplock_sinusoidal.h"
 #include "rtl/host/steplock_spi.h"

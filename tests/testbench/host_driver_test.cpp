@@ -8,11 +8,11 @@
 #include "Vsix_step_axi.h"
 #include "hls/bus/six_step_axi.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "ports/six_step_axi_ports.hpp"
-#include "testbench/bus/register_words.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/bus/register_config.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/units.hpp"
 #include "tests/testbench/host_bus.hpp"
@@ -27,8 +27,8 @@ class Bench {
   Bench()
       : settings_(short_drive()),
         clock_hz_(settings_.control.clock_hz),
-        words_(hls_words(
-            design::quantise(design::design_drive(settings_).parameters, clock_hz_).words)),
+        config_(hls_config(
+            design::quantise(design::design_drive(settings_).parameters, clock_hz_).config)),
         plant_(plant_parameters(settings_), initial_state(settings_, 70)) {
     reset_rtl(rtl_);
   }
@@ -37,9 +37,9 @@ class Bench {
   Bench& operator=(const Bench&) = delete;
 
   steplock_bus bus() { return driver_bus(master_); }
-  std::vector<steplock_word> words() const { return register_words(words_); }
+  std::vector<steplock_word> config() const { return register_config(config_); }
   std::uint32_t speed(std::uint32_t erpm) const {
-    return steplock_speed(erpm, std::uint32_t(clock_hz_), unsigned(words_.loop.divide.raw()));
+    return steplock_speed(erpm, std::uint32_t(clock_hz_), unsigned(config_.loop.divide.raw()));
   }
   void wait(double seconds) {
     const auto end = clock_ + std::uint64_t(seconds * clock_hz_);
@@ -80,7 +80,7 @@ class Bench {
 
   design::Settings settings_;
   double clock_hz_;
-  Words words_;
+  SixStepConfig config_;
   plant::Plant plant_;
   plant::Gates gates_;
   Vsix_step_axi rtl_;
@@ -94,19 +94,19 @@ class Bench {
 TEST(HostDriver, StartsReversesFaultsClearsAndStopsAMotorThroughTheRtl) {
   Bench bench;
   const steplock_bus bus = bench.bus();
-  const auto words = bench.words();
+  const auto config = bench.config();
   const auto erpm = std::uint32_t(3000 * bench.pole_pairs());
   steplock_status status;
   steplock_telemetry telemetry;
   std::uint32_t bits = 0;
 
-  ASSERT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_OK);
+  ASSERT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_OK);
   ASSERT_EQ(steplock_set_watchdog(&bus, 200), STEPLOCK_OK);
   const std::uint32_t events = STEPLOCK_INTERRUPT_STARTED_MASK | STEPLOCK_INTERRUPT_FAULT_MASK;
   ASSERT_EQ(steplock_enable_interrupts(&bus, events), STEPLOCK_OK);
   ASSERT_EQ(steplock_set_speed(&bus, bench.speed(erpm)), STEPLOCK_OK);
   ASSERT_EQ(steplock_start(&bus, 0), STEPLOCK_OK);
-  EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NOT_STOPPED);
+  EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_NOT_STOPPED);
 
   // As a main loop would: a heartbeat every 20 ms until `done` or 0.7 s.
   const auto beat_until = [&](auto done) {
@@ -159,8 +159,8 @@ TEST(HostDriver, StartsReversesFaultsClearsAndStopsAMotorThroughTheRtl) {
 TEST(HostDriver, AHostThatStopsBeatingLosesTheBridge) {
   Bench bench;
   const steplock_bus bus = bench.bus();
-  const auto words = bench.words();
-  ASSERT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_OK);
+  const auto config = bench.config();
+  ASSERT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_OK);
   ASSERT_EQ(steplock_set_watchdog(&bus, 10), STEPLOCK_OK);
   ASSERT_EQ(steplock_start(&bus, 0), STEPLOCK_OK);
   bench.wait(0.03);  // ticks are about a millisecond
@@ -175,14 +175,14 @@ TEST(HostDriver, AHostThatStopsBeatingLosesTheBridge) {
 TEST(HostDriver, WordsWithoutAPeriodAreRefusedAndMoveNoGate) {
   Bench bench;
   const steplock_bus bus = bench.bus();
-  auto words = bench.words();
+  auto config = bench.config();
   unsigned axes = 0;
   EXPECT_EQ(steplock_get_axes(&bus, &axes), STEPLOCK_OK);
   EXPECT_EQ(axes, 1u);
-  for (auto& word : words) {
+  for (auto& word : config) {
     if (word.offset == STEPLOCK_PWM) word.value &= ~STEPLOCK_PWM_PERIOD_MASK;
   }
-  EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NO_PERIOD);
+  EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_NO_PERIOD);
   EXPECT_EQ(bus.write(bus.context, STEPLOCK_CONTROL, 3), 0) << "a host that does it all the same";
   for (int i = 0; i < 20; ++i) {
     bench.wait(1e-4);

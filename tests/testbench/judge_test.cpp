@@ -1,4 +1,4 @@
-#include "testbench/run/judge.hpp"
+#include "testbench/drive/six_step/judge.hpp"
 
 #include <gtest/gtest.h>
 

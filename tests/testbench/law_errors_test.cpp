@@ -51,7 +51,7 @@ TEST_P(LawErrors, ThatABlockMakesAreNoticed) {
   wrong.detector.back().error = wrap<PhaseError>(wrong.detector.back().error + 1);
   EXPECT_FALSE(law_errors(wrong, told().parameters, told().clock_hz)[0].within());
   wrong = told().run;
-  for (auto& u : wrong.speed) u.in.words.ki = UInt<16>::of(u.in.words.ki.raw() * 51 / 50);
+  for (auto& u : wrong.speed) u.in.config.ki = UInt<16>::of(u.in.config.ki.raw() * 51 / 50);
   for (auto& u : wrong.loop) u.in.kp = UInt<16>::of(u.in.kp.raw() * 51 / 50);
   const auto found = law_errors(wrong, told().parameters, told().clock_hz);
   EXPECT_FALSE(found[1].within());

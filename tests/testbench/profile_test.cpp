@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "testbench/run/timeline.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock {

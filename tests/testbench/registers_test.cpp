@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
-#include "testbench/engine/words.hpp"
-#include "testbench/sinusoidal/words.hpp"
+#include "model/design/config.hpp"
+#include "testbench/drive/six_step/config.hpp"
+#include "testbench/drive/sinusoidal/config.hpp"
 #include "tests/testbench/short_drive.hpp"
 
 namespace steplock::registers {
@@ -73,8 +73,8 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
   const design::Settings s = short_drive();
   const double clock_hz = s.control.clock_hz;
   const auto parameters = design::design_drive(s).parameters;
-  const Words words = hls_words(design::quantise(parameters, clock_hz).words);
-  const std::string text = words_c_header(words, "short", clock_hz);
+  const SixStepConfig config = hls_config(design::quantise(parameters, clock_hz).config);
+  const std::string text = config_c_header(config, "short", clock_hz);
   int read = 0;
   const auto check = [&](const auto& row) {
     using Word = typename std::remove_cvref_t<decltype(row)>::Word;
@@ -82,7 +82,7 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
     std::smatch found;
     ASSERT_TRUE(std::regex_search(text, found, line)) << row.group;
     const auto value = std::uint32_t(std::stoul(found[1], nullptr, 16));
-    EXPECT_EQ((value & mask_of(row)) >> row.lsb, bits_of(Word::of(words)).raw()) << row.name;
+    EXPECT_EQ((value & mask_of(row)) >> row.lsb, bits_of(Word::of(config)).raw()) << row.name;
     ++read;
   };
   std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
@@ -92,8 +92,8 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
 
 TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
   const design::Settings s = open_drive_file(STEPLOCK_DRIVES "/matsui1996.toml").settings;
-  const SinusoidalWords words = sinusoidal::words_of(s);
-  const std::string text = words_c_header(words, "matsui", s.control.clock_hz);
+  const SinusoidalConfig config = sinusoidal::config_of(s);
+  const std::string text = config_c_header(config, "matsui", s.control.clock_hz);
   int read = 0;
   const auto check = [&](const auto& row) {
     using Word = typename std::remove_cvref_t<decltype(row)>::Word;
@@ -101,14 +101,14 @@ TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
     std::smatch found;
     ASSERT_TRUE(std::regex_search(text, found, line)) << row.group;
     const auto value = std::uint32_t(std::stoul(found[1], nullptr, 16));
-    EXPECT_EQ((value & mask_of(row)) >> row.lsb, bits_of(Word::of(words)).raw()) << row.name;
+    EXPECT_EQ((value & mask_of(row)) >> row.lsb, bits_of(Word::of(config)).raw()) << row.name;
     ++read;
   };
   std::apply([&](const auto&... row) { (check(row), ...); }, kSinusoidalWordRows);
   EXPECT_EQ(read, 54);
   EXPECT_EQ(count(text, "    {STEPLOCK_"), 31);
   EXPECT_NE(text.find("#include \"steplock_sinusoidal.h\""), text.npos);
-  EXPECT_NE(text.find(std::to_string(int(words.bridge.period.raw()))), text.npos);
+  EXPECT_NE(text.find(std::to_string(int(config.bridge.period.raw()))), text.npos);
 }
 
 // Every word that the design library names is tied to the port of that name; the tests of boards tell
@@ -117,42 +117,42 @@ TEST(Registers, TheConstantsAroundTheStandaloneDriveAreItsWords) {
   const design::Settings s = short_drive();
   const double clock_hz = s.control.clock_hz;
   const auto quantised = design::quantise(design::design_drive(s).parameters, clock_hz);
-  const std::string text = words_verilog(hls_words(quantised.words), "short", clock_hz);
+  const std::string text = config_verilog(hls_config(quantised.config), "short", clock_hz);
   for (const auto& row : quantised.rows) {
-    std::string port = "words_" + row.name + "_i";
+    std::string port = "config_" + row.name + "_i";
     std::ranges::replace(port, '.', '_');
     const std::regex tie("\\." + port + "\\(([0-9]+)'d([0-9]+)\\)");
     std::smatch found;
     ASSERT_TRUE(std::regex_search(text, found, tie)) << port;
     // The library counts these two in units of the bits that the filter reads.
-    const int unused = row.name == "loop.pole" ? 1 : row.name == "loop.scale" ? 4 : 0;
+    const int unused = row.name == "loop.alpha" ? 1 : row.name == "loop.scale" ? 4 : 0;
     EXPECT_EQ(std::stoul(found[2]), std::uint64_t{row.word} << unused) << port;
   }
   EXPECT_GT(quantised.rows.size(), 40u);
-  EXPECT_EQ(count(text, "      .words_"), 60);
+  EXPECT_EQ(count(text, "      .config_"), 60);
   EXPECT_NE(text.find("12000000 Hz"), std::string::npos);
 }
 
 TEST(Registers, AStandaloneDriveThatNeverAsksTheHallDecoderIsPrintedWithoutIt) {
-  Words words;
-  const auto printed = [&] { return words_verilog(words, "drive", 12e6); };
+  SixStepConfig config;
+  const auto printed = [&] { return config_verilog(config, "drive", 12e6); };
   EXPECT_NE(printed().find("#(.WITH_HALL_DECODER(0), .WITH_RAMP(1), .WITH_FOLLOWER(0)) drive ("), std::string::npos);
-  words.start.method = Method::kFollow;
+  config.start.method = Method::kFollow;
   EXPECT_NE(printed().find(".WITH_RAMP(0), .WITH_FOLLOWER(1)) drive ("), std::string::npos) << "one start alone";
-  words.start.detect_spin = 1;
+  config.start.detect_spin = 1;
   EXPECT_NE(printed().find(".WITH_HALL_DECODER(1)"), std::string::npos) << "it looks for a rotor that turns";
-  words.start.detect_spin = 0;
-  words.source = Source::kHall;
+  config.start.detect_spin = 0;
+  config.source = Source::kHall;
   EXPECT_NE(printed().find(".WITH_HALL_DECODER(1)"), std::string::npos) << "it has Hall sensors";
 }
 
 TEST(Registers, TheConstantsAroundTheSinusoidalStandaloneDriveAreItsWords) {
   const design::Settings s = open_drive_file(STEPLOCK_DRIVES "/ipm_2k2.toml").settings;
   const auto quantised = design::sinusoidal::quantise(s);
-  const std::string text = words_verilog(sinusoidal::hls_words(quantised.words),
-                                         sinusoidal::adc_words_of(s), "ipm", 24e6);
+  const std::string text = config_verilog(sinusoidal::hls_config(quantised.config),
+                                         sinusoidal::adc_config_of(s), "ipm", 24e6);
   for (const auto& row : quantised.rows) {
-    std::string port = "words_" + row.name + "_i";
+    std::string port = "config_" + row.name + "_i";
     std::ranges::replace(port, '.', '_');
     const std::regex tie("\\." + port + "\\(([0-9]+)'d([0-9]+)\\)");
     std::smatch found;
@@ -160,8 +160,8 @@ TEST(Registers, TheConstantsAroundTheSinusoidalStandaloneDriveAreItsWords) {
     EXPECT_EQ(std::stoul(found[2]), std::uint64_t(row.word)) << port;
   }
   EXPECT_GT(quantised.rows.size(), 40u);
-  EXPECT_NE(text.find(".words_sequence_pilot_i(1'd1)"), text.npos);
-  EXPECT_NE(text.find(".words_sequence_arbitrary_i(1'd0)"), text.npos);
+  EXPECT_NE(text.find(".config_sequence_pilot_i(1'd1)"), text.npos);
+  EXPECT_NE(text.find(".config_sequence_arbitrary_i(1'd0)"), text.npos);
   // Every port is passed through or tied.
   const std::string rtl = committed("rtl/sinusoidal_standalone.sv");
   const std::string ports = rtl.substr(0, rtl.find(");"));
@@ -171,18 +171,18 @@ TEST(Registers, TheConstantsAroundTheSinusoidalStandaloneDriveAreItsWords) {
 // 20 MHz of SCLK, 300 ns to acquire; and the period has to hold a sample.
 TEST(Registers, TheConvertersWordsFollowTheClock) {
   design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
-  const auto words = [&](double clock_hz) {
+  const auto config = [&](double clock_hz) {
     s.control.clock_hz = clock_hz;
-    return sinusoidal::adc_words_of(s);
+    return sinusoidal::adc_config_of(s);
   };
-  EXPECT_EQ(words(24e6).half, 1);
-  EXPECT_EQ(words(24e6).quiet, 8);
-  EXPECT_EQ(words(40e6).half, 1);
-  EXPECT_EQ(words(40.1e6).half, 2);
-  EXPECT_EQ(words(100e6).half, 3);
-  EXPECT_EQ(words(100e6).quiet, 30);
-  EXPECT_NO_THROW(words(11.8e6));
-  EXPECT_THROW(words(11.5e6), std::invalid_argument);
+  EXPECT_EQ(config(24e6).half, 1);
+  EXPECT_EQ(config(24e6).quiet, 8);
+  EXPECT_EQ(config(40e6).half, 1);
+  EXPECT_EQ(config(40.1e6).half, 2);
+  EXPECT_EQ(config(100e6).half, 3);
+  EXPECT_EQ(config(100e6).quiet, 30);
+  EXPECT_NO_THROW(config(11.8e6));
+  EXPECT_THROW(config(11.5e6), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "testbench/report/report.hpp"
+#include "testbench/drive/six_step/report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "testbench/report/csv.hpp"
+#include "testbench/drive/six_step/csv.hpp"
 #include "testbench/report/page.hpp"
 #include "testbench/report/zoom.hpp"
 #include "tests/testbench/own_folder.hpp"

@@ -1,5 +1,5 @@
 // A whole scenario in closed loop, with each engine.
-#include "testbench/run/run_drive.hpp"
+#include "testbench/drive/six_step/run.hpp"
 
 #include <gtest/gtest.h>
 

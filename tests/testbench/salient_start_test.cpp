@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "testbench/run/check.hpp"
-#include "testbench/sinusoidal/run.hpp"
-#include "testbench/sinusoidal/lockstep_engine.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/lockstep_engine.hpp"
 
 namespace steplock::sinusoidal {
 namespace {

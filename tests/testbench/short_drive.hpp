@@ -2,7 +2,8 @@
 #pragma once
 
 #include "testbench/run/check.hpp"
-#include "testbench/run/summary.hpp"
+#include "testbench/drive/six_step/run.hpp"
+#include "testbench/drive/six_step/summary.hpp"
 
 namespace steplock {
 

@@ -5,8 +5,8 @@
 #include "hls/bus/sinusoidal_rows.hpp"
 #include "hls/sinusoidal/sinusoidal_top.hpp"
 #include "testbench/run/check.hpp"
-#include "testbench/sinusoidal/lockstep_engine.hpp"
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/lockstep_engine.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock::sinusoidal {
 namespace {
@@ -27,11 +27,11 @@ std::string all(const Result& r) {
   return text;
 }
 
-// The design library names every word of a drive that is found by pilot pulses; hls_words refuses what it names beside them.
+// The design library names every word of a drive that is found by pilot pulses; hls_config refuses what it names beside them.
 TEST(SinusoidalEngines, EveryWordHasItsNameInTheDesignLibrary) {
-  const auto named = design::sinusoidal::quantise(drive("ipm_2k2")).words;
+  const auto named = design::sinusoidal::quantise(drive("ipm_2k2")).config;
   EXPECT_EQ(named.all().size(), std::tuple_size_v<std::remove_cvref_t<decltype(kSinusoidalWordRows)>>);
-  EXPECT_NO_THROW(hls_words(named));
+  EXPECT_NO_THROW(hls_config(named));
 }
 
 // Start, load step, stop.  One place of speed is 0.6 r/min of 3000; the mean of a lock cannot drift.

@@ -10,10 +10,10 @@
 #include "model/plant/adc.hpp"
 #include "ports/sinusoidal_axi_ports.hpp"
 #include "rtl/host/steplock_sinusoidal.h"
-#include "testbench/bus/register_words.hpp"
+#include "testbench/bus/register_config.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/units.hpp"
-#include "testbench/sinusoidal/words.hpp"
+#include "testbench/drive/sinusoidal/config.hpp"
 #include "tests/testbench/host_bus.hpp"
 
 namespace steplock {
@@ -27,7 +27,7 @@ class Bench {
   Bench()
       : settings_(open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings),
         clock_hz_(settings_.control.clock_hz),
-        words_(sinusoidal::words_of(settings_)),
+        config_(sinusoidal::config_of(settings_)),
         plant_(plant_parameters(settings_), initial_state(settings_, 70)),
         adc_(adc_parameters(settings_)) {
     reset_rtl(rtl_);
@@ -37,9 +37,9 @@ class Bench {
   Bench& operator=(const Bench&) = delete;
 
   steplock_bus bus() { return driver_bus(master_); }
-  std::vector<steplock_word> words() const { return register_words<Sinusoidal>(words_); }
+  std::vector<steplock_word> config() const { return register_config<Sinusoidal>(config_); }
   std::uint32_t clock_hz() const { return std::uint32_t(clock_hz_); }
-  std::uint32_t period() const { return std::uint32_t(words_.bridge.period.raw()); }
+  std::uint32_t period() const { return std::uint32_t(config_.bridge.period.raw()); }
   std::uint32_t speed(double rpm) const {
     return steplock_sinusoidal_speed(std::uint32_t(rpm * settings_.motor.pole_pairs), clock_hz(), period());
   }
@@ -91,7 +91,7 @@ class Bench {
 
   design::Settings settings_;
   double clock_hz_;
-  SinusoidalWords words_;
+  SinusoidalConfig config_;
   plant::Plant plant_;
   plant::Adc adc_;
   plant::AdcCodes held_;
@@ -111,7 +111,7 @@ struct Host : Bench {
   steplock_status status{};
 
   Host() {
-    const auto list = words();
+    const auto list = config();
     EXPECT_EQ(steplock_init(&drive, list.data(), list.size()), STEPLOCK_OK);
     EXPECT_EQ(steplock_set_watchdog(&drive, 50), STEPLOCK_OK);
     EXPECT_EQ(steplock_enable_interrupts(&drive, STEPLOCK_INTERRUPT_STARTED_MASK | STEPLOCK_INTERRUPT_FAULT_MASK),
@@ -148,7 +148,7 @@ TEST(SinusoidalHost, StartsChangesSpeedFaultsClearsAndStopsAMotorThroughTheRtl) 
   EXPECT_TRUE(host.interrupt());
   ASSERT_EQ(steplock_take_interrupts(&host.drive, &bits), STEPLOCK_OK);
   EXPECT_EQ(bits, STEPLOCK_INTERRUPT_STARTED_MASK | STEPLOCK_INTERRUPT_LOCK_MASK);
-  const auto list = host.words();
+  const auto list = host.config();
   EXPECT_EQ(steplock_init(&host.drive, list.data(), list.size()), STEPLOCK_NOT_STOPPED);
   host.beat(0.5);
   EXPECT_NEAR(host.rpm(), 3000, 15);  // 0.5 %, as in the runs' own verdict
@@ -211,11 +211,11 @@ TEST(SinusoidalHost, StopsByBrakingAndLosesTheBridgeWhenItsHostFallsSilentOnTheW
 TEST(SinusoidalHost, WordsWithTooShortAPeriodAreRefusedAndMoveNoGate) {
   Bench bench;
   const steplock_bus bus = bench.bus();
-  auto words = bench.words();
-  for (auto& word : words) {
+  auto config = bench.config();
+  for (auto& word : config) {
     if (word.offset == STEPLOCK_SINUSOIDAL_PWM) word.value = (word.value & ~STEPLOCK_SINUSOIDAL_PWM_PERIOD_MASK) | 479;
   }
-  EXPECT_EQ(steplock_init(&bus, words.data(), words.size()), STEPLOCK_NO_PERIOD);
+  EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_NO_PERIOD);
   EXPECT_EQ(bus.write(bus.context, STEPLOCK_CONTROL, 3), 0) << "a host that does it all the same";
   for (int i = 0; i < 20; ++i) {
     bench.wait(1e-4);

@@ -1,5 +1,5 @@
 // The sinusoidal reference drive and its motors in closed loop.
-#include "testbench/sinusoidal/run.hpp"
+#include "testbench/drive/sinusoidal/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,13 +4,13 @@
 #include <random>
 #include <set>
 
-#include "testbench/sinusoidal/skipping_top.hpp"
+#include "testbench/drive/sinusoidal/skipping_top.hpp"
 
 namespace steplock {
 namespace {
 
-SinusoidalWords words() {
-  SinusoidalWords w;
+SinusoidalConfig config() {
+  SinusoidalConfig w;
   w.bridge = {.period = 2400, .minimum = 12, .dead_time = 12, .dead_time_loss = 192, .compensate = true,
               .reciprocal = 4660};
   w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
@@ -32,7 +32,7 @@ TEST(SkippingSinusoidalTop, AdvancingEqualsTickingInEveryClock) {
   std::mt19937_64 random(1);
   const auto one_in = [&](int n) { return random() % std::uint64_t(n) == 0; };
   SinusoidalTop::In in;
-  in.words = words();
+  in.config = config();
   in.command.configured = in.command.run = true;
   SkippingSinusoidalTop advancing;
   SinusoidalTop ticking;
@@ -63,7 +63,7 @@ TEST(SkippingSinusoidalTop, AdvancingEqualsTickingInEveryClock) {
     in.command.clear_fault = advanced.state == SinusoidalState::kFault;
     in.command.run = !in.command.clear_fault && !one_in(100);
     if (one_in(200)) in.command.reverse = !in.command.reverse;
-    if (advanced.state == SinusoidalState::kIdle) in.words.sequence.pilot = one_in(2);
+    if (advanced.state == SinusoidalState::kIdle) in.config.sequence.pilot = one_in(2);
   }
   EXPECT_GE(states.size(), 7u);
   EXPECT_LT(calls, clocks / 5);

@@ -1,4 +1,4 @@
-#include "testbench/engine/skipping_top.hpp"
+#include "testbench/drive/six_step/skipping_top.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ namespace {
 // through them, bit for bit, and the step phase of each is known; and there is something to skip.
 TEST(SkippingTop, SkippingQuietClocksEqualsTickingThem) {
   Chaos chaos;
-  chaos.in.words.pwm.period = 4000;
-  chaos.in.words.start.hand_over = 1 << 19;
-  chaos.in.words.start.pull_in = 100;
+  chaos.in.config.pwm.period = 4000;
+  chaos.in.config.start.hand_over = 1 << 19;
+  chaos.in.config.start.pull_in = 100;
   chaos.in.command.run = true;
   SkippingTop ticking, skipping, advancing;
   SixStepTop::Out out, ticked, advanced;
@@ -63,12 +63,12 @@ TEST(SkippingTop, AdvancesTheSameWithPinsThatChangeAtAnyTime) {
   };
   for (const Case& c : {Case{4000, 20, 30}, {400, 2000, 3000}}) {
     Chaos chaos;
-    chaos.in.words.pwm.period = UInt<14>::of(c.period);
-    chaos.in.words.start.probe = UInt<16>::of(c.probe);
-    chaos.in.words.start.hand_over = 1 << 19;
-    chaos.in.words.start.pull_in = 100;
-    chaos.in.words.start.method = Method::kFollow;
-    chaos.in.words.protection.over_current = 3;
+    chaos.in.config.pwm.period = UInt<14>::of(c.period);
+    chaos.in.config.start.probe = UInt<16>::of(c.probe);
+    chaos.in.config.start.hand_over = 1 << 19;
+    chaos.in.config.start.pull_in = 100;
+    chaos.in.config.start.method = Method::kFollow;
+    chaos.in.config.protection.over_current = 3;
     chaos.in.command.run = true;
     SkippingTop advancing;
     SixStepTop ticking;
@@ -82,7 +82,7 @@ TEST(SkippingTop, AdvancesTheSameWithPinsThatChangeAtAnyTime) {
       }
       chaos.flip(chaos.in.command.run, 1000);
       chaos.flip(chaos.in.command.clear_fault, 20);
-      chaos.in.words.pwm.complementary = chaos.once_in(2);
+      chaos.in.config.pwm.complementary = chaos.once_in(2);
       ticked = ticking.tick(chaos.in);
       advanced = advancing.tick(chaos.in);
       for (std::uint64_t left = chaos.random() % 1000; left > 0; ++calls) {

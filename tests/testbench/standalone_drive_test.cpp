@@ -5,10 +5,10 @@
 #include "Vsix_step_standalone.h"
 #include "hls/six_step/six_step_standalone.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "ports/six_step_standalone_ports.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 #include "testbench/run/check.hpp"
 #include "tests/testbench/short_drive.hpp"
 
@@ -21,8 +21,8 @@ class Bench {
       : settings_(short_drive()),
         clock_hz_(settings_.control.clock_hz),
         plant_(plant_parameters(settings_), initial_state(settings_, 70)) {
-    in.words = hls_words(
-        design::quantise(design::design_drive(settings_).parameters, clock_hz_).words);
+    in.config = hls_config(
+        design::quantise(design::design_drive(settings_).parameters, clock_hz_).config);
     rtl_.rst = 1;
     rtl_.eval();
     rtl_.clk = 1;

@@ -10,7 +10,7 @@
 #include "ports/sinusoidal_standalone_ports.hpp"
 #include "testbench/run/check.hpp"
 #include "testbench/run/units.hpp"
-#include "testbench/sinusoidal/words.hpp"
+#include "testbench/drive/sinusoidal/config.hpp"
 #include "tests/hls/spi_adc_model.hpp"
 
 namespace steplock {
@@ -42,8 +42,8 @@ class Bench {
         clock_hz_(settings_.control.clock_hz),
         plant_(plant_parameters(settings_), initial_state(settings_, 70)),
         adc_(adc_parameters(settings_)) {
-    in.words = sinusoidal::words_of(settings_);
-    in.adc = model_.words = sinusoidal::adc_words_of(settings_);
+    in.config = sinusoidal::config_of(settings_);
+    in.adc = model_.config = sinusoidal::adc_config_of(settings_);
     model_.input = [this](int channel, long) { return held(channel); };
     if (with_rtl) rtl_ = std::make_unique<Beside>();
     reset();

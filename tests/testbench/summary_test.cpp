@@ -1,4 +1,4 @@
-#include "testbench/run/summary.hpp"
+#include "testbench/drive/six_step/summary.hpp"
 
 #include <gtest/gtest.h>
 

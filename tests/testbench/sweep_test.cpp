@@ -152,8 +152,8 @@ TEST_F(Sweep, GivesEachDriveItsShare) {
 // Negative controls of the outcomes: drives that cannot work are counted as what they are.
 TEST_F(Sweep, ADriveWithoutTorqueIsLatchedAndCounted) {
   DrawnRun run = drawn_run(files_[0].settings, {8});
-  run.words.start.start_duty = run.words.start.align_duty = 0;
-  run.words.speed.bemf = 0;
+  run.config.start.start_duty = run.config.start.align_duty = 0;
+  run.config.speed.bemf = 0;
   const DrawnResult result = simulate(run);
   EXPECT_EQ(result.findings.outcome, Outcome::kLatched);
   EXPECT_EQ(result.findings.reason, Reason::kBlocked);
@@ -170,8 +170,8 @@ TEST_F(Sweep, ADriveWithoutTorqueIsLatchedAndCounted) {
 TEST_F(Sweep, ADriveThatNeverDoubtsOnABlockedRotorIsASilentStepOutAndCounted) {
   DrawnRun run = drawn_run(files_[0].settings, {8});
   run.settings.load.opposing_nm = 10;
-  run.words.source = Source::kHall;
-  run.words.protection = {};
+  run.config.source = Source::kHall;
+  run.config.protection = {};
   const DrawnResult result = simulate(run);
   EXPECT_EQ(result.findings.outcome, Outcome::kSilentStepOut);
   const Row row{.index = 0, .drive = "short", .seed = 8, .outside = true, .rtl = "", .conditions = run.conditions,

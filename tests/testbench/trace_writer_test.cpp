@@ -1,5 +1,5 @@
 // Writes a wave and reads it back with GTKWave's own reader.
-#include "testbench/run/recorder.hpp"
+#include "testbench/drive/six_step/recorder.hpp"
 
 #include <gtest/gtest.h>
 #include <gtkwave/fstapi.h>

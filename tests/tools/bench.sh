@@ -22,7 +22,7 @@ case $mode in
   refusals)
     refuses "there is no bench 'turn'" icarus turn
     refuses "there is no simulator 'modelsim'" modelsim first_start
-    refuses "there is no list of words none.mem" icarus first_start +words=none.mem
+    refuses "there is no configuration none.mem" icarus first_start +config=none.mem
     refuses "'long' is no argument of a bench" icarus turning_motor long
     refuses 'there is no file motor.v' --with motor.v icarus turning_motor
     refuses 'xvlog is not here; it comes with Vivado' --out /nonexistent/x xsim first_start
@@ -41,7 +41,7 @@ case $mode in
     for simulator in verilator icarus xsim questa; do
       for bench in $benches; do
         said=$(tools/bench --print --with "$work/motor.sv" --define LATEST=7 $simulator "$bench" +long)
-        files=$(echo "$said" | tr ' ' '\n' | grep -E '\.(sv|mem)$' | sed 's/.*words=//')
+        files=$(echo "$said" | tr ' ' '\n' | grep -E '\.(sv|mem)$' | sed 's/.*config=//')
         echo "$files" | while read -r file; do [ -f "$file" ] || { echo "$simulator $bench names $file, which is not there"; exit 1; }; done
         [ "$(echo "$files" | grep -c 'motor\.sv$')" = $((1 + $(echo "$files" | grep -c 'turning_motor\.sv$'))) ] || { echo "$simulator $bench: motor.sv does not stand once"; exit 1; }
         [[ $said == *LATEST=7* && $said == *long* ]] || { echo "$simulator $bench: parameter or argument is lost: $said"; exit 1; }
@@ -52,7 +52,7 @@ case $mode in
       PATH=$work/bin:$PATH tools/bench --out "$work/$simulator" --define LATEST=7 $simulator turning_motor +long
     done
     # A word is what the program sees as one: no option has its value stuck to it, no command is torn apart.
-    for word in 'xelab --generic_top' 'xelab LATEST=7' 'xelab work.turning_motor' "xvlog $root/rtl/bench" 'xsim --testplusarg' 'xsim long' "xsim words=$root/rtl/words/maxon_ec45_flat.mem" "xvlog $root/rtl/six_step_axi.sv"; do
+    for word in 'xelab --generic_top' 'xelab LATEST=7' 'xelab work.turning_motor' "xvlog $root/rtl/bench" 'xsim --testplusarg' 'xsim long' "xsim config=$root/rtl/config/maxon_ec45_flat.mem" "xvlog $root/rtl/six_step_axi.sv"; do
       grep -q -x -F -e "$word" "$work/xsim.log" || { echo "xsim: no '$word'"; exit 1; }
     done
     for word in 'vlog -timescale' 'vlog +incdir+rtl/bench' 'vlog rtl/six_step_axi.sv' 'vsim -gLATEST=7' 'vsim +long' 'vsim run -all; quit -f'; do
@@ -61,10 +61,10 @@ case $mode in
     echo 'each names what is there' ;;
   elsewhere)
     tests/empty_folder "$work"
-    cp rtl/words/amano2003.mem "$work/mine.mem"
+    cp rtl/config/amano2003.mem "$work/mine.mem"
     sed 's/PASSED/PASSED with my own/' rtl/bench/first_start.sv >"$work/first_start.sv"
     cmp -s rtl/bench/first_start.sv "$work/first_start.sv" && exit 1
     cd "$work"
-    "$root/tools/bench" --out made --with first_start.sv icarus first_start +words=mine.mem
+    "$root/tools/bench" --out made --with first_start.sv icarus first_start +config=mine.mem
     [ -f made/first_start.vvp ] || { echo 'it was not made here'; exit 1; } ;;
 esac

@@ -154,7 +154,7 @@ void set_start(const Settings& s, Design& d) {
              .least_saliency = z.least_saliency,
              .least_polarity = z.least_polarity,
              .amperes_per_second = 1 / seconds_per_ampere};
-  // A pulse rises over 1/0.8 of its length at most (words.cpp), and falls over about its length;
+  // A pulse rises over 1/0.8 of its length at most (config.cpp), and falls over about its length;
   // two samples without current and one on which it begins pass before the next.
   const auto turned = [&](double length, double part) {
     const double impulse = 1.5 * p.motor.pole_pairs * s.motor.flux_vs * part *

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "model/design/design.hpp"
-#include "model/design/sinusoidal/words.hpp"
-#include "model/design/words.hpp"
+#include "model/design/sinusoidal/config.hpp"
+#include "model/design/config.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
 namespace steplock::design {
@@ -14,7 +14,7 @@ namespace {
 Settings drive(const std::string& name) { return load_drive_file(DRIVES "/" + name + ".toml").settings; }
 
 // Of either drive, as text.
-std::string words_of(const Settings& s) {
+std::string config_of(const Settings& s) {
   std::string text;
   const auto rows = s.drive.kind == DriveKind::kSinusoidal ? sinusoidal::quantise(s).rows
                                                            : quantise(design_drive(s).parameters, s.control.clock_hz).rows;
@@ -30,14 +30,14 @@ TEST(Believed, TheWordsAreThoseOfTheMotorThatIsBelieved) {
     const auto same = [&](std::optional<double> BelievedSection::*believed, double MotorSection::*real, double factor) {
       Settings one = own;
       one.believed.*believed = all.believed.*believed = another.motor.*real = factor * own.motor.*real;
-      EXPECT_NE(words_of(one), words_of(own)) << name << factor;
+      EXPECT_NE(config_of(one), config_of(own)) << name << factor;
     };
     same(&BelievedSection::resistance_ohm, &MotorSection::resistance_ohm, 1.3);
     same(&BelievedSection::inductance_h, &MotorSection::inductance_h, 0.7);
     same(&BelievedSection::flux_vs, &MotorSection::flux_vs, 1.1);
     same(&BelievedSection::inertia_kgm2, &MotorSection::inertia_kgm2, 2);
-    EXPECT_EQ(words_of(all), words_of(another)) << name;
-    EXPECT_EQ(words_of(as_believed(all)), words_of(another)) << name;
+    EXPECT_EQ(config_of(all), config_of(another)) << name;
+    EXPECT_EQ(config_of(as_believed(all)), config_of(another)) << name;
   }
 }
 
@@ -46,7 +46,7 @@ TEST(Believed, ASalientRotorsInductancesCount) {
   for (const auto believed : {&BelievedSection::inductance_d_h, &BelievedSection::inductance_q_h}) {
     Settings s = own;
     s.believed.*believed = 1.2 * (believed == &BelievedSection::inductance_d_h ? *own.motor.inductance_d_h : *own.motor.inductance_q_h);
-    EXPECT_NE(words_of(s), words_of(own));
+    EXPECT_NE(config_of(s), config_of(own));
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
-#include "model/design/words.hpp"
+#include "model/design/config.hpp"
 #include "model/plant/plant.hpp"
 #include "testbench/drive_file/drive_file.hpp"
 
@@ -142,7 +142,7 @@ TEST(DesignRules, AVeryHeavyRotorIsControlledAsFastAsTheGainsWordAllows) {
   const auto d = design_drive(s);
   const auto q = quantise(d.parameters, clock);
   EXPECT_TRUE(q.problems.empty()) << (q.problems.empty() ? "" : q.problems[0]);
-  EXPECT_EQ(q.words["speed.kp"], 65535u);
+  EXPECT_EQ(q.config["speed.kp"], 65535u);
   // A slow pole, and so both of the closed loop coincide.
   const double gain = s.inverter.bus_v / d.motor.k_e * 6 * s.motor.pole_pairs / (2 * kPi) / d.motor.tau_m;
   const double half = (1 / d.motor.tau_m + d.parameters.speed.kp * gain) / 2;
@@ -156,10 +156,10 @@ TEST(DesignRules, WhatIsWorkedOutEndsAtItsWord) {
   auto s = settings_of("data_sheets/hawkins_fan");
   const auto q = quantise(design_drive(s).parameters, s.control.clock_hz);
   EXPECT_TRUE(q.problems.empty()) << (q.problems.empty() ? "" : q.problems[0]);
-  EXPECT_GT(q.words["start.align"], 3800u);
-  EXPECT_LT(q.words["start.align"], 4096u);
-  EXPECT_NEAR(q.words["start.pre_align"], q.words["start.align"] / 2.0, 1);
-  EXPECT_EQ(q.words["speed.loaded"], 65535u);
+  EXPECT_GT(q.config["start.align"], 3800u);
+  EXPECT_LT(q.config["start.align"], 4096u);
+  EXPECT_NEAR(q.config["start.pre_align"], q.config["start.align"] / 2.0, 1);
+  EXPECT_EQ(q.config["speed.loaded"], 65535u);
 }
 
 // What the file names itself is refused with the value that its word holds; that value then has words.
@@ -178,7 +178,7 @@ TEST(DesignRules, AGainOfTheFileThatItsWordDoesNotHoldIsRefusedWithTheNearestTha
   const double most = refused(s, "speed.bandwidth_rad_s is 16; at most ");
   s.speed.bandwidth_rad_s = most;
   EXPECT_TRUE(problems(s).empty());
-  EXPECT_GT(quantise(design_drive(s).parameters, 20e6).words["speed.kp"], 65535 * 0.99 - 1);  // three digits
+  EXPECT_GT(quantise(design_drive(s).parameters, 20e6).config["speed.kp"], 65535 * 0.99 - 1);  // three digits
   s.speed.kp_duty_per_rpm = 1;
   s.speed.kp_duty_per_rpm = refused(s, "speed.kp_duty_per_rpm is 1; at most ");
   EXPECT_TRUE(problems(s).empty());

@@ -59,7 +59,7 @@ TEST(ErrorBudget, OfEveryDriveStaysWithinAFewDegreesAndPerMille) {
                            "m2310p_servo", "maxon_ec45_flat", "tekin_spindle"}) {
     const auto s = load_drive_file(std::string(DRIVES) + "/" + name + ".toml").settings;
     const auto d = design_drive(s);
-    const auto b = error_budget(s, d, quantise(d.parameters, s.control.clock_hz).words);
+    const auto b = error_budget(s, d, quantise(d.parameters, s.control.clock_hz).config);
     // A commutation 10 degrees off costs 1.5 % of torque.
     EXPECT_LT(b.commutation.bound, 10) << name;
     EXPECT_LT(b.mean_speed.bound, 2e-3 * s.scenario.speed_rpm) << name;
@@ -71,7 +71,7 @@ TEST(ErrorBudget, FinerSamplingLowersIt) {
   auto s = load_drive_file(std::string(DRIVES) + "/br2804_drone.toml").settings;
   const auto of = [](const Settings& settings) {
     const auto d = design_drive(settings);
-    return error_budget(settings, d, quantise(d.parameters, settings.control.clock_hz).words);
+    return error_budget(settings, d, quantise(d.parameters, settings.control.clock_hz).config);
   };
   const auto fine = of(s);
   s.control.sample_every_s *= 4;

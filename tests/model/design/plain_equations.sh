@@ -64,7 +64,7 @@ plain() {
         ki = v("loop.k_l") / (c1 + c2); kp = ki / zero                   # Eq. (1)
         w = crossover(1, 1, pole * 10)
         say("loop.phase_margin_deg", (atan2(w, zero) - atan2(w, pole)) * 180 / pi)
-        say("loop.pole", pole)
+        say("loop.alpha", pole)
       } else {
         b = given["loop.bandwidth"] ? v("loop.bandwidth") : 0.4
         ki = b * b; kp = 2 * b; w = crossover(0, 1e-3, pi)
@@ -119,7 +119,7 @@ compare() {  # compare STEPLOCK FILE PLAIN
   local told
   told=$("$1" design "$2" --json | jq -r '
     (["motor", "loop", "start", "speed"][] as $s | .[$s] // {} | to_entries[] | "\($s).\(.key) \(.value)"),
-    (.words[] | select(.name | IN("start.start_duty", "start.brake_duty", "speed.bemf", "speed.loaded")) | "\(.name) \(.wanted)")')
+    (.config[] | select(.name | IN("start.start_duty", "start.brake_duty", "speed.bemf", "speed.loaded")) | "\(.name) \(.wanted)")')
   awk -v file="$2" -v allowed="$(grep -q '^shape *= *"sinusoidal"' "$2" && echo 2.6e-5 || echo 1e-9)" '
     NR == FNR { told[$1] = $2; next }
     !($1 in told) { print file ": " $1 " is not said by steplock design"; bad = 1; next }

@@ -1,6 +1,6 @@
 // The reference drive and a plant, closed, for tests that no drive file describes: a plant that
 // differs from what the drive was designed for.  Judged from outside, by the rotor's true angle.
-// (The bench's own run is testbench/run/run_drive.hpp.)
+// (The bench's own run is testbench/drive/six_step/run.hpp.)
 //
 // Test: tests/model/reference/reference_closed_loop_test.cpp
 #pragma once

@@ -6,8 +6,8 @@
 #include "hls/six_step/six_step_top.hpp"
 #include "model/design/design.hpp"
 #include "testbench/drive_file/drive_file.hpp"
-#include "testbench/engine/fixed.hpp"
-#include "testbench/engine/words.hpp"
+#include "testbench/drive/six_step/fixed_engine.hpp"
+#include "testbench/drive/six_step/config.hpp"
 
 int main(int count, char** arguments) {
   using namespace steplock;
@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
 
     SixStepTop drive;
     SixStepTop::In in{.command = {.configured = true, .run = true},
-                      .words = hls_words(quantised.words)};
+                      .config = hls_config(quantised.config)};
     SixStepTop::Out out;
     for (double clock = 0; clock < 0.5 * clock_hz; ++clock) {
       const double now = clock / clock_hz;

@@ -1,0 +1,38 @@
+/* The configuration of the drive hoverboard_hub, for steplock_init().
+ * Printed by `steplock design hoverboard_hub.toml --c-header`. */
+#include "steplock.h"
+
+enum { hoverboard_hub_clock_hz = 12000000, hoverboard_hub_divide = 0 };
+
+static const struct steplock_word hoverboard_hub_config[] = {
+    {STEPLOCK_PWM, 0x14020258u},
+    {STEPLOCK_PWM_LIMITS, 0x000c000cu},
+    {STEPLOCK_CURRENT_LIMIT, 0x00f00018u},
+    {STEPLOCK_BEMF, 0x04180302u},
+    {STEPLOCK_LOOP, 0x00030403u},
+    {STEPLOCK_LOOP_PHASE, 0x40008000u},
+    {STEPLOCK_LOOP_GAIN, 0x33330a3du},
+    {STEPLOCK_LOOP_ALPHA, 0x00008000u},
+    {STEPLOCK_LOOP_SCALE, 0x00000000u},
+    {STEPLOCK_LOOP_MINIMUM, 0x000029f1u},
+    {STEPLOCK_LOOP_MAXIMUM, 0x0006d4e6u},
+    {STEPLOCK_START_ALIGN, 0x003f001fu},
+    {STEPLOCK_START_DUTY, 0x28f6799au},
+    {STEPLOCK_START_RAMP, 0x0000038au},
+    {STEPLOCK_START_HAND_OVER, 0x0000a7c6u},
+    {STEPLOCK_START_LOCK, 0x830c3333u},
+    {STEPLOCK_START_TIMES, 0x003203e8u},
+    {STEPLOCK_START_SPIN, 0x07d000a7u},
+    {STEPLOCK_START_BRAKE, 0x91ec0019u},
+    {STEPLOCK_SPEED_TARGET, 0x0001a36eu},
+    {STEPLOCK_SPEED_SLEW, 0x0000003bu},
+    {STEPLOCK_SPEED_GAIN, 0x07cb061bu},
+    {STEPLOCK_SPEED_BEMF, 0x3235185bu},
+    {STEPLOCK_SPEED_DUTY, 0x8000028fu},
+    {STEPLOCK_SPEED_DUTY_SLEW, 0x00000083u},
+    {STEPLOCK_PROTECTION_STALL, 0x0000431cu},
+    {STEPLOCK_PROTECTION_DUTY, 0x7bbc2a3du},
+    {STEPLOCK_PROTECTION_LOCK, 0x08006412u},
+    {STEPLOCK_START_FOLLOW, 0x05090135u},
+    {STEPLOCK_START_STILL, 0x00000026u},
+};

@@ -1,0 +1,2 @@
+rtl/config_mirror.sv
+rtl/config_registers.sv

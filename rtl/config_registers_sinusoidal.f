@@ -1,0 +1,2 @@
+rtl/config_mirror_sinusoidal.sv
+rtl/config_registers_sinusoidal.sv

@@ -1,2 +1,0 @@
-rtl/word_mirror.sv
-rtl/word_registers.sv

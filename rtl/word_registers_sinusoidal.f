@@ -1,2 +1,0 @@
-rtl/word_mirror_sinusoidal.sv
-rtl/word_registers_sinusoidal.sv
