@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+
+#include "tests/hls/plain_integers.hpp"
 
 namespace steplock {
 namespace {
@@ -204,6 +206,79 @@ TEST(CurrentControl, WithoutEnableItRests) {
   EXPECT_EQ(out.v_alpha, 0);
   EXPECT_EQ(out.v_beta, 0);
   EXPECT_NEAR(value(dut.tick(still(0.5).in()).v_beta), 0.01 * 0.5, 3 * kPlace) << "from 0 again";
+}
+
+// The header's equations with its roundings.
+class PlainControl {
+ public:
+  struct Out {
+    plain::Integer v_alpha, v_beta, i_gamma, i_delta, wanted_u, wanted_v;
+    bool limited;
+  };
+  Out tick(const CurrentControl::In& in) {
+    using namespace plain;
+    const auto word = [](Integer product) { return held(nearest(product, 15), 16); };
+    const auto [s, c] = sine_cosine(in.angle);
+    const Integer sine = of(s), cosine = of(c), alpha = of(in.i_u);
+    const Integer beta = held(down((of(in.i_u) + 2 * of(in.i_v)) * constant(1 / std::sqrt(3.0), 15), 15), 16);
+    const Integer i_gamma = word(alpha * cosine + beta * sine), i_delta = word(beta * cosine - alpha * sine);
+    const Integer coupling = held(nearest(of(in.speed) * of(in.inductance), 10), 16);
+    const Integer emf = held(nearest(of(in.speed) * of(in.emf), 10), 16);
+    const Integer limit = down(of(in.v_dc) * of(in.limit), 12);
+    const Axis gamma = axis(x_gamma_, in, held(of(in.set_gamma) - i_gamma, 16), -word(coupling * i_delta), limit - down(limit, 2));
+    const Integer length = std::abs(gamma.voltage);
+    const Integer left = std::min({limit - down(9 * length, 6), limit + down(limit, 4) - down(13 * length, 5),
+                                   limit + down(limit, 2) - down(13 * length, 4)});
+    const Axis delta = axis(x_delta_, in, held(of(in.set_delta) - i_delta, 16), word(coupling * i_gamma) + emf, held_unsigned(left, 15));
+    const auto [st, ct] = sine_cosine(in.ahead);
+    const Integer sine_then = of(st), cosine_then = of(ct), set_gamma = of(in.set_gamma), set_delta = of(in.set_delta);
+    const Integer ask_alpha = word(set_gamma * cosine_then - set_delta * sine_then);
+    const Integer ask_beta = word(set_gamma * sine_then + set_delta * cosine_then);
+    return {word(gamma.voltage * cosine_then - delta.voltage * sine_then), word(gamma.voltage * sine_then + delta.voltage * cosine_then),
+            i_gamma, i_delta, ask_alpha, held(nearest(ask_beta * constant(std::sqrt(0.75), 15), 15) - down(ask_alpha, 1), 16),
+            gamma.limited || delta.limited};
+  }
+
+ private:
+  struct Axis {
+    plain::Integer voltage;
+    bool limited;
+  };
+  static Axis axis(plain::Integer& x, const CurrentControl::In& in, plain::Integer error, plain::Integer ahead, plain::Integer limit) {
+    using namespace plain;
+    const Integer moved = held(x + down(error * of(in.k_i), 3), 28);
+    const Integer wanted = down(moved, 12) + down(error * of(in.k_p), 12) + ahead;
+    if (!in.enable) {
+      x = 0;
+      return {0, false};
+    }
+    const bool winds_up = (wanted > limit && error >= 0) || (wanted < -limit && error < 0);
+    if (!winds_up) x = moved;
+    return {std::clamp(wanted, -limit, limit), std::abs(wanted) > limit};
+  }
+  plain::Integer x_gamma_ = 0, x_delta_ = 0;  // s0.27
+};
+
+TEST(CurrentControl, EqualsItsEquationsInPlainIntegers) {
+  plain::Drawn any(5);
+  for (int run = 0; run < 2'000; ++run) {
+    CurrentControl dut;
+    PlainControl expected;
+    CurrentControl::In in;
+    any.into(in.k_p), any.into(in.k_i), any.into(in.inductance), any.into(in.emf), any.into(in.limit);
+    if (any.one_in(2)) in.k_p = any.between(0, 6000), in.k_i = any.between(0, 300), in.inductance = any.between(0, 400), in.emf = any.between(0, 500);
+    for (int sample = 0; sample < 50; ++sample) {
+      in.enable = !any.one_in(40);
+      any.into(in.i_u), any.into(in.i_v), any.into(in.angle), any.into(in.ahead), any.into(in.speed);
+      any.into(in.set_gamma), any.into(in.set_delta), any.into(in.v_dc);
+      if (any.one_in(2)) in.i_u = any.between(-4000, 4000), in.i_v = any.between(-4000, 4000), in.set_gamma = any.between(-4000, 4000), in.set_delta = 900;
+      const auto out = dut.tick(in);
+      const auto e = expected.tick(in);
+      const auto got = std::array{plain::of(out.v_alpha), plain::of(out.v_beta), plain::of(out.i_gamma), plain::of(out.i_delta),
+                                  plain::of(out.wanted_u), plain::of(out.wanted_v), plain::Integer{out.limited}};
+      ASSERT_EQ(got, (std::array{e.v_alpha, e.v_beta, e.i_gamma, e.i_delta, e.wanted_u, e.wanted_v, plain::Integer{e.limited}})) << run << " " << sample;
+    }
+  }
 }
 
 }  // namespace

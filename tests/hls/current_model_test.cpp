@@ -9,6 +9,7 @@
 #include <random>
 
 #include "model/reference/sinusoidal/current_model.hpp"
+#include "tests/hls/plain_estimator.hpp"
 #include "tests/hls/turning_motor.hpp"
 
 namespace steplock {
@@ -178,6 +179,61 @@ TEST(CurrentModel, WithoutEnableItStandsAtItsStart) {
   EXPECT_EQ(out.step, 0);
   motor.step();
   EXPECT_EQ(dut.tick(in_of(motor)).angle, 0x123456) << "begins at rest";
+}
+
+// Clocks of a leg within and beyond an ADC's step of zero current, switched and whole; any dc voltage.
+TEST(AppliedVoltage, EqualsItsEquationsInPlainIntegers) {
+  plain::Drawn any(2);
+  for (int n = 0; n < 100'000; ++n) {
+    AppliedPattern p;
+    p.period = any.between(400, 3000);
+    p.on_u = any.between(0, int(p.period.raw())), p.on_v = any.between(0, int(p.period.raw())), p.on_w = any.between(0, int(p.period.raw()));
+    any.into(p.dead);
+    p.inverse = (1 << 25) / std::max(1024, int(p.period.raw()));
+    const int most = any.one_in(2) ? 70 : 60'000;
+    const int u = any.between(-most, most), v = any.between(-most, most), dc = any.between(0, 8190);
+    const auto got = applied_voltage(p, Int<17>(u), Int<17>(v), UInt<13>(dc));
+    const auto expected = plain::applied(p, u, v, dc);
+    ASSERT_EQ(plain::of(got.alpha), expected.alpha) << n;
+    ASSERT_EQ(plain::of(got.beta), expected.beta) << n;
+  }
+}
+
+struct PlainFollowedEmf {
+  plain::Integer emf = 0;  // s0.27
+
+  struct Turned {
+    plain::Integer emf_step, pull;
+  };
+  Turned follow(plain::Integer gamma, plain::Integer delta, const CurrentModelConfig& c) {
+    using namespace plain;
+    const Integer seen = held(delta + nearest(down(emf, 12) * of(c.gain), 12), 16);
+    emf = held(emf - down(seen * of(c.k_e), 2), 28);
+    return {held(nearest(down(emf, 6) * of(c.k_speed), 15), 20), nearest(gamma * of(c.k_theta), 7)};
+  }
+  void rest() { emf = 0; }
+};
+
+TEST(CurrentModel, EqualsItsEquationsInPlainIntegers) {
+  const auto any_gains = [](plain::Drawn& any, CurrentModelConfig& c) {
+    any.into(c.k_e), any.into(c.k_theta), any.into(c.k_speed);
+    if (any.one_in(2)) c.k_e = any.between(0, 1500), c.k_theta = any.between(0, 4000), c.k_speed = any.between(0, 9000);
+  };
+  for (std::uint32_t seed = 1; seed <= 10; ++seed)
+    EXPECT_EQ((plain::differences<CurrentModel, PlainFollowedEmf>(seed, 20'000, any_gains)), 0) << seed;
+}
+
+// The control: a gain that is one place more.
+TEST(CurrentModel, OnePlaceOfItsGainIsSeenInPlainIntegers) {
+  struct Off : PlainFollowedEmf {
+    Turned follow(plain::Integer gamma, plain::Integer delta, CurrentModelConfig c) {
+      c.k_e = wrap<UInt<15>>(c.k_e + 1);
+      return PlainFollowedEmf::follow(gamma, delta, c);
+    }
+  };
+  EXPECT_GT((plain::differences<CurrentModel, Off>(1, 2'000, [](plain::Drawn& any, CurrentModelConfig& c) {
+              c.k_e = any.between(100, 1500), c.k_theta = 3000, c.k_speed = 6000;
+            })), 100);
 }
 
 }  // namespace

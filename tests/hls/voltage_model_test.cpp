@@ -5,9 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "model/reference/sinusoidal/voltage_model.hpp"
+#include "tests/hls/plain_estimator.hpp"
 #include "tests/hls/turning_motor.hpp"
 
 namespace steplock {
@@ -126,6 +130,34 @@ TEST(VoltageModel, WithoutEnableItStandsAtItsStart) {
   EXPECT_EQ(out.step, 0);
   motor.step();
   EXPECT_EQ(dut.tick(in_of(motor, true)).angle, 0x123456) << "begins at rest";
+}
+
+struct PlainCorrectedSpeed {
+  std::array<plain::Integer, 8> recent = {};  // Delta i_delta, the last one first
+  plain::Integer integral = 0;                // s-4.31
+
+  struct Turned {
+    plain::Integer emf_step, pull;
+  };
+  Turned follow(plain::Integer gamma, plain::Integer delta, const VoltageModelConfig& c) {
+    using namespace plain;
+    std::rotate(recent.begin(), recent.end() - 1, recent.end());
+    recent[0] = delta;
+    const Integer emf = c.average ? std::accumulate(recent.begin(), recent.end(), Integer{0}) : 8 * delta;
+    integral = held(integral + nearest(gamma * of(c.k_si), 8), 28);
+    return {held(nearest(-emf * of(c.k_emf), 11), 20), nearest(gamma * of(c.k_theta), 7) + down(integral, 8)};
+  }
+  void rest() { *this = {}; }
+};
+
+TEST(VoltageModel, EqualsItsEquationsInPlainIntegers) {
+  const auto any_gains = [](plain::Drawn& any, VoltageModelConfig& c) {
+    c.average = any.one_in(2);
+    any.into(c.k_emf), any.into(c.k_theta), any.into(c.k_si);
+    if (any.one_in(2)) c.k_emf = any.between(0, 9000), c.k_theta = any.between(0, 4000), c.k_si = any.between(0, 900);
+  };
+  for (std::uint32_t seed = 1; seed <= 10; ++seed)
+    EXPECT_EQ((plain::differences<VoltageModel, PlainCorrectedSpeed>(seed, 20'000, any_gains)), 0) << seed;
 }
 
 }  // namespace
