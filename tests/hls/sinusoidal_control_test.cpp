@@ -112,5 +112,49 @@ TEST(SinusoidalControl, OnClocksComeEarlyAndTheSpeedWithDone) {
   }
 }
 
+// The four blocks in their order: the duty is of the speed and the current that the sample before asked for, and goes back at the
+// angle of a sample and a half later; a sample of pilot pulses makes up for no dead time, and a pattern goes by the measured currents.
+TEST(SinusoidalControl, TheDutyIsWhatItsBlocksMakeOfIt) {
+  SinusoidalControl control;
+  Estimator estimator;
+  SpeedRegulator regulator;
+  CurrentControl currents;
+  SpaceVector modulator;
+  Source source;
+  std::mt19937 random(9);
+  const auto one_in = [&](int n) { return random() % unsigned(n) == 0; };
+  Int<16> speed = 0, wanted = 0;
+  int turned = 0;
+  for (int sample = 0; sample < 2'000; ++sample) {
+    auto in = source.next();
+    in.bridge.compensate = !one_in(3), in.pilot = one_in(3), in.search = one_in(4), in.hold = one_in(4);
+    in.hold_u = one_in(2), in.hold_v = one_in(2), in.hold_w = one_in(2), in.hold_voltage = 900;
+    in.a = int(random() % 2000) - 1000, in.b = int(random() % 2000) - 1000;
+    const auto out = control.tick(in);
+    const auto model = estimator.tick(estimator_in(in));
+    const int angle = int(model.angle.raw()) >> 8;
+    const int ahead = angle + ((int(speed.raw()) + (int(speed.raw()) >> 1)) >> 3);
+    const auto c = currents.tick({.enable = in.regulate, .i_u = in.search ? in.a : in.i_u, .i_v = in.search ? in.b : in.i_v,
+                                  .angle = UInt<16>(angle), .ahead = UInt<16>(ahead & 0xffff), .speed = speed,
+                                  .set_gamma = in.control.set_gamma, .set_delta = wanted, .k_p = in.control.k_p, .k_i = in.control.k_i,
+                                  .inductance = in.control.inductance, .emf = in.control.emf, .v_dc = in.v_dc, .limit = in.control.limit});
+    const bool makes_up = in.bridge.compensate && !in.pilot;
+    const auto legs = modulator.tick({.v_alpha = c.v_alpha, .v_beta = c.v_beta, .i_u = in.hold ? in.i_u : c.wanted_u,
+                                      .i_v = in.hold ? in.i_v : c.wanted_v, .v_dc = in.v_dc, .period = in.bridge.period,
+                                      .minimum = in.bridge.minimum, .dead = makes_up ? in.bridge.dead_time_loss : DeadClocks(0),
+                                      .sine = in.bridge.sine_pwm, .hold = in.hold, .hold_u = in.hold_u, .hold_v = in.hold_v,
+                                      .hold_w = in.hold_w, .hold_voltage = in.hold_voltage});
+    ASSERT_TRUE(out.early.on_u == legs.on_u && out.early.on_v == legs.on_v && out.early.on_w == legs.on_w) << sample;
+    ASSERT_EQ(out.i_gamma, c.i_gamma);
+    ASSERT_EQ(out.i_delta, c.i_delta);
+    ASSERT_EQ(out.limited, c.limited);
+    turned += (ahead - angle) / 16 != 0;
+    const auto next = regulator.tick({.enable = in.regulate, .reverse = in.reverse, .slow_down = in.slow_down, .locked = in.locked,
+                                      .step = model.step, .emf_step = model.emf_step, .config = in.speed});
+    speed = next.speed, wanted = next.current;
+  }
+  EXPECT_GT(turned, 1'000) << "the angle ahead is another one";
+}
+
 }  // namespace
 }  // namespace steplock

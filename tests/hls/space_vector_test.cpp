@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "model/reference/sinusoidal/applied_voltage.hpp"
 #include "model/reference/sinusoidal/modulator.hpp"
+#include "tests/hls/plain_integers.hpp"
 
 namespace steplock {
 namespace {
@@ -137,6 +140,59 @@ TEST(SpaceVector, NoPulseAndNoGapIsShorterThanTheMinimum) {
     }
   }
   EXPECT_TRUE(none && all);
+}
+
+// The header's equations with its roundings.
+class PlainVector {
+ public:
+  std::array<plain::Integer, 3> tick(const SpaceVector::In& in) {
+    using namespace plain;
+    const Integer rest = held_unsigned(down((1 << 28) - 8 * of(in.v_dc) * inverse_, 13), 15);
+    inverse_ = std::max(Integer{4096}, held_unsigned(nearest(inverse_ * rest, 14), 15));
+    const Integer half = down(of(in.v_alpha), 1), side = nearest(of(in.v_beta) * constant(std::sqrt(0.75), 15), 15);
+    const std::array phase = {of(in.v_alpha), side - half, -side - half};
+    const auto [least, greatest] = std::minmax_element(phase.begin(), phase.end());
+    const Integer common = in.sine ? 0 : down(*least + *greatest, 1);
+    const std::array current = {of(in.i_u), of(in.i_v), held(-(of(in.i_u) + of(in.i_v)), 16)};
+    const std::array holds = {in.hold_u, in.hold_v, in.hold_w};
+    std::array<Integer, 3> on = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Integer voltage = !in.hold ? held(phase[k] - common, 16) : holds[k] ? of(in.hold_voltage) : 0;
+      on[k] = leg(in, voltage, current[k]);
+    }
+    return on;
+  }
+
+ private:
+  plain::Integer leg(const SpaceVector::In& in, plain::Integer voltage, plain::Integer current) const {
+    using namespace plain;
+    const Integer period = of(in.period), minimum = of(in.minimum);
+    const Integer made_up = down(std::clamp(current, Integer{-16}, Integer{16}) * of(in.dead), 4);
+    const Integer sixteenths = down(held(nearest(voltage * inverse_, 12), 16) * period, 11) + (in.hold ? 0 : 8 * period) + made_up;
+    const Integer on = nearest(sixteenths, 4);
+    return on < 0 || on < minimum ? 0 : period - on < minimum ? period : on;
+  }
+  plain::Integer inverse_ = 4096;
+};
+
+TEST(SpaceVector, EqualsItsEquationsInPlainIntegers) {
+  plain::Drawn any(3);
+  for (int run = 0; run < 1'000; ++run) {
+    SpaceVector dut;
+    PlainVector expected;
+    SpaceVector::In in;
+    in.period = any.between(400, 3000), in.minimum = any.between(0, 60);
+    any.into(in.v_dc), any.into(in.dead);
+    in.dead = any.one_in(2) ? 0 : int(in.dead.raw()) / 8;
+    for (int sample = 0; sample < 60; ++sample) {
+      if (any.one_in(20)) any.into(in.v_dc);
+      any.into(in.v_alpha), any.into(in.v_beta), any.into(in.i_u), any.into(in.i_v), any.into(in.hold_voltage);
+      if (any.one_in(2)) in.v_alpha = any.between(-9000, 9000), in.v_beta = any.between(-9000, 9000), in.i_u = any.between(-40, 40);
+      in.sine = any.one_in(3), in.hold = any.one_in(4), in.hold_u = any.one_in(2), in.hold_v = any.one_in(2), in.hold_w = any.one_in(2);
+      const auto out = dut.tick(in);
+      ASSERT_EQ((std::array{plain::of(out.on_u), plain::of(out.on_v), plain::of(out.on_w)}), expected.tick(in)) << run << " " << sample;
+    }
+  }
 }
 
 }  // namespace

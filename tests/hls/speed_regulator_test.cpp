@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "model/reference/sinusoidal/regulators.hpp"
+#include "tests/hls/plain_integers.hpp"
 
 namespace steplock {
 namespace {
@@ -196,6 +199,72 @@ TEST(SpeedRegulator, SlowingDownAimsBelowTheStopSpeed) {
   EXPECT_EQ(out.current, 0);
   out = dut.tick({.enable = true, .config = config()});
   EXPECT_EQ(out.reference, 3) << "4000 / 1024, from 0 again";
+}
+
+// The header's equations with its roundings.
+class PlainRegulator {
+ public:
+  using Shown = std::array<plain::Integer, 8>;
+  Shown tick(const SpeedRegulator::In& in) {
+    using namespace plain;
+    const RegulatorConfig& c = in.config;
+    const auto forward = [&](Integer x, int bits) { return held(in.reverse ? -x : x, bits); };
+    const Integer target = in.slow_down ? 768 * of(c.stop) : of(c.target);
+    const Integer reference = std::clamp(target, reference_ - of(c.slew), reference_ + of(c.slew));
+    const Integer behind = 256 * forward(of(in.step), 20) - speed_;
+    const Integer speed = held(speed_ + down(behind * of(c.filter), 15), 28);
+    const Integer error = held(nearest(4 * reference - speed, 8), 20);
+    const Integer wanted = down(error * of(c.k_p), 12) + down(integral_, 12);
+    const Integer most = of(c.limit), least = in.locked ? -most : 0;
+    const Integer integral = std::clamp(integral_ + nearest(error * of(c.k_i), 9), least << 12, most << 12);
+    const Integer shown = down(speed, 12), emf = down(forward(of(in.emf_step), 20), 4);
+    if (!in.enable) {
+      reference_ = speed_ = 0;
+      integral_ = of(c.start_current) << 12;
+      return {};
+    }
+    reference_ = reference, speed_ = speed;
+    const bool above = wanted > most, below = wanted < least;
+    if (!(above && error >= 0) && !(below && error < 0)) integral_ = integral;
+    const bool plausible = shown > 0 && emf > down(shown * of(c.emf_low), 13) && emf < down(shown * of(c.emf_high), 13);
+    return {forward(std::clamp(wanted, least, most), 16), forward(shown, 16), down(reference, 10), above || (below && in.locked),
+            shown > of(c.lock), shown < of(c.slow), shown < of(c.stop), plausible};
+  }
+
+ private:
+  plain::Integer reference_ = 0, speed_ = 0, integral_ = 0;
+};
+
+// Bounds are drawn beside what was shown last, too, and rotor and EMF beside what they are compared with: ties are met.
+TEST(SpeedRegulator, EqualsItsEquationsInPlainIntegers) {
+  plain::Drawn any(7);
+  for (int run = 0; run < 2'000; ++run) {
+    SpeedRegulator dut;
+    PlainRegulator expected;
+    SpeedRegulator::In in;
+    RegulatorConfig& c = in.config;
+    any.into(c.target), any.into(c.slew), any.into(c.filter), any.into(c.k_p), any.into(c.k_i), any.into(c.limit), any.into(c.start_current);
+    any.into(c.stop), any.into(c.emf_low), any.into(c.emf_high);
+    if (any.one_in(2)) c.slew = any.between(0, 9000), c.filter = any.between(0, 9000), c.k_p = any.between(0, 900), c.k_i = any.between(0, 900);
+    if (any.one_in(4)) c.start_current = c.limit, c.target = 0;
+    int shown = 0;
+    for (int sample = 0; sample < 100; ++sample) {
+      const auto near_shown = [&](UInt<15>& bound) {
+        if (any.one_in(2)) bound = std::clamp(shown + any.between(-1, 1), 0, 32767);
+        else any.into(bound);
+      };
+      near_shown(c.lock), near_shown(c.slow), near_shown(c.stop);
+      in.enable = !any.one_in(60), in.reverse = any.one_in(3), in.slow_down = any.one_in(10), in.locked = any.one_in(2);
+      any.into(in.step), any.into(in.emf_step);
+      if (any.one_in(2)) in.step = any.between(-40, 40), in.emf_step = any.between(-300, 300);
+      if (any.one_in(3)) in.emf_step = std::clamp(16 * ((shown * int(c.emf_low.raw()) >> 13) + any.between(-1, 1)), -500'000, 500'000);
+      if (any.one_in(3)) in.emf_step = std::clamp(16 * ((shown * int(c.emf_high.raw()) >> 13) + any.between(-1, 1)), -500'000, 500'000);
+      const auto out = dut.tick(in);
+      shown = std::abs(int(out.speed.raw()));
+      ASSERT_EQ((PlainRegulator::Shown{plain::of(out.current), plain::of(out.speed), plain::of(out.reference), out.saturated, out.fast, out.slow,
+                                       out.stopping, out.plausible}), expected.tick(in)) << run << " " << sample;
+    }
+  }
 }
 
 }  // namespace
