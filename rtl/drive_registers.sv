@@ -162,7 +162,7 @@ module drive_registers (
   wire run_next_unless_control =  // line 106
       (run || (request_data_i[1] && request_index_i == 10'd17)) &&
       (!request_data_i[1] || request_index_i != 10'd18);
-  wire run_next_if_watch =
+  wire run_next_unless_expires =
       (writes && request_strobes_i[0]) ?
       ((request_index_i == 10'd3) ? request_data_i[1] : run_next_unless_control) : run;
   wire clears = writes && request_index_i == 10'd5;
@@ -221,7 +221,7 @@ module drive_registers (
         write_error <= refused_i;
       end
     end
-    run <= !expires && run_next_if_watch;  // line 115
+    run <= !expires && run_next_unless_expires;  // line 115
     if (drive_state_i != State_kFault || was_faulted) begin
       cleared <= cleared || (clears && ones[0]);
     end else begin

@@ -266,14 +266,14 @@ module start_sequence #(
   wire trips = command_configured_i && fatal_i;
   wire requests_trips = at_bits[State_kFault] ? !rearm : trips;
   wire command_reverse_xor_reverse = command_reverse_i ^ reverse;  // line 116
-  wire request_or_command_reverse_xor_reverse = !runs_on || command_reverse_xor_reverse;
+  wire not_runs_on_or_command_reverse_xor_reverse = !runs_on || command_reverse_xor_reverse;
   wire braking_next_both =  // line 193
       at_bits[State_kDetectSpin] &&
       (request_both ? counters_count_reached : not_is_started_and_counters_count_reached) &&
       turns_on_either;
   wire braking_next_if_active =  // line 116
       braking_next_both ||
-      (at_bits[State_kSlowDown] && !lost_i && request_or_command_reverse_xor_reverse &&
+      (at_bits[State_kSlowDown] && !lost_i && not_runs_on_or_command_reverse_xor_reverse &&
       (counters_timed_out || !fast_i));
   wire braking_next = !not_active && braking_next_if_active;
   wire [10:0] at_bits_next_fault =  // line 233
@@ -345,7 +345,7 @@ module start_sequence #(
       ((caught_or_locks || !on) ? caught_or_locks : runs_on_and_not_command_reverse_xor_reverse) ?
       8'd1 << State_kRun : 8'd0;
   wire [8:0] wanted_slow_down =  // line 245
-      (on && request_or_command_reverse_xor_reverse &&
+      (on && not_runs_on_or_command_reverse_xor_reverse &&
       (at_bits[State_kRun] || (!counters_timed_out && fast_i))) ? 9'd1 << State_kSlowDown : 9'd0;
   wire [9:0] wanted_retry_delay =  // line 233
       (at_bits[State_kRetryDelay] && !counters_timed_out) ? 10'd1 << State_kRetryDelay : 10'd0;

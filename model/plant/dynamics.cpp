@@ -51,7 +51,7 @@ Regime Dynamics::regime(const Variables& y, const Inputs& in, double turns) cons
   regime.source_conducts = source_sinks_ || y[kBus] <= in.source_voltage ? 1 : 0;
   regime.hold = static_ + in.opposing_torque + in.breakaway_torque;
   if (load_.acts()) regime.turned = std::fmod(turns, pole_pairs_) * kTurn / pole_pairs_;
-  if (cogging_torque_ != 0) {
+  if (cogging_torque_ > 0) {
     regime.cogging_phase = std::fmod(turns, pole_pairs_) * kTurn * cogging_rate_ + cogging_offset_;
   }
 

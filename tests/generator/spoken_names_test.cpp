@@ -52,6 +52,12 @@ TEST_F(Spoken, OfBitsTheirLogic) {
   EXPECT_EQ(of(b.inv(b.op(Op::kOr, b.inv(run), b.inv(held)))), "run_and_held");
   EXPECT_EQ(of(b.op(Op::kOr, b.op(Op::kAnd, run, held), over)), "run_and_held_or_over");
   EXPECT_EQ(of(b.op(Op::kAnd, b.op(Op::kOr, run, held), over)), "") << "would read as the one before";
+  const NodeId request = b.inv(run);
+  b.named(request, "request");
+  EXPECT_EQ(of(b.op(Op::kOr, request, held)), "not_run_or_held") << "nobody sees that it had a name";
+  wires = {request};
+  EXPECT_EQ(of(b.op(Op::kOr, request, held)), "request_or_held");
+  wires = {};
   EXPECT_EQ(inverted("not_run"), "run");
   EXPECT_EQ(inverted(""), "");
 }

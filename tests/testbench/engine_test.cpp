@@ -13,11 +13,11 @@
 #include "hls/bus/word_rows.hpp"
 #include "model/design/design.hpp"
 #include "model/design/config.hpp"
-#include "testbench/engine/word_name.hpp"
 #include "testbench/drive/six_step/fixed_engine.hpp"
 #include "testbench/drive/six_step/lockstep_engine.hpp"
 #include "testbench/drive/six_step/config.hpp"
 #include "testbench/drive/six_step/run.hpp"
+#include "testbench/engine/word_name.hpp"
 #include "tests/hls/six_step_chaos.hpp"
 #include "tests/testbench/short_drive.hpp"
 

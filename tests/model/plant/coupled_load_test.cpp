@@ -59,6 +59,10 @@ TEST(CoupledLoad, TwoMassesOnASpringSwingAtTheirCommonFrequency) {
   const double measured = period(plant, [&](const State& s) { return s.speed - mean; });
   const double expected = kTurn / std::sqrt(p.load.spring_stiffness * (1 / p.motor.inertia + 1 / p.load.inertia));
   EXPECT_NEAR(measured / expected, 1, 1e-5);
+  // Where both turn alike the spring is wound most, and what it holds is a part of the balance.
+  const Energy energy = plant.state().energy;
+  EXPECT_GT(energy.spring, 1e-6);
+  EXPECT_LT(std::abs(energy.residual()), 1e-9);
 }
 
 TEST(CoupledLoad, ASpringsDampingTakesItsShareOfEverySwing) {

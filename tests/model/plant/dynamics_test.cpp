@@ -100,5 +100,67 @@ TEST(Dynamics, ABlockingSourceGivesNoCurrentAboveItsVoltage) {
   EXPECT_DOUBLE_EQ(dynamics.outputs(dynamics.regime(low, in, 0), low).source_current, 20);
 }
 
+// The salient path of a motor that is round shows what the round path does, at any state and for any gates.
+RC_GTEST_PROP(Dynamics, BothWindingsShowTheSameWhereTheyAreTheSame, ()) {
+  Parameters round = full_parameters();
+  round.motor.mutual = 0;
+  round.motor.shape.kind = BackEmfShape::Kind::kSinusoidal;
+  Parameters salient = round;
+  salient.motor.inductance_d = salient.motor.inductance_q = round.motor.inductance;
+  const Dynamics a(round), b(salient);
+  const auto bits = *rc::gen::inRange(0, 64);
+  Inputs in;
+  in.gates = {bool(bits & 1), bool(bits & 2), bool(bits & 4), bool(bits & 8), bool(bits & 16), bool(bits & 32)};
+  in.active_torque = between(-0.05, 0.05);
+  in.source_voltage = between(10, 30);
+  const double iu = between(-20, 20), iv = between(-20, 20);
+  const Variables y = {iu, iv, -iu - iv, between(-900, 900), between(-7, 7), between(8, 30)};
+  const Outputs x = a.outputs(a.regime(y, in, 0), y), z = b.outputs(b.regime(y, in, 0), y);
+  // Volts and amperes up to a hundred, by another order of sums.
+  for (int k = 0; k < 3; ++k) {
+    RC_ASSERT(std::abs(x.shape[k] - z.shape[k]) < 1e-12);
+    RC_ASSERT(std::abs(x.emf[k] - z.emf[k]) < 1e-10);
+    RC_ASSERT(std::abs(x.terminals.voltage[k] - z.terminals.voltage[k]) < 1e-10);
+  }
+  RC_ASSERT(std::abs(x.terminals.neutral - z.terminals.neutral) < 1e-10);
+  RC_ASSERT(std::abs(x.torque - z.torque) < 1e-10);
+  RC_ASSERT(std::abs(x.pull - z.pull) < 1e-10);
+  RC_ASSERT(std::abs(x.bridge_current - z.bridge_current) < 1e-10);
+  RC_ASSERT(std::abs(x.source_current - z.source_current) < 1e-10);
+}
+
+// What the error of a step is judged by: a hundredth of the motor's current at rest and of its speed without load at this bus.
+TEST(Dynamics, ErrorsAreScaledByWhatTheMotorCouldReach) {
+  Parameters p;
+  p.bus.voltage = 36;
+  const Variables scale = Dynamics(p).scale();
+  for (const Variable phase : {kIu, kIv, kIw}) EXPECT_DOUBLE_EQ(scale[phase], 0.36 / p.motor.resistance);
+  for (const Variable speed : {kSpeed, kLoadSpeed}) EXPECT_DOUBLE_EQ(scale[speed], 0.36 / (p.motor.flux * p.motor.pole_pairs));
+  EXPECT_EQ(scale[kBus], 36);
+  p.motor.flux = 0;
+  EXPECT_EQ(Dynamics(p).scale()[kSpeed], 1) << "iron without a magnet has no such speed";
+}
+
+// On a corner of the back-EMF a rotor that stood goes into the piece that its torque pulls it to.
+TEST(Dynamics, ARotorLeavesRestIntoThePieceOnItsWay) {
+  const Parameters p;
+  const Dynamics dynamics(p);
+  const BackEmf back_emf(p.motor.shape);
+  Inputs in;
+  in.source_voltage = 24;
+  for (const double pushed : {0.5, -0.5}) {  // an active torque slows what turns forward
+    in.active_torque = pushed;
+    const double way = pushed > 0 ? -1 : 1;
+    for (int corner = 0; corner < 6; ++corner) {
+      const double angle = (corner * 60 + 30) * kTurn / 360;
+      const Regime regime = dynamics.regime({0, 0, 0, 0, angle, 24}, in, 0);
+      ASSERT_NE(back_emf.piece(angle, 1).low, back_emf.piece(angle, -1).low) << corner;
+      EXPECT_EQ(regime.direction, way);
+      EXPECT_EQ(regime.piece.low, back_emf.piece(angle, way).low) << corner;
+      EXPECT_EQ(regime.piece.high, back_emf.piece(angle, way).high) << corner;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace steplock::plant
