@@ -65,7 +65,8 @@ std::string SpokenNames::one_of(const std::vector<NodeId>& ids) const {
 std::string SpokenNames::term(NodeId id) const {
   const Node& n = m_.nodes[id];
   // What inverts something that is seen is called after that: a name of its own would be seen nowhere else.
-  const bool inverts = n.op == Op::kNot && !plan_.wire[id] && (plan_.wire[n.in[0]] || m_.nodes[n.in[0]].in.empty()) && !given_(n.in[0]).empty();
+  const bool seen = n.op == Op::kNot && (plan_.wire[n.in[0]] || m_.nodes[n.in[0]].in.empty()) && !given_(n.in[0]).empty();
+  const bool inverts = seen && !plan_.wire[id];
   if (const std::string name = given_(id); !name.empty() && !inverts) return name;
   switch (n.op) {
     case Op::kNot: return inverted(term(n.in[0]));

@@ -187,7 +187,8 @@ TEST(AppliedVoltage, EqualsItsEquationsInPlainIntegers) {
   for (int n = 0; n < 100'000; ++n) {
     AppliedPattern p;
     p.period = any.between(400, 3000);
-    p.on_u = any.between(0, int(p.period.raw())), p.on_v = any.between(0, int(p.period.raw())), p.on_w = any.between(0, int(p.period.raw()));
+    const int period = int(p.period.raw());
+    p.on_u = any.between(0, period), p.on_v = any.between(0, period), p.on_w = any.between(0, period);
     any.into(p.dead);
     p.inverse = (1 << 25) / std::max(1024, int(p.period.raw()));
     const int most = any.one_in(2) ? 70 : 60'000;

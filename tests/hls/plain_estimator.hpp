@@ -111,8 +111,8 @@ int differences(std::uint32_t seed, int samples, const Configure& configure) {
     in = drawn_sample(any, in);
     const auto out = block.tick(in);
     const auto expected = plain.sample(in);
-    if (of(out.angle) != expected.angle || of(out.step) != expected.step || of(out.emf_step) != expected.emf_step || of(out.error) != expected.error)
-      ++differing;
+    const bool turns_alike = of(out.angle) == expected.angle && of(out.step) == expected.step;
+    if (!turns_alike || of(out.emf_step) != expected.emf_step || of(out.error) != expected.error) ++differing;
   }
   return differing;
 }
