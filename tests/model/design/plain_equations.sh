@@ -64,7 +64,7 @@ plain() {
         ki = v("loop.k_l") / (c1 + c2); kp = ki / zero                   # Eq. (1)
         w = crossover(1, 1, pole * 10)
         say("loop.phase_margin_deg", (atan2(w, zero) - atan2(w, pole)) * 180 / pi)
-        say("loop.alpha", pole)
+        say("loop.pole", pole)
       } else {
         b = given["loop.bandwidth"] ? v("loop.bandwidth") : 0.4
         ki = b * b; kp = 2 * b; w = crossover(0, 1e-3, pi)
@@ -131,6 +131,7 @@ if [ "$1" = --flaws ]; then
   steplock=$2 file=$3
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
+  compare "$steplock" "$file" "$(plain "$file")"  # else every flaw below would be noticed by that alone
   for key in resistance_ohm inductance_h flux_vs inertia_kgm2 rated_current_a bus_v on_resistance_ohm limit_a k_l c1_f c2_f r_ohm bandwidth_rad_s \
     hand_over_rpm; do
     awk -v key="$key" '$1 == key { sub(/= *[^ #]+/, "= " $3 * 1.001) } { print }' "$file" >"$work/flawed.toml"
