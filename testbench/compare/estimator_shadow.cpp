@@ -7,6 +7,7 @@
 
 #include "model/design/sinusoidal/config.hpp"
 #include "model/reference/sinusoidal/current_model.hpp"
+#include "testbench/compare/control_shadow.hpp"
 #include "testbench/compare/differences.hpp"
 #include "testbench/run/drive_loop.hpp"
 #include "testbench/drive/sinusoidal/fixed_engine.hpp"
@@ -25,6 +26,7 @@ struct Compared {
   double gamma, delta;              // likewise, A
   double turns;                     // per sample, in doubles
   double voltage, current;          // lengths, of a phase's peak
+  std::vector<double> legs;         // fixed less float, clocks
 };
 
 // The blocks drive.  Orders are those under which a sample is taken: what the sequence said when the one before came.
@@ -40,7 +42,8 @@ class ShadowedEngine {
         period_clocks_(design::sinusoidal::quantise(s).config["bridge.period"]),
         applied_(p.applied),
         current_model_(p.motor, p.current_model, p.pwm.period),
-        voltage_model_(p.motor, p.voltage_model, p.pwm.period) {}
+        voltage_model_(p.motor, p.voltage_model, p.pwm.period),
+        control_(s, p) {}
 
   void set_pins(const plant::Pins&) {}
   void set_command(const HostCommand& c) {
@@ -54,12 +57,15 @@ class ShadowedEngine {
     v_dc_ = codes.bus * adc_.voltage_lsb();
     ordered_ = next_orders_;
     next_orders_ = fixed_.watch().state();
+    read_ = true;
   }
   void tick() { run(1); }
   std::uint64_t run(std::uint64_t most) {
     const std::uint64_t taken = fixed_.run(most);
     clock_ += taken;
     const auto& out = fixed_.output();
+    // A sample's orders are those of the clock that takes its codes.
+    if (read_) regulates_ = out.estimating, read_ = false;
     if (out.sample) ended_ = running_, running_ = {on(out.on_u), on(out.on_v), on(out.on_w)};
     if (out.done && !done_) take(out);
     done_ = out.done;
@@ -69,6 +75,7 @@ class ShadowedEngine {
   View view() const { return fixed_.view(); }
 
   const std::vector<Compared>& compared() const { return compared_; }
+  ControlShadow::Error legs_error() const { return control_.error(); }
 
  private:
   double on(LegClocks clocks) const { return static_cast<double>(clocks.raw()) / period_clocks_; }
@@ -86,6 +93,11 @@ class ShadowedEngine {
     }
     const double lsb = adc_.current_lsb(), u = (codes_[0] - offset_[0]) * lsb * sense_, v = (codes_[1] - offset_[1]) * lsb;
     const exact::Phases now{u, v, -u - v};
+    if (regulates_) {
+      control_.take(out, shown_);
+    } else {
+      control_.rest();
+    }
     const bool estimates = ordered_ == State::kStarting || ordered_ == State::kRun || ordered_ == State::kSlowDown;
     const double angle = static_cast<double>(out.angle.raw()) / (1 << 24);
     if (estimates) {
@@ -93,7 +105,7 @@ class ShadowedEngine {
     } else {
       estimated_ = false;
     }
-    angle_ = angle, before_ = now, v_dc_before_ = v_dc_;
+    angle_ = angle, before_ = now, v_dc_before_ = v_dc_, shown_ = out;
   }
 
   void follow(const SinusoidalTop::Out& out, double angle, const exact::Phases& now) {
@@ -123,7 +135,8 @@ class ShadowedEngine {
                            .delta = place_ * static_cast<double>(out.i_delta.raw()) - (beta * cosine - alpha * sine),
                            .turns = std::abs(step_before),
                            .voltage = interval.voltage.length() / std::sqrt(1.5),
-                           .current = interval.current.length() / std::sqrt(1.5)});
+                           .current = interval.current.length() / std::sqrt(1.5),
+                           .legs = control_.clocks()});
     }
     estimated_ = true;
   }
@@ -145,8 +158,10 @@ class ShadowedEngine {
   State ordered_ = State::kIdle, next_orders_ = State::kIdle;
   exact::Phases ended_ = {}, running_ = {}, before_ = {};
   int calibrated_ = 0, way_ = 1;
-  bool done_ = false, estimated_ = false;
+  bool done_ = false, estimated_ = false, read_ = false, regulates_ = false;
   double angle_ = 0;  // turns, at the sample before
+  SinusoidalTop::Out shown_;  // likewise
+  ControlShadow control_;
   std::vector<Compared> compared_;
 };
 
@@ -211,11 +226,12 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   const double taken_away = 2 * kTurn * slowest;  // of an angle's error, per sample
   const StepError step = step_error(s, all);
   const double rpm = rpm_of_steps(6 * s.control.pwm_hz, s.motor.pole_pairs);  // of a turn per sample
-  Differences angle, speed, gamma, delta;
+  Differences angle, speed, gamma, delta, legs;
   double longest = 0;
   for (const Compared& c : all) {
     angle.add(360 * c.angle), speed.add(rpm * c.step), gamma.add(c.gamma), delta.add(c.delta);
     longest = std::max(longest, c.current);
+    for (const double clocks : c.legs) legs.add(clocks);
   }
   const auto row = [](const char* name, const char* unit, double bias, double scatter) {
     return design::BudgetRow{.name = name, .unit = unit, .rms = scatter, .bound = bias + 6 * scatter, .bias = bias};
@@ -227,7 +243,8 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   result.signals = {angle.beside(row("estimated angle", "deg", 360 * (step.bias / taken_away + kCut),
                                      360 * step.scatter / std::sqrt(2 * taken_away))),
                     speed.beside(row("momentary speed", "rpm", rpm * step.bias, rpm * step.scatter)),
-                    gamma.beside(row("current, gamma", "A", lasts, scatters)), delta.beside(row("current, delta", "A", lasts, scatters))};
+                    gamma.beside(row("current, gamma", "A", lasts, scatters)), delta.beside(row("current, delta", "A", lasts, scatters)),
+                    legs.beside(row("on-time", "clocks", engine.legs_error().bias, engine.legs_error().scatter))};
   return result;
 }
 

@@ -77,6 +77,7 @@ PaperPage matsui1996_page(const design::Settings& drive, const design::Settings&
   const std::vector<std::function<PaperSection()>> figures = {
       [&] { return voltage_model(drive, options, found); },
       [&] { return current_model(drive, options, found); },
+      [&] { return causes_of_the_swing(drive, options); },
       [&] { return loop_rates(drive, options, found); },
       [&] { return wrong_parameters(drive, options); },
       [&] { return torque_on_and_off(drive, options); },

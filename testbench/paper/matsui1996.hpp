@@ -88,6 +88,7 @@ struct Found {
 
 PaperSection voltage_model(const design::Settings&, const PaperOptions&, Found&);     // Fig. 4
 PaperSection current_model(const design::Settings&, const PaperOptions&, Found&);     // Fig. 5
+PaperSection causes_of_the_swing(const design::Settings&, const PaperOptions&);
 PaperSection wrong_parameters(const design::Settings&, const PaperOptions&);          // Fig. 5(b)
 PaperSection torque_on_and_off(const design::Settings&, const PaperOptions&);         // Fig. 6
 PaperSection starts(const design::Settings&, const PaperOptions&);                    // Fig. 7

@@ -34,7 +34,7 @@ TEST(SinusoidalCompare, RtlEqualsFixedOnEveryClockAndFloatStaysWithinTheBudget) 
   EXPECT_EQ(c.lockstep.clocks, static_cast<std::uint64_t>(0.36 * start().control.clock_hz));
   EXPECT_TRUE(c.lockstep.equal()) << c.lockstep.first_port << " at " << c.lockstep.first_clock;
   EXPECT_GT(c.shadow.count, 100u);
-  EXPECT_EQ(c.shadow.signals.size(), 4u);
+  EXPECT_EQ(c.shadow.signals.size(), 5u);
   EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
   EXPECT_TRUE(c.passed());
   EXPECT_EQ(c.own.size(), 7u);
@@ -69,7 +69,7 @@ TEST(SinusoidalCompare, AnotherGainOfAnAdcIsFoundInTheCurrents) {
   const auto blocks = SinusoidalDrive::summarise(s, options, record);
   for (const double sense : {1.0, 1.002}) {
     const FloatErrors e = sinusoidal::shadow_errors(s, blocks, {}, {}, sense);
-    ASSERT_EQ(e.signals.size(), 4u);
+    ASSERT_EQ(e.signals.size(), 5u);
     EXPECT_EQ(e.signals[2].budget.name, std::string("current, gamma"));
     EXPECT_EQ(e.signals[3].budget.name, std::string("current, delta"));
     EXPECT_EQ(e.signals[2].within(), sense == 1) << to_text(e);
@@ -131,6 +131,41 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"of_the_voltage_model_has_5_percent_more_k_sp", kVoltage, [](auto& p) { p.voltage_model.k_sp *= 1.05; }},
         Spoilt{"of_the_voltage_model_has_half_more_k_si", kVoltage, [](auto& p) { p.voltage_model.k_si *= 1.5; }}),
     [](const auto& info) { return info.param.name; });
+
+// Of the regulator and the modulator the on-times tell, whatever the other signals do.
+class ASinusoidalRegulator : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(ASinusoidalRegulator, ThatDiffersFromTheDesignIsFoundInTheOnTimes) {
+  const design::Settings s = GetParam().scenario();
+  Parameters p = design::sinusoidal::design_drive(s).parameters;
+  GetParam().spoil(p);
+  const Comparison c = compare_engines(s, {.lockstep = false, .sinusoidal_reference = p});
+  ASSERT_EQ(c.shadow.signals.size(), 5u);
+  EXPECT_EQ(c.shadow.signals[4].budget.name, std::string("on-time"));
+  EXPECT_FALSE(c.shadow.signals[4].within()) << to_text(c.shadow);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SinusoidalCompare, ASinusoidalRegulator,
+    testing::Values(
+        Spoilt{"has_25_percent_more_k_p", kCurrent, [](auto& p) { p.current.kp_delta *= 1.25; }, loaded_by_the_rated_torque},
+        Spoilt{"has_2_percent_more_k_i", kCurrent, [](auto& p) { p.current.ki_delta *= 1.02; }, loaded_by_the_rated_torque},
+        Spoilt{"has_half_a_percent_more_flux", kCurrent, [](auto& p) { p.motor.k_e *= 1.005; }},
+        Spoilt{"has_2_percent_more_inductance", kCurrent, [](auto& p) { p.motor.inductance_q *= 1.02; }, loaded_by_the_rated_torque},
+        Spoilt{"makes_up_for_10_percent_more_dead_time", kCurrent, [](auto& p) { p.applied.dead_time = 550e-9; }},
+        Spoilt{"asks_for_10_mA_of_gamma_current", kCurrent, [](auto& p) { p.current.i_gamma += 0.01; }},
+        Spoilt{"leaves_the_zero_component_out", kCurrent, [](auto& p) { p.pwm.modulation = design::Modulation::kSine; }}),
+    [](const auto& info) { return info.param.name; });
+
+// Each sinusoidal drive of drives/ keeps the budgets, the one included whose pulses come to the shortest.
+TEST(SinusoidalCompare, EveryDriveIsWithinItsBudget) {
+  for (const char* file : {"br2804_sinusoidal", "ipm_2k2", "matsui1996"}) {
+    const design::Settings s = load_drive_file(std::string(STEPLOCK_DRIVES "/") + file + ".toml").settings;
+    const Comparison c = compare_engines(s, {.lockstep = false});
+    EXPECT_EQ(c.shadow.signals.size(), 5u) << file;
+    EXPECT_TRUE(c.shadow.within()) << file << "\n" << to_text(c.shadow);
+  }
+}
 
 // What docs/report.md says is not noticed: 2 % of what the dead time costs.
 TEST(SinusoidalCompare, HalfMoreOfTheDiodesDropIsNotNoticed) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # stale_print.sh FLAW: checks the page of Matsui's paper with a flaw (tools/pages --check, tools/printed.sh), and has its
-# shortest section, 6, measured again.  Succeeds if that is refused for what it is.
+# shortest section, 7, measured again.  Succeeds if that is refused for what it is.
 #   none         as it is, which must be taken: so what is refused below is the flaw
 #   edited       another figure, as if typed, in a section that is not measured again; drawn the same of a drawing
-#   measured     a figure of section 6 is not what is measured, though the checksum agrees; missing the row is not there
+#   measured     a figure of section 7 is not what is measured, though the checksum agrees; missing the row is not there
 #   experiment   the page was printed by another experiment
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -12,7 +12,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r docs "$work/docs"
 page=$work/docs/papers/matsui1996.md
-export STEPLOCK_DOCS=$work/docs STEPLOCK_SECTIONS=6
+export STEPLOCK_DOCS=$work/docs STEPLOCK_SECTIONS=7
 
 # sealed: with the checksum that the flawed page would have
 sealed() {

@@ -23,6 +23,8 @@ TEST(Replay, SamplesLieOnTheGridFromZeroToTheEnd) {
   for (int n = 0; n <= 100; ++n) EXPECT_DOUBLE_EQ(samples[n].time, n * 1e-5);
 }
 
+TEST(Replay, NoDurationIsOneSample) { EXPECT_EQ(run({}, 1e-5, 0).size(), 1u); }
+
 TEST(Replay, EqualsThePlantDrivenByHand) {
   const Gates first = {.uh = true, .vl = true}, second = {.vl = true};
   const auto samples =

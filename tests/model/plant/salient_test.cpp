@@ -110,6 +110,41 @@ RC_GTEST_PROP(Salient, ReluctanceTorqueIsTheSlopeOfTheStoredEnergy, ()) {
   RC_ASSERT(std::abs(winding.torque(winding.field(angle, i)) - 3 * rate) < 1e-4);
 }
 
+// What salient.hpp's first lines say of the iron: l_d is the slope of lambda_d, lambda_d at no current is the magnet's, and what
+// flows in against both is what is stored.
+RC_GTEST_PROP(Salient, TheIronKeepsItsLaw, ()) {
+  const SalientWinding winding(salient_motor(between(0, 0.9)).motor);
+  const double angle = between(-4, 4);
+  const auto field = [&](double i_d, double i_q) {  // the d axis at angle + 180 degrees
+    const double c = -std::cos(angle), s = -std::sin(angle), alpha = c * i_d - s * i_q, beta = s * i_d + c * i_q;
+    return winding.field(angle, {alpha, -alpha / 2 + beta * std::sqrt(0.75), -alpha / 2 - beta * std::sqrt(0.75)});
+  };
+  const double d = between(-20, 20), q = between(-20, 20), h = 1e-3;
+  RC_ASSERT(std::abs(field(0, q).lambda_d - 0.545) < 1e-12);
+  RC_ASSERT(std::abs(winding.stored(field(0, 0))) < 1e-12);
+  // Third derivatives: 36 mH / 6 A^2 of lambda, at 20 A 40 times of the energy; h^2 / 6 of them.
+  RC_ASSERT(std::abs((field(d + h, q).lambda_d - field(d - h, q).lambda_d) / (2 * h) - field(d, q).l_d) < 1e-8);
+  RC_ASSERT(std::abs((winding.stored(field(d + h, q)) - winding.stored(field(d - h, q))) / (2 * h) - 1.5 * d * field(d, q).l_d) < 1e-7);
+  RC_ASSERT(std::abs((winding.stored(field(d, q + h)) - winding.stored(field(d, q - h))) / (2 * h) - 1.5 * 51e-3 * q) < 1e-7);
+}
+
+// An inductance that is not given is the round one, L - M.
+TEST(Salient, AnAxisThatIsNotGivenHasTheRoundInductance) {
+  Parameters p = salient_motor();
+  p.motor.mutual = -14e-3;
+  const Phases i = {7, -2, -5};
+  const auto full = [&](double l_d, double l_q) {
+    Motor m = p.motor;
+    m.inductance_d = l_d;
+    m.inductance_q = l_q;
+    return SalientWinding(m).field(0.3, i);
+  };
+  const double round = 43e-3 + 14e-3;
+  EXPECT_DOUBLE_EQ(full(0, 51e-3).lambda_d, full(round, 51e-3).lambda_d);
+  EXPECT_DOUBLE_EQ(full(0, 51e-3).l_d, full(round, 51e-3).l_d);
+  EXPECT_DOUBLE_EQ(full(36e-3, 0).lambda_q, full(36e-3, round).lambda_q);
+}
+
 TEST(Salient, TheRotorOfAnIronLobeAlignsWithTheCurrentOnItsDAxis) {
   // L_d > L_q and no magnet: stable with d along the current, from either side.
   Parameters p = salient_motor(0);

@@ -4,39 +4,10 @@
 
 #include <vector>
 
-#include "tests/model/plant/six_step.hpp"
+#include "tests/model/plant/coasting.hpp"
 
 namespace steplock::plant {
 namespace {
-
-constexpr double kSpeed3000 = 2 * std::numbers::pi * 50;  // 200 electrical turns per second
-constexpr double kPerDegree = 1 / (200 * 360.0);          // s
-
-Parameters steady() {
-  Parameters p;
-  p.load.inertia = 1;
-  p.bus.resistance = 0;
-  for (auto& c : p.sensing.comparator) c = {.hysteresis = 0, .delay = 0};
-  p.motor.shape.kind = BackEmfShape::Kind::kSinusoidal;
-  return p;
-}
-
-struct Edge {
-  double time;
-  Pins pins;
-};
-
-// All pin changes of a coasting rotor.
-std::vector<Edge> coast(const Parameters& p, const InitialState& initial, double until) {
-  Plant plant(p, initial);
-  std::vector<Edge> edges;
-  Pins last = plant.pins();
-  while (plant.next_event() < until) {
-    plant.advance_to(plant.next_event());
-    if (!(plant.pins() == last)) edges.push_back({plant.time(), last = plant.pins()});
-  }
-  return edges;
-}
 
 TEST(Sensors, CoastingComparatorsSwitchAtTheBemfsCrossings) {
   const auto edges = coast(steady(), {.angle = 10 * kDegree / 4, .speed = kSpeed3000}, 5e-3);
@@ -106,6 +77,68 @@ TEST(Sensors, AnEdgeUnderwayArrivesEvenIfTheGatesChangeBeforeIt) {
   EXPECT_FALSE(plant.pins().comparator[0]);  // the second
 }
 
+// Two in one instant: the pin takes them in the order in which they came.
+TEST(Sensors, TheLaterOfTwoChangesInOneInstantStands) {
+  Parameters p = steady();
+  for (auto& c : p.sensing.comparator) c.delay = 5e-6;
+  Plant plant(p, {.angle = 45 * kDegree / 4});
+  plant.set_gates({.uh = true, .vl = true});
+  plant.set_gates({.ul = true, .vh = true});
+  plant.advance_to(6e-6);
+  EXPECT_FALSE(plant.pins().comparator[0]);
+  EXPECT_TRUE(plant.pins().comparator[1]);
+}
+
+// Within the hysteresis a comparator starts low.
+TEST(Sensors, StartsLowBetweenItsThresholds) {
+  Parameters p = steady();
+  for (auto& c : p.sensing.comparator) c.hysteresis = 2;
+  const Plant within(p, {.angle = 3 * kDegree / 4, .speed = kSpeed3000});  // u at 0.4 V
+  EXPECT_EQ(within.pins().comparator, (std::array<bool, 3>{false, false, true}));
+  const Plant above(p, {.angle = 10 * kDegree / 4, .speed = kSpeed3000});  // at 1.4 V
+  EXPECT_EQ(above.pins().comparator, (std::array<bool, 3>{true, false, true}));
+}
+
+TEST(Sensors, TheFirstPinsAreThoseOfTheAngleWhateverTheDelays) {
+  const std::array<bool, 3> code[6] = {{0, 0, 1}, {1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}};
+  Parameters p = steady();
+  p.sensing.hall_delay = p.sensing.limit.delay = 20e-6;
+  for (auto& c : p.sensing.comparator) c.delay = 20e-6;
+  for (int sector = 0; sector < 6; ++sector) {
+    Plant plant(p, {.angle = (10 + 60 * sector) * kDegree / 4, .speed = kSpeed3000});
+    const Pins pins = plant.pins();
+    EXPECT_EQ(pins.hall, code[sector]) << sector;
+    plant.advance_to(100e-6);
+    EXPECT_EQ(plant.pins(), pins) << sector;
+  }
+}
+
+// A Hall that the begin of an arc already lies beyond changes there, and its next edge is still to come.
+TEST(Sensors, AnArcThatBeginsBeyondAHallsEdgeSaysSoAtOnce) {
+  const Parameters p = steady();
+  const Dynamics dynamics(p);
+  const auto arc_from = [&](double degrees, double length) {
+    const Variables y = {0, 0, 0, kSpeed3000, degrees * kDegree, 24};
+    Arc arc;
+    arc.plan(dynamics, dynamics.regime(y, {.source_voltage = 24}, 0), y, p.accuracy, length);
+    return arc;
+  };
+  for (int k = 0; k < 3; ++k) {
+    for (const double rises : {0.0, 180.0}) {
+      const double edge = 30 + 120 * k + rises;
+      Sensing sensing = p.sensing;
+      sensing.hall_delay = 3e-6;
+      Sensors sensors(sensing);
+      sensors.start(arc_from(edge - 1, 1e-6));
+      EXPECT_EQ(sensors.pins().hall[k], rises > 0);
+      sensors.search(arc_from(edge + 1, 1e-6), 1e-6);
+      EXPECT_DOUBLE_EQ(sensors.next_change(), 4e-6);
+      sensors.reach(4e-6);
+      EXPECT_EQ(sensors.pins().hall[k], rises == 0);
+    }
+  }
+}
+
 TEST(Sensors, ACrossingThatTheGatesForestallNeverReachesItsPin) {
   Parameters p = steady();
   p.sensing.limit_threshold = 3;
@@ -162,68 +195,6 @@ TEST(Sensors, HalfBusAndStarPointReferencesDoWhatTheySay) {
     plant.set_gates({.uh = true, .vl = true});  // on-time: w floats and falls through 60 degrees
     while (plant.pins().comparator[2]) plant.advance_to(plant.next_event());
     EXPECT_NEAR(plant.time() / kPerDegree, 10, 1e-4);
-  }
-}
-
-TEST(Sensors, GaussianHasItsMomentsAndIsAFunctionOfItsArguments) {
-  const int n = 200000;
-  double sum = 0, square = 0, fourth = 0, product = 0, last = 0;
-  for (int k = 0; k < n; ++k) {
-    const double x = Sensors::gaussian(1, 0, k);
-    sum += x;
-    square += x * x;
-    fourth += x * x * x * x;
-    product += x * last;
-    last = x;
-  }
-  // Five standard errors of each estimate.
-  EXPECT_NEAR(sum / n, 0, 5 / std::sqrt(n));
-  EXPECT_NEAR(square / n, 1, 5 * std::sqrt(2.0 / n));
-  EXPECT_NEAR(fourth / n, 3, 5 * std::sqrt(96.0 / n));
-  EXPECT_NEAR(product / n, 0, 5 / std::sqrt(n));
-  EXPECT_NE(Sensors::gaussian(1, 0, 7), Sensors::gaussian(2, 0, 7));
-  EXPECT_NE(Sensors::gaussian(1, 0, 7), Sensors::gaussian(1, 1, 7));
-  EXPECT_EQ(Sensors::gaussian(1, 2, -7), Sensors::gaussian(1, 2, -7));
-}
-
-TEST(Sensors, NoiseMakesTheOutputChatterAroundTheCrossingOnly) {
-  Parameters p = steady();
-  for (auto& c : p.sensing.comparator) c = {.hysteresis = 0.01, .delay = 0, .noise = 0.03};
-  const auto edges = coast(p, {.angle = 40 * kDegree / 4, .speed = kSpeed3000 / 10}, 5e-3);
-  const double emf_per_degree = 0.03966 * 20 * kDegree;
-  int chatter = 0;
-  for (const Edge& edge : edges) {
-    const double degree = 40 + edge.time * 200 * 36;
-    const double away = std::min(std::abs(std::remainder(degree, 60)),
-                                 std::abs(std::remainder(degree - 30, 60)));  // a Hall's
-    EXPECT_LT(away * emf_per_degree, 6.7 * 0.03 + 0.01) << degree;
-    chatter += degree > 45 && degree < 75;
-  }
-  EXPECT_GT(chatter, 5);
-}
-
-TEST(Sensors, HysteresisWiderThanTheNoiseGivesOneCleanEdge) {
-  Parameters p = steady();
-  p.sensing.comparator[2] = {.hysteresis = 0.2, .delay = 0, .noise = 0.01};  // 20 sigma
-  const auto edges = coast(p, {.angle = 40 * kDegree / 4, .speed = kSpeed3000 / 10}, 5e-3);
-  int changes = 0;  // w falls through 60 degrees; the run ends at 76
-  for (std::size_t n = 0; n < edges.size(); ++n) {
-    changes += edges[n].pins.comparator[2] != (n == 0 || edges[n - 1].pins.comparator[2]);
-  }
-  EXPECT_EQ(changes, 1);
-}
-
-TEST(Sensors, NoiseDoesNotDependOnHowTheRunIsCut) {
-  Parameters p = steady();
-  p.accuracy.tolerance = 1e-10;
-  for (auto& c : p.sensing.comparator) c = {.hysteresis = 0.01, .delay = 0, .noise = 0.03};
-  const auto whole = coast(p, {.angle = 40 * kDegree / 4, .speed = kSpeed3000 / 10}, 5e-3);
-  p.accuracy.max_step = 7.3e-6;
-  const auto cut = coast(p, {.angle = 40 * kDegree / 4, .speed = kSpeed3000 / 10}, 5e-3);
-  ASSERT_EQ(whole.size(), cut.size());
-  for (std::size_t n = 0; n < cut.size(); ++n) {
-    EXPECT_NEAR(whole[n].time, cut[n].time, 1e-9);
-    EXPECT_EQ(whole[n].pins, cut[n].pins);
   }
 }
 
