@@ -114,7 +114,9 @@ std::string report_page(const PageContent& content, const std::vector<PageFigure
     for (const std::string& line : lines) page += fmt::format("<li>{}</li>\n", escaped(line));
     page += "</ul>\n";
   };
-  if (!well) list(content.failures);
+  std::vector<std::string> said = content.failures;
+  for (const std::string& line : content.advice) said.push_back("advice: " + line);
+  if (!said.empty()) list(said);
 
   page += "<div class=\"cards\">\n";
   for (const auto& [figure, name] : content.cards) {

@@ -29,6 +29,7 @@ struct PageContent {
   design::DriveSection drive;
   std::string what;                                        // a sentence under the name
   std::vector<std::string> failures;
+  std::vector<std::string> advice;  // what to change, whether it failed or not
   std::vector<std::pair<std::string, std::string>> cards;  // a figure and what it is
   std::vector<Change> changes;
   std::optional<FloatErrors> float_errors;

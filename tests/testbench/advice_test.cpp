@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "model/design/design.hpp"
 #include "testbench/drive/sinusoidal/run.hpp"
 #include "tests/testbench/short_drive.hpp"
@@ -182,6 +184,44 @@ TEST(Advice, ASinusoidalDriveIsToldHowLongItTakesAndWhichLoadItCarries) {
   s.scenario.load_step_nm = value_behind(heavy.advice[0], "lower scenario.load_step_nm to ");
   const auto lighter = run(s);
   EXPECT_TRUE(lighter.failures().empty()) << to_text(lighter);
+}
+
+// At low speed without load; with the current that is named they swing half as far at most.  Two noises of the ADCs each.
+TEST(Advice, ARotorThatSwingsForWantOfCurrentIsToldWhichCurrent) {
+  const RunOptions options{.engine = EngineKind::kFixed};
+  const auto run = [&](const design::Settings& s) { return sinusoidal::summarise(s, options, sinusoidal::run(s, options)); };
+  const auto swing = [](const sinusoidal::Result& r) { return r.profile.at(0).speed_rpm.greatest - r.profile.at(0).speed_rpm.least; };
+  const std::tuple<const char*, double, double> slow[] = {
+      {"matsui1996", 35, 0.9}, {"ipm_2k2", 30, 0.9}, {"m2310p_sinusoidal", 100, 0.5}};
+  for (const auto& [file, rpm, running_s] : slow) {
+    for (const int seed : {1, 2}) {
+      design::Settings s = open_drive_file(std::string(STEPLOCK_DRIVES "/") + file + ".toml").settings;
+      drop_events(s.scenario);
+      s.sensors.seed = seed;
+      s.scenario.duration_s = running_s + 1.5;
+      s.scenario.set_speed_s = {running_s}, s.scenario.set_speed_rpm = {rpm};
+      const auto swings = run(s);
+      ASSERT_EQ(swings.advice.size(), 1u) << file << to_text(swings);
+      EXPECT_THAT(swings.advice[0], HasSubstr("the rotor swings from"));
+      EXPECT_THAT(to_text(swings), HasSubstr(swings.advice[0]));
+      s.sinusoidal.i_gamma_a = value_behind(swings.advice[0], "write sinusoidal.i_gamma_a = ");
+      const auto followed = run(s);
+      EXPECT_TRUE(followed.failures().empty()) << to_text(followed);
+      EXPECT_TRUE(followed.advice.empty()) << to_text(followed);
+      EXPECT_LT(swing(followed), swing(swings) / 2) << file << ", " << seed << "\n" << to_text(followed);
+    }
+  }
+}
+
+// And one that swings little is told nothing.
+TEST(Advice, ASinusoidalDriveThatRunsWellGetsNone) {
+  const RunOptions options{.engine = EngineKind::kFixed};
+  for (const char* file : {"m2310p_sinusoidal", "br2804_sinusoidal", "ipm_2k2", "matsui1996"}) {
+    const design::Settings s = open_drive_file(std::string(STEPLOCK_DRIVES "/") + file + ".toml").settings;
+    const auto r = sinusoidal::summarise(s, options, sinusoidal::run(s, options));
+    EXPECT_TRUE(r.failures().empty()) << to_text(r);
+    EXPECT_TRUE(r.advice.empty()) << to_text(r);
+  }
 }
 
 }  // namespace

@@ -34,11 +34,11 @@ PageContent page_content(const design::Settings& s, const Result& r, const Recor
                                        r.engine, r.estimator, r.start_by, r.angle_deg, r.simulated_s,
                                        s.control.clock_hz / 1e6),
                    .failures = r.failures(),
+                   .advice = r.advice,
                    .cards = {},
                    .changes = {},
                    .float_errors = r.float_errors,
                    .numbers = to_json(r)};
-  for (const std::string& line : r.advice) page.failures.push_back("advice: " + line);
   page.cards = {{r.lock_time_s ? fmt::format("{:.3f} s", *r.lock_time_s) : "never", "first lock"},
                 {fmt::format("{:.1f}°", r.backward_deg), "turned backward, electrical"},
                 {fmt::format("{:.1f} rpm", r.mean_rpm), fmt::format("mean speed, set {:g}", r.set_speed_rpm)},

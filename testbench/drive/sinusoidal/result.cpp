@@ -8,7 +8,7 @@
 #include "model/design/bounds.hpp"
 #include "model/design/design.hpp"
 #include "model/design/settings_keys.hpp"
-#include "testbench/run/advice.hpp"
+#include "testbench/drive/sinusoidal/advice.hpp"
 #include "testbench/drive/sinusoidal/run.hpp"
 
 namespace steplock::sinusoidal {
@@ -119,12 +119,7 @@ Result summarise(const design::Settings& s, const RunOptions& options, const Rec
   judge_load(r, s, samples);
   r.profile = profile(s, record.simulated_s, samples);
   if (s.scenario.stop_s) r.stopped_rpm = rpm(samples.back().plant.speed);
-  if (r.interrupted || r.failures().empty()) return r;
-  const bool under_way = r.lock_time_s && r.reasons.empty() && !r.speed_time_s;
-  const std::string late = under_way ? ends_too_soon(s, gaining(samples, *r.lock_time_s, steady_end, r.set_speed_rpm)) : std::string();
-  for (const std::string& line : {late, load_step_beyond(s)}) {
-    if (!line.empty()) r.advice.push_back(line);
-  }
+  r.advice = advice(s, r, record);
   return r;
 }
 

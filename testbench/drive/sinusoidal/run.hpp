@@ -88,7 +88,7 @@ struct Result {
   bool interrupted = false;
   std::optional<Lockstep> lockstep;      // rtl = fixed, if asked for
   std::optional<FloatErrors> float_errors;  // fixed against float, likewise
-  std::vector<std::string> advice;       // what to change, if it failed and the cause can be told (advice.hpp)
+  std::vector<std::string> advice;       // what to change, where the cause can be told (advice.hpp)
 
   std::vector<std::string> failures() const;
 };

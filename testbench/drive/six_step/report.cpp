@@ -14,6 +14,7 @@ PageContent page_content(const design::Settings& s, const Summary& sum, const Re
                                        "electrical degrees, {:g} s at {:g} MHz.",
                                        sum.engine, sum.angle_deg, sum.simulated_s, s.control.clock_hz / 1e6),
                    .failures = sum.failures(),
+                   .advice = sum.advice,
                    .cards = {},
                    .changes = {},
                    .float_errors = sum.float_errors,
@@ -30,7 +31,6 @@ PageContent page_content(const design::Settings& s, const Summary& sum, const Re
       {sum.loaded_power ? fmt::format("{:.1f} %", 100 * sum.loaded_power->efficiency()) : "-", "efficiency under the load step"},
       {fmt::format("{}", sum.step_outs), "steps slipped"},
       {fmt::format("{:.1f} M/s", sum.clocks_per_cpu_second / 1e6), "clocks simulated"}};
-  for (const std::string& line : sum.advice) page.failures.push_back("advice: " + line);
   for (const StateChange& c : record.changes) {
     page.changes.push_back({c.time, name_of(c.state), c.reason == Reason::kNone ? "" : name_of(c.reason)});
   }
