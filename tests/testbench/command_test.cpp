@@ -107,7 +107,7 @@ TEST(Command, APartOfAPageThatIsNotThereIsRefused) {
   EXPECT_EQ(paper.output, "--section 11 is not measured: name one of 1 to 10\n");
   // Its first section is of all others.
   EXPECT_EQ(steplock("paper matsui1996 --section 1 --drives " + drives + out).output,
-            "--section 1 is not measured: name one of 2 to 9\n");
+            "--section 1 is not measured: name one of 2 to 10\n");
   const Result range = steplock("range " + drives + "/br2804_drone.toml --from 2e6" + out);
   EXPECT_EQ(range.exit_code, 2);
   EXPECT_EQ(range.output, "--from 2e+06 leaves no speed: name one up to 1.2e+06\n");
