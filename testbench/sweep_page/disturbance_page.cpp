@@ -46,6 +46,11 @@ std::string head(const SweepSetup& setup, const Json& j, std::size_t runs) {
                    "confidence at most {:.3f} % of such runs do not end as they must (exact binomial bound).\n\n",
                    runs, well, j["silent_step_outs"].get<int>(), j["rtl_repeats"].get<int>(),
                    j["rtl_differing"].get<int>(), 100 * share_at_most(runs - well, runs));
+  for (const Json& d : j["rtl_differences"]) {
+    t += fmt::format("- {} with seed {} first differs on the RTL in {}.\n", d["drive"].get<std::string>(), d["seed"].get<std::uint64_t>(),
+                     d["first"].get<std::string>());
+  }
+  if (!j["rtl_differences"].empty()) t += "\n";
   return t;
 }
 

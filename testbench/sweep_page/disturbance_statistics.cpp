@@ -91,6 +91,10 @@ Json disturbance_json(const SweepSetup& setup, const std::vector<Row>& rows, boo
   j["passed"] = passed;
   j["rtl_repeats"] = on_rtl.size();
   j["rtl_differing"] = std::ranges::count_if(on_rtl, [](const Row* r) { return r->rtl != "equal"; });
+  j["rtl_differences"] = Json::array();
+  for (const Row* r : on_rtl) {
+    if (r->rtl != "equal") j["rtl_differences"].push_back({{"drive", r->drive}, {"seed", r->seed}, {"first", r->rtl}});
+  }
   const auto per_kind = [&](const std::function<bool(const Row&)>& wanted) {
     Json kinds = Json::object();
     for (int k = 0; k < kTroubles; ++k) {
@@ -137,6 +141,9 @@ std::string disturbance_text(const SweepSetup& setup, const std::vector<Row>& ro
   line("all", j);
   t += fmt::format("repeated on the RTL: {}, {} of them differ\n", j["rtl_repeats"].get<int>(),
                    j["rtl_differing"].get<int>());
+  for (const Json& d : j["rtl_differences"]) {
+    t += fmt::format("  {} {}: {}\n", d["drive"].get<std::string>(), d["seed"].get<std::uint64_t>(), d["first"].get<std::string>());
+  }
   if (rows.size() != setup.runs) t += fmt::format("{} of {} runs are missing\n", setup.runs - rows.size(), setup.runs);
   for (const Json& f : j["failures"]) {
     t += fmt::format("  FAILED: {} --replay {}: {}, {} ({})\n", f["drive"].get<std::string>(),

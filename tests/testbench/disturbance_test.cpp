@@ -207,5 +207,19 @@ TEST(Disturbance, ARunOfTheMatrixIsTheSameRowAgainAndItsLossFailsTheSweep) {
   EXPECT_NE(disturbance_page(setup, {lost}, false).find(std::to_string(kSeed.value)), std::string::npos);
 }
 
+TEST(Disturbance, ARunThatDiffersOnTheRtlIsNamedWithItsPortAndClock) {
+  const design::Settings s = calm_drive();
+  Row differs = *make_row(0, "short", s, kSeed);
+  const SweepSetup setup{.kind = {.matrix = Matrix::kDisturb}, .runs = 1, .drives = {{"short", "x"}}};
+  differs.rtl = "equal";
+  EXPECT_TRUE(passed(setup, {differs}));
+  EXPECT_EQ(disturbance_page(setup, {differs}, true).find("differs on the RTL"), std::string::npos);
+  differs.rtl = "gates_uh_o at clock 7";
+  EXPECT_FALSE(passed(setup, {differs}));
+  const std::string said = std::to_string(kSeed.value) + " first differs on the RTL in gates_uh_o at clock 7";
+  EXPECT_NE(disturbance_page(setup, {differs}, false).find(said), std::string::npos);
+  EXPECT_NE(disturbance_text(setup, {differs}, false).find(std::to_string(kSeed.value) + ": gates_uh_o at clock 7"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace steplock
