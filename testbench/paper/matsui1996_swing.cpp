@@ -85,17 +85,18 @@ PaperSection causes_of_the_swing(const design::Settings& drive, const PaperOptio
     table += "\n";
   }
   const double lost_v = drive.inverter.dead_time_s * drive.control.pwm_hz * drive.inverter.bus_v;
-  const double emf_v = design::sinusoidal::design_drive(drive).parameters.motor.k_e * design::sinusoidal::speed_of(drive, kVoltage);
+  const double emf_v = drive.motor.flux_vs * design::sinusoidal::speed_of(drive, kVoltage);  // of a phase
   PaperSection s{
       .title = "What swings at low speed",
       .text = fmt::format(
           "The slowest points of the paper again, without load and without gamma current; one thing at a time is another. Swing of the "
-          "true speed about its mean, peak to peak, in % of the speed: the median of {} runs with other noise of the ADCs, and the least "
-          "and the greatest. It is no matter of the arithmetic: the reference in doubles swings as well. What swings is dead time where "
-          "the currents are near zero: which of two diodes then holds a terminal nobody measures, {:g} us at each edge are {:.1f} V of "
-          "{:.1f} V of EMF at {:g} r/min, and what makes up for them goes by a sign that is as often wrong as right. With an eighth of "
-          "the dead time {:.2g} % are left of {:.2g}. A gamma current moves the currents out of that band and costs copper alone; torque "
-          "does the same. At {:g} r/min the noise decides whether the lock lasts: `fixed` loses {} of its {} runs, `float` {}.{}",
+          "true speed about its mean, peak to peak, in % of the speed: of {} runs with other noise of the ADCs the median of what is "
+          "held, and the least and the greatest. It is no matter of the arithmetic: the reference in doubles swings as well. What swings "
+          "is dead time where the currents are near zero: which of two diodes then holds a terminal nobody measures. {:g} us in a period "
+          "take {:.1f} V from a phase whose EMF has a peak of {:.1f} V at {:g} r/min, and what makes up for them goes by a sign that is "
+          "as often wrong as right. With an eighth of the dead time {:.2g} % are left of {:.2g}. A gamma current moves the currents out "
+          "of that band and costs copper alone; torque does the same. At {:g} r/min the noise decides whether the lock lasts: `fixed` "
+          "loses {} of its {} runs, `float` {}.{}",
           kSeeds, 1e6 * drive.inverter.dead_time_s, lost_v, emf_v, kVoltage, short_dead_time, as_it_is, kCurrent, lost[0], kSeeds, lost[1],
           table)};
   if (!(short_dead_time < as_it_is / 2)) s.failures.push_back("dead time as what makes the speed swing");
