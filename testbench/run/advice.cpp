@@ -24,8 +24,18 @@ Torque torque_of(const design::Settings& s) {
     const double k_e = design::motor_constants(s).k_e;
     return {k_e * s.sensors.limit_a, k_e * s.motor.rated_current_a};
   }
-  const double k_t = 1.5 * s.motor.pole_pairs * s.motor.flux_vs;
-  return {k_t * design::sinusoidal::design_drive(s).parameters.speed.limit, k_t * s.motor.rated_current_a};
+  const double k_t = 1.5 * s.motor.pole_pairs * s.motor.flux_vs;  // of a phase's peak; the design's currents are power-invariant
+  return {k_t * design::sinusoidal::design_drive(s).parameters.speed.limit / std::sqrt(1.5), k_t * s.motor.rated_current_a};
+}
+
+// A sinusoidal drive takes a step as fast as its current control is, where the bus has the voltage for that current at the set speed.
+std::string more_current(const design::Settings& s, double load) {
+  if (s.drive.kind == design::DriveKind::kSixStep) return {};
+  const auto& p = design::sinusoidal::design_drive(s).parameters;
+  const double w = design::sinusoidal::speed_of(s, s.scenario.speed_rpm), ampere = load / (1.5 * s.motor.pole_pairs * s.motor.flux_vs);
+  const double volts = std::hypot(w * s.motor.flux_vs + p.motor.resistance * ampere, w * p.motor.inductance_q * ampere);
+  if (volts > 0.9 * s.inverter.bus_v / std::numbers::sqrt3) return {};
+  return fmt::format(", or raise sinusoidal.current_limit_a to {:.3g}", 1.2 * ampere);  // a fifth to speed up with
 }
 
 }  // namespace
@@ -57,8 +67,7 @@ std::string load_step_beyond(const design::Settings& s) {
   if (step + own <= most || own >= most) return {};
   // What is left would do for a load that comes slowly; a step stops a light rotor before speed control sees it.
   return fmt::format("the load step asks for {:.3g} N m beside {:.3g} of friction and load, and the limit's current gives {:.3g}: lower "
-                     "scenario.load_step_nm to {:.2g}, or raise sensors.limit_a", step, own, most,
-                     std::min(0.8 * (most - own), rated / 2));
+                     "scenario.load_step_nm to {:.2g}{}", step, own, most, std::min(0.8 * (most - own), rated / 2), more_current(s, step + own));
 }
 
 }  // namespace steplock

@@ -160,6 +160,24 @@ TEST(Advice, ALoadStepThatTheLimitDoesNotCarryIsToldWhichItDoes) {
   EXPECT_TRUE(followed.failures().empty()) << why(followed);
 }
 
+// Or how much current it takes, where the bus has the voltage for it.
+TEST(Advice, ALoadStepThatMoreCurrentOfASinusoidalDriveWouldCarryIsToldHowMuch) {
+  const RunOptions options{.engine = EngineKind::kFixed};
+  const auto run = [&](const design::Settings& x) { return sinusoidal::summarise(x, options, sinusoidal::run(x, options)); };
+  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/matsui1996.toml").settings;
+  s.scenario.stop_s.reset();
+  s.scenario.load_step_nm = 15;  // 14.4 of which its limit of 1.5 times the rated current gives
+  const auto failed = run(s);
+  EXPECT_FALSE(failed.failures().empty());
+  ASSERT_EQ(failed.advice.size(), 1u) << to_text(failed);
+  s.sinusoidal.current_limit_a = value_behind(failed.advice[0], "or raise sinusoidal.current_limit_a to ");
+  const auto followed = run(s);
+  EXPECT_TRUE(followed.failures().empty()) << to_text(followed);
+  s.sinusoidal.current_limit_a.reset();
+  s.scenario.load_step_nm = 20;  // for whose current the bus has no voltage at this speed
+  EXPECT_THAT(run(s).advice.at(0), testing::Not(HasSubstr("raise")));
+}
+
 // The sinusoidal drive gets the same of both.
 TEST(Advice, ASinusoidalDriveIsToldHowLongItTakesAndWhichLoadItCarries) {
   design::Settings s = open_drive_file(STEPLOCK_DRIVES "/m2310p_sinusoidal.toml").settings;
