@@ -54,8 +54,8 @@ std::string ends_too_soon(const design::Settings& s, const Gaining& g) {
   }
   // A swing about the end of the ramp, and as long again for the mean that is judged.
   const double until = g.to_s + 2 * missing / gains + 0.5 * g.to_s;
-  return fmt::format("the rotor still gains {:.3g} r/min a second and is at {:.0f} of {:.0f}: raise scenario.{} to {:.2g}{}", gains, g.to_rpm, n.speed_rpm, key,
-                     until, key == "duration_s" ? "" : ", and what follows by as much");
+  return fmt::format("the rotor still gains {:.3g} r/min a second and is at {:.0f} of {:.0f}: raise scenario.{} to {:.2g}{}", gains,
+                     g.to_rpm, n.speed_rpm, key, until, key == "duration_s" ? "" : ", and what follows by as much");
 }
 
 std::string load_step_beyond(const design::Settings& s) {
@@ -67,7 +67,8 @@ std::string load_step_beyond(const design::Settings& s) {
   if (step + own <= most || own >= most) return {};
   // What is left would do for a load that comes slowly; a step stops a light rotor before speed control sees it.
   return fmt::format("the load step asks for {:.3g} N m beside {:.3g} of friction and load, and the limit's current gives {:.3g}: lower "
-                     "scenario.load_step_nm to {:.2g}{}", step, own, most, std::min(0.8 * (most - own), rated / 2), more_current(s, step + own));
+                     "scenario.load_step_nm to {:.2g}{}", step, own, most, std::min(0.8 * (most - own), rated / 2),
+                     more_current(s, step + own));
 }
 
 }  // namespace steplock
