@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "model/design/sinusoidal/config.hpp"
 #include "model/design/sinusoidal/design.hpp"
@@ -12,7 +11,6 @@
 namespace steplock::sinusoidal {
 namespace {
 
-constexpr double kUniform = 0.29;  // standard deviation, of its width
 constexpr double kTurn = 2 * std::numbers::pi;
 const double kRoot = std::sqrt(1.5);  // a power-invariant vector over a phase's peak
 
@@ -28,13 +26,8 @@ ControlShadow::ControlShadow(const design::Settings& s, const design::sinusoidal
       nominal_period_(p.pwm.period),
       bus_(s.inverter.bus_v) {
   const auto q = design::sinusoidal::quantise(s);
-  const auto rounded = [&](const char* name) {
-    const auto row = std::ranges::find(q.rows, name, &design::WordRow::name);
-    if (row == q.rows.end()) throw std::logic_error(std::string("no word ") + name);
-    return row->wanted == 0 ? 0 : std::abs(row->error() / row->wanted);
-  };
-  k_p_ = rounded("control.k_p"), k_i_ = rounded("control.k_i");
-  inductance_ = rounded("control.inductance"), emf_ = rounded("control.emf");
+  k_p_ = rounded(q.rows, "control.k_p"), k_i_ = rounded(q.rows, "control.k_i");
+  inductance_ = rounded(q.rows, "control.inductance"), emf_ = rounded(q.rows, "control.emf");
   period_ = q.config["bridge.period"], minimum_ = q.config["bridge.minimum"];
   lost_ = p.applied.dead_time * s.control.clock_hz * (1 + 2 * p.applied.diode_drop / bus_);
 }

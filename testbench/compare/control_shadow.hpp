@@ -19,6 +19,7 @@
 #include "model/design/design.hpp"
 #include "model/design/sinusoidal/parameters.hpp"
 #include "testbench/compare/differences.hpp"
+#include "testbench/compare/rounding.hpp"
 
 namespace steplock::sinusoidal {
 
@@ -34,10 +35,7 @@ class ControlShadow {
   // Of the last sample: legs fixed less float, clocks, those in doubt left out.
   const std::vector<double>& clocks() const { return clocks_; }
   // The greatest of what lasts, and of the standard deviation, in the samples of which it was asked.
-  struct Error {
-    double bias = 0, scatter = 0;
-  };
-  Error error() const { return error_; }
+  Rounding error() const { return error_; }
 
  private:
   double axis(double& x, double error, double known, double limit) const;
@@ -49,7 +47,7 @@ class ControlShadow {
   double x_gamma_ = 0, x_delta_ = 0;                 // V
   std::size_t samples_ = 0;
   std::vector<double> clocks_;
-  Error error_;
+  Rounding error_;
 };
 
 }  // namespace steplock::sinusoidal

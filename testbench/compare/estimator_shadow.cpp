@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "model/design/sinusoidal/config.hpp"
 #include "model/reference/sinusoidal/current_model.hpp"
 #include "testbench/compare/control_shadow.hpp"
 #include "testbench/compare/differences.hpp"
+#include "testbench/compare/rounding.hpp"
+#include "testbench/compare/speed_shadow.hpp"
 #include "testbench/run/drive_loop.hpp"
 #include "testbench/drive/sinusoidal/fixed_engine.hpp"
 
@@ -18,7 +19,6 @@ namespace {
 namespace exact = reference::sinusoidal;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kUniform = 0.29;  // standard deviation, of its width
 
 // What a sample showed, in turns; Delta i's sources in full scales.
 struct Compared {
@@ -32,7 +32,8 @@ struct Compared {
 // The blocks drive.  Orders are those under which a sample is taken: what the sequence said when the one before came.
 class ShadowedEngine {
  public:
-  ShadowedEngine(const design::Settings& s, const design::sinusoidal::Parameters& p, double sense)
+  // `from_s`: when the span begins.
+  ShadowedEngine(const design::Settings& s, const design::sinusoidal::Parameters& p, double sense, double from_s)
       : fixed_(s, adc_parameters(s)),
         adc_(adc_parameters(s)),
         p_(p),
@@ -43,7 +44,9 @@ class ShadowedEngine {
         applied_(p.applied),
         current_model_(p.motor, p.current_model, p.pwm.period),
         voltage_model_(p.motor, p.voltage_model, p.pwm.period),
-        control_(s, p) {}
+        control_(s, p),
+        speed_(s, p),
+        from_s_(from_s) {}
 
   void set_pins(const plant::Pins&) {}
   void set_command(const HostCommand& c) {
@@ -75,7 +78,8 @@ class ShadowedEngine {
   View view() const { return fixed_.view(); }
 
   const std::vector<Compared>& compared() const { return compared_; }
-  ControlShadow::Error legs_error() const { return control_.error(); }
+  Rounding legs_error() const { return control_.error(); }
+  const SpeedShadow& regulator() const { return speed_; }
 
  private:
   double on(LegClocks clocks) const { return static_cast<double>(clocks.raw()) / period_clocks_; }
@@ -93,13 +97,17 @@ class ShadowedEngine {
     }
     const double lsb = adc_.current_lsb(), u = (codes_[0] - offset_[0]) * lsb * sense_, v = (codes_[1] - offset_[1]) * lsb;
     const exact::Phases now{u, v, -u - v};
-    if (regulates_) {
-      control_.take(out, shown_);
-    } else {
-      control_.rest();
-    }
     const bool estimates = ordered_ == State::kStarting || ordered_ == State::kRun || ordered_ == State::kSlowDown;
     const double angle = static_cast<double>(out.angle.raw()) / (1 << 24);
+    if (regulates_) {
+      control_.take(out, shown_);
+      // This angle tells the step of the sample before.
+      if (regulated_) speed_.take(shown_, std::remainder(angle - angle_, 1), way_, static_cast<double>(clock_) / clock_hz_ > from_s_);
+    } else {
+      control_.rest();
+      speed_.rest();
+    }
+    regulated_ = regulates_;
     if (estimates) {
       follow(out, angle, now);
     } else {
@@ -158,25 +166,17 @@ class ShadowedEngine {
   State ordered_ = State::kIdle, next_orders_ = State::kIdle;
   exact::Phases ended_ = {}, running_ = {}, before_ = {};
   int calibrated_ = 0, way_ = 1;
-  bool done_ = false, estimated_ = false, read_ = false, regulates_ = false;
+  bool done_ = false, estimated_ = false, read_ = false, regulates_ = false, regulated_ = false;
   double angle_ = 0;  // turns, at the sample before
   SinusoidalTop::Out shown_;  // likewise
   ControlShadow control_;
+  SpeedShadow speed_;
+  double from_s_;
   std::vector<Compared> compared_;
 };
 
-// Relative error of a word.
-double rounded(const std::vector<design::WordRow>& rows, const std::string& name) {
-  const auto row = std::ranges::find(rows, name, &design::WordRow::name);
-  if (row == rows.end()) throw std::logic_error("no word " + name);
-  return row->wanted == 0 ? 0 : std::abs(row->error() / row->wanted);
-}
-
 // What word lengths put into a step, in turns: what lasts and what scatters; estimator_shadow.hpp has the equations.
-struct StepError {
-  double bias, scatter;
-};
-StepError step_error(const design::Settings& s, const std::vector<Compared>& all) {
+Rounding step_error(const design::Settings& s, const std::vector<Compared>& all) {
   const auto q = design::sinusoidal::quantise(s);
   const auto word = [&](const char* name, int fraction) { return std::ldexp(q.config[name], -fraction); };
   const double gain = word("estimator.gain", 13), decay = word("estimator.decay", 15), k_theta = word("estimator.k_theta", 14);
@@ -215,7 +215,7 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   // What the bridge does is the blocks': their gate guard has a floor.
   parameters.applied.dead_time =
       std::max(parameters.applied.dead_time, design::sinusoidal::kDeadTimeFloor / s.control.clock_hz);
-  ShadowedEngine engine(s, parameters, sense);
+  ShadowedEngine engine(s, parameters, sense, result.from_s);
   run_recorded<ShadowedEngine, Recorder>(engine, part, {.angle_deg = blocks.angle_deg, .progress = progress});
 
   std::vector<Compared> all = engine.compared();
@@ -224,7 +224,7 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   if (all.empty()) return result;
   const double slowest = std::ranges::min(all, {}, &Compared::turns).turns;
   const double taken_away = 2 * kTurn * slowest;  // of an angle's error, per sample
-  const StepError step = step_error(s, all);
+  const Rounding step = step_error(s, all);
   const double rpm = rpm_of_steps(6 * s.control.pwm_hz, s.motor.pole_pairs);  // of a turn per sample
   Differences angle, speed, gamma, delta, legs;
   double longest = 0;
@@ -240,11 +240,15 @@ FloatErrors shadow_errors(const design::Settings& s, const Result& blocks, const
   const double lasts = 0.5 * place + 2 * std::ldexp(1, -15) * std::numbers::sqrt2 * longest;
   const double scatters = kUniform * std::numbers::sqrt2 * place;
   constexpr double kCut = 1.0 / 131072;  // turns: sine and cosine are those of 16 bits of the angle, cut
+  const SpeedShadow& regulator = engine.regulator();
   result.signals = {angle.beside(row("estimated angle", "deg", 360 * (step.bias / taken_away + kCut),
                                      360 * step.scatter / std::sqrt(2 * taken_away))),
                     speed.beside(row("momentary speed", "rpm", rpm * step.bias, rpm * step.scatter)),
                     gamma.beside(row("current, gamma", "A", lasts, scatters)), delta.beside(row("current, delta", "A", lasts, scatters)),
-                    legs.beside(row("on-time", "clocks", engine.legs_error().bias, engine.legs_error().scatter))};
+                    legs.beside(row("on-time", "clocks", engine.legs_error().bias, engine.legs_error().scatter)),
+                    regulator.speed().beside(row("smoothed speed", "rpm", regulator.speed_error().bias, regulator.speed_error().scatter)),
+                    regulator.current().beside(
+                        row("wanted current", "A", regulator.current_error().bias, regulator.current_error().scatter))};
   return result;
 }
 

@@ -1,6 +1,9 @@
 // The three forms of the sinusoidal drive against each other, each time with a negative control.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "model/design/sinusoidal/design.hpp"
 #include "testbench/compare/compare.hpp"
 #include "testbench/compare/estimator_shadow.hpp"
@@ -34,7 +37,7 @@ TEST(SinusoidalCompare, RtlEqualsFixedOnEveryClockAndFloatStaysWithinTheBudget) 
   EXPECT_EQ(c.lockstep.clocks, static_cast<std::uint64_t>(0.36 * start().control.clock_hz));
   EXPECT_TRUE(c.lockstep.equal()) << c.lockstep.first_port << " at " << c.lockstep.first_clock;
   EXPECT_GT(c.shadow.count, 100u);
-  EXPECT_EQ(c.shadow.signals.size(), 5u);
+  EXPECT_EQ(c.shadow.signals.size(), 7u);
   EXPECT_TRUE(c.shadow.within()) << to_text(c.shadow);
   EXPECT_TRUE(c.passed());
   EXPECT_EQ(c.own.size(), 7u);
@@ -69,7 +72,7 @@ TEST(SinusoidalCompare, AnotherGainOfAnAdcIsFoundInTheCurrents) {
   const auto blocks = SinusoidalDrive::summarise(s, options, record);
   for (const double sense : {1.0, 1.002}) {
     const FloatErrors e = sinusoidal::shadow_errors(s, blocks, {}, {}, sense);
-    ASSERT_EQ(e.signals.size(), 5u);
+    ASSERT_EQ(e.signals.size(), 7u);
     EXPECT_EQ(e.signals[2].budget.name, std::string("current, gamma"));
     EXPECT_EQ(e.signals[3].budget.name, std::string("current, delta"));
     EXPECT_EQ(e.signals[2].within(), sense == 1) << to_text(e);
@@ -132,21 +135,42 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"of_the_voltage_model_has_half_more_k_si", kVoltage, [](auto& p) { p.voltage_model.k_si *= 1.5; }}),
     [](const auto& info) { return info.param.name; });
 
-// Of the regulator and the modulator the on-times tell, whatever the other signals do.
-class ASinusoidalRegulator : public testing::TestWithParam<Spoilt> {};
+// Of each regulator its own signal tells, whatever the others do.
+bool within(const Comparison& c, const std::string& signal) {
+  const auto at = std::ranges::find(c.shadow.signals, signal, [](const SignalError& e) { return std::string(e.budget.name); });
+  if (at == c.shadow.signals.end()) throw std::logic_error("no signal " + signal);
+  return at->within();
+}
 
-TEST_P(ASinusoidalRegulator, ThatDiffersFromTheDesignIsFoundInTheOnTimes) {
+class ASinusoidalCurrentControl : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(ASinusoidalCurrentControl, ThatDiffersFromTheDesignIsFoundInTheOnTimes) {
   const design::Settings s = GetParam().scenario();
   Parameters p = design::sinusoidal::design_drive(s).parameters;
   GetParam().spoil(p);
   const Comparison c = compare_engines(s, {.lockstep = false, .sinusoidal_reference = p});
-  ASSERT_EQ(c.shadow.signals.size(), 5u);
-  EXPECT_EQ(c.shadow.signals[4].budget.name, std::string("on-time"));
-  EXPECT_FALSE(c.shadow.signals[4].within()) << to_text(c.shadow);
+  EXPECT_FALSE(within(c, "on-time")) << to_text(c.shadow);
 }
 
+class ASinusoidalSpeedRegulator : public testing::TestWithParam<Spoilt> {};
+
+TEST_P(ASinusoidalSpeedRegulator, ThatDiffersFromTheDesignIsFoundInTheWantedCurrent) {
+  const design::Settings s = GetParam().scenario();
+  Parameters p = design::sinusoidal::design_drive(s).parameters;
+  GetParam().spoil(p);
+  const Comparison c = compare_engines(s, {.lockstep = false, .sinusoidal_reference = p});
+  EXPECT_FALSE(within(c, "wanted current")) << to_text(c.shadow);
+  EXPECT_TRUE(within(c, "on-time")) << to_text(c.shadow);
+}
+
+INSTANTIATE_TEST_SUITE_P(SinusoidalCompare, ASinusoidalSpeedRegulator,
+                         testing::Values(Spoilt{"has_half_a_percent_more_k_p", kCurrent, [](auto& p) { p.speed.kp *= 1.005; }},
+                                         Spoilt{"has_half_a_percent_more_k_i", kCurrent, [](auto& p) { p.speed.ki *= 1.005; }},
+                                         Spoilt{"filters_1_percent_faster", kCurrent, [](auto& p) { p.speed.filter *= 1.01; }}),
+                         [](const auto& info) { return info.param.name; });
+
 INSTANTIATE_TEST_SUITE_P(
-    SinusoidalCompare, ASinusoidalRegulator,
+    SinusoidalCompare, ASinusoidalCurrentControl,
     testing::Values(
         Spoilt{"has_25_percent_more_k_p", kCurrent, [](auto& p) { p.current.kp_delta *= 1.25; }, loaded_by_the_rated_torque},
         Spoilt{"has_2_percent_more_k_i", kCurrent, [](auto& p) { p.current.ki_delta *= 1.02; }, loaded_by_the_rated_torque},
@@ -162,7 +186,7 @@ TEST(SinusoidalCompare, EveryDriveIsWithinItsBudget) {
   for (const char* file : {"br2804_sinusoidal", "ipm_2k2", "matsui1996"}) {
     const design::Settings s = load_drive_file(std::string(STEPLOCK_DRIVES "/") + file + ".toml").settings;
     const Comparison c = compare_engines(s, {.lockstep = false});
-    EXPECT_EQ(c.shadow.signals.size(), 5u) << file;
+    EXPECT_EQ(c.shadow.signals.size(), 7u) << file;
     EXPECT_TRUE(c.shadow.within()) << file << "\n" << to_text(c.shadow);
   }
 }
