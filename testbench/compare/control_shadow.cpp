@@ -22,18 +22,16 @@ ControlShadow::ControlShadow(const design::Settings& s, const design::sinusoidal
     : p_(p),
       current_(design::sinusoidal::current_range(s)),
       voltage_(design::sinusoidal::voltage_range(s)),
-      speed_(kTurn / 16 * s.control.pwm_hz),
-      nominal_period_(p.pwm.period),
-      bus_(s.inverter.bus_v) {
+      speed_(kTurn / 16 * s.control.pwm_hz) {
   const auto q = design::sinusoidal::quantise(s);
   k_p_ = rounded(q.rows, "control.k_p"), k_i_ = rounded(q.rows, "control.k_i");
   inductance_ = rounded(q.rows, "control.inductance"), emf_ = rounded(q.rows, "control.emf");
   period_ = q.config["bridge.period"], minimum_ = q.config["bridge.minimum"];
-  lost_ = p.applied.dead_time * s.control.clock_hz * (1 + 2 * p.applied.diode_drop / bus_);
+  lost_ = p.applied.dead_time * s.control.clock_hz * (1 + 2 * p.applied.diode_drop / s.inverter.bus_v);
 }
 
 double ControlShadow::axis(double& x, double error, double known, double limit) const {
-  const double moved = x + p_.current.ki_delta * nominal_period_ * error;
+  const double moved = x + p_.current.ki_delta * p_.pwm.period * error;
   const double wanted = moved + p_.current.kp_delta * error + known;
   const bool above = wanted > limit, below = wanted < -limit;
   if (!(above && error >= 0) && !(below && error < 0)) x = moved;
@@ -53,7 +51,7 @@ void ControlShadow::take(const SinusoidalTop::Out& out, const SinusoidalTop::Out
   const double u_delta = axis(x_delta_, set_delta - delta, w_l * gamma + w_k, std::max(0.0, left));
 
   // A sample and a half on.
-  const double angle = kTurn * static_cast<double>(out.angle.raw() >> 8) / 65536 + 1.5 * w * nominal_period_;
+  const double angle = kTurn * static_cast<double>(out.angle.raw() >> 8) / 65536 + 1.5 * w * p_.pwm.period;
   const double cosine = std::cos(angle), sine = std::sin(angle);
   const auto phases = [&](double x, double y) {
     const double alpha = x * cosine - y * sine, beta = x * sine + y * cosine, side = std::numbers::sqrt3 / 2 * beta;

@@ -42,8 +42,8 @@ class ControlShadow {
 
   design::sinusoidal::Parameters p_;
   double current_, voltage_, speed_;                 // full scales: A and V of a phase's peak, electrical rad/s
-  double period_, minimum_, lost_, nominal_period_;  // clocks; s
-  double k_p_, k_i_, inductance_, emf_, bus_;        // relative errors of the words; V
+  double period_, minimum_, lost_;                   // clocks
+  double k_p_, k_i_, inductance_, emf_;              // relative errors of the words
   double x_gamma_ = 0, x_delta_ = 0;                 // V
   std::size_t samples_ = 0;
   std::vector<double> clocks_;

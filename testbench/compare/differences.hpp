@@ -19,7 +19,9 @@ class Differences {
     greatest_ = std::max(greatest_, std::abs(d));
   }
   SignalError beside(const design::BudgetRow& budget) const {
-    const double n = std::max(1.0, static_cast<double>(count_));
+    // What was never compared is within no bound.
+    if (count_ == 0) return {budget, std::nan(""), std::nan(""), std::nan("")};
+    const auto n = static_cast<double>(count_);
     return {budget, sum_ / n, std::sqrt(squares_ / n), greatest_};
   }
 

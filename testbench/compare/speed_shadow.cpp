@@ -32,7 +32,7 @@ void SpeedShadow::take(const SinusoidalTop::Out& shown, double step, int way, bo
   const double behind = way * step * kTurn / period_ - speed_;
   speed_ += filter_ * behind;
   const double error = target_ - speed_, current = way * place_current_ * static_cast<double>(shown.wanted.raw());
-  // The reference shows in places; it is there once it has had the time for two of them more.
+  // The reference shows in places, cut: from near on it has two and a half of them to go at most.
   const bool near = std::abs(place_speed_ * static_cast<double>(shown.reference.raw()) - target_) < 1.5 * place_speed_;
   arrived_s_ = near ? arrived_s_ + period_ : 0;
   if (!span || arrived_s_ * p_.slew < 3 * place_speed_) {

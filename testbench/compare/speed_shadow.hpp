@@ -26,7 +26,7 @@ class SpeedShadow {
   SpeedShadow(const design::Settings&, const design::sinusoidal::Parameters&);
 
   // Without regulation.
-  void rest() { speed_ = 0, begun_ = false; }
+  void rest() { speed_ = arrived_s_ = 0, begun_ = false; }
   // `shown`: a sample whose step, in turns, the next one's angle has told; `span`: it is to be compared; `way`: 1 or -1.
   void take(const SinusoidalTop::Out& shown, double step, int way, bool span);
 

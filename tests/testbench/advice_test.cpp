@@ -231,6 +231,19 @@ TEST(Advice, ARotorThatSwingsForWantOfCurrentIsToldWhichCurrent) {
   }
 }
 
+// A rotor that a weight swings at 1200 r/min is told nothing of dead time: there it takes a twentieth of the EMF.
+TEST(Advice, ARotorThatAWeightSwingsIsToldOfNoCurrent) {
+  const RunOptions options{.engine = EngineKind::kFixed};
+  design::Settings s = open_drive_file(STEPLOCK_DRIVES "/matsui1996.toml").settings;
+  drop_events(s.scenario);
+  s.load.unbalance_nm = 8;
+  s.scenario.duration_s = 1.5;
+  const auto r = sinusoidal::summarise(s, options, sinusoidal::run(s, options));
+  ASSERT_TRUE(r.locked) << to_text(r);
+  EXPECT_GT(r.ripple.speed_rpm.greatest - r.ripple.speed_rpm.least, 0.25 * 1200) << to_text(r);
+  EXPECT_THAT(r.advice, testing::Not(testing::Contains(HasSubstr("i_gamma_a"))));
+}
+
 // And one that swings little is told nothing.
 TEST(Advice, ASinusoidalDriveThatRunsWellGetsNone) {
   const RunOptions options{.engine = EngineKind::kFixed};

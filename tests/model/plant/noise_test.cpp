@@ -10,7 +10,7 @@
 namespace steplock::plant {
 namespace {
 
-// SplitMix64 from seed 0 gives 0xE220A8397B1DCDAF and then 0x6E789E6AA1B965F4 (Steele, Lea and Flood 2014; the values are its authors').
+// SplitMix64 from seed 0 gives 0xE220A8397B1DCDAF and then 0x6E789E6AA1B965F4, as is known of it (Steele, Lea and Flood 2014).
 // The first is the stream of seed 0 and source 0; cells are chosen here so that it is scrambled to either of the two.
 TEST(Noise, GaussianIsBoxAndMullersOfSplitMix64) {
   const std::uint64_t first = 0xE220A8397B1DCDAFu, second = 0x6E789E6AA1B965F4u;
