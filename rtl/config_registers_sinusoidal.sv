@@ -34,7 +34,7 @@ module config_registers_sinusoidal (
     input  logic [3:0]  request_strobes_i,  // bytes of `data` that count
     input  logic        stopped_i,  // stopped and keyed words may change
     input  logic        boundary_i,  // strobe: shadowed words are taken over
-    output logic [13:0] config_bridge_period_o,  // clocks; 480 at least, a sample's
+    output logic [13:0] config_bridge_period_o,  // clocks; 477 at least, a sample's
     output logic [13:0] config_bridge_minimum_o,  // clocks; shorter on or off times become 0 % or 100 %
     output logic [7:0]  config_bridge_dead_time_o,  // clocks; the guard's floor wins
     output logic [11:0] config_bridge_dead_time_loss_o,  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -94,7 +94,7 @@ module config_registers_sinusoidal (
     output logic        unlocked_o,  // the lock is open
     output logic        no_period_o  // with this PWM period the bridge has to stay off
 );
-  logic [13:0] config_bridge_period;  // clocks; 480 at least, a sample's
+  logic [13:0] config_bridge_period;  // clocks; 477 at least, a sample's
   logic [13:0] config_bridge_minimum;  // clocks; shorter on or off times become 0 % or 100 %
   logic [7:0] config_bridge_dead_time;  // clocks; the guard's floor wins
   logic [11:0] config_bridge_dead_time_loss;  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -481,7 +481,7 @@ module config_registers_sinusoidal (
   assign hole_o = request_index_i[9:6] != 4'd0 || entry_of_rules == 3'd0;
   assign refused_o = !allowed;
   assign unlocked_o = unlocked;
-  assign no_period_o = config_bridge_period[13:5] < 9'd15;
+  assign no_period_o = config_bridge_period < 14'd477;
 
   // What nothing reads, for the linters.
   wire unused = &{1'b0, request_data_i[31]};

@@ -18,7 +18,7 @@
 //
 //     `sample` to the hold of u         2 clocks; v and dc one and two frames of SpiAdc later
 //     `sample` to codes                 98 half + 2 quiet + 5 clocks
-//     codes to new on-times             234 clocks
+//     codes to new on-times             229 clocks
 //     `sample` to the end of it         `clocks_of_a_sample`: a period has to be as long
 //     fault pin to all six gates off    3 clocks, as without this block around it
 //     `run` low to the drive            2 clocks, all gates off another 2 when it coasts
@@ -41,7 +41,7 @@ module sinusoidal_standalone (
     input  logic [2:0]  adc_v_i,  // channel of the current of phase v
     input  logic [2:0]  adc_dc_i,  // channel of the dc voltage
     input  logic        adc_twice_i,  // the range is twice the reference, not once
-    input  logic [13:0] config_bridge_period_i,  // clocks; 480 at least, a sample's
+    input  logic [13:0] config_bridge_period_i,  // clocks; 477 at least, a sample's
     input  logic [13:0] config_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  config_bridge_dead_time_i,  // clocks; the guard's floor wins
     input  logic [11:0] config_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop

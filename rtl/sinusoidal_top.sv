@@ -17,8 +17,8 @@
 // and give their codes with `valid` so early that the sample is done before the next period.  Codes
 // that come while one is under way are not taken, and DriveProtection counts the lost sample.
 //
-//     `sample` to new on-clocks          235 clocks, if the codes come at once
-//     `sample` to `done`                 480 clocks: less than a period
+//     `sample` to new on-clocks          230 clocks, if the codes come at once
+//     `sample` to `done`                 477 clocks: less than a period
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -36,7 +36,7 @@ module sinusoidal_top (
     input  logic        command_reverse_i,
     input  logic        command_brake_to_stop_i,  // else coast
     input  logic        command_clear_fault_i,  // a rising edge re-arms, once `run` is low and the cause is gone
-    input  logic [13:0] config_bridge_period_i,  // clocks; 480 at least, a sample's
+    input  logic [13:0] config_bridge_period_i,  // clocks; 477 at least, a sample's
     input  logic [13:0] config_bridge_minimum_i,  // clocks; shorter on or off times become 0 % or 100 %
     input  logic [7:0]  config_bridge_dead_time_i,  // clocks; the guard's floor wins
     input  logic [11:0] config_bridge_dead_time_loss_i,  // u8.4 clocks that a leg loses by it, with its diode's drop
@@ -161,7 +161,7 @@ module sinusoidal_top (
   pilot_pulses pilot (
       .clk(clk),
       .rst(rst),
-      .rest_i(orders_calibrate),
+      .rest_i(orders_calibrate && !busy),
       .enable_i(orders_pilot),
       .period_i(seen_period),
       .taken_i(seen_taken),

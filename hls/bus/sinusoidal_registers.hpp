@@ -19,7 +19,7 @@ namespace steplock {
 
 // The shortest PWM period that is one: a sample fits it, and 1 / (3 period) its word, u0.25.
 inline constexpr int kShortestPeriod = SinusoidalLoop::kClocks + 2;
-static_assert(kShortestPeriod == 480, "STATUS.no_period says 480");
+static_assert(kShortestPeriod == 477, "STATUS.no_period says 477");
 static_assert((1 << 25) / (3 * kShortestPeriod) < 1 << decltype(BridgeConfig::reciprocal)::width);
 
 inline constexpr auto kSinusoidalSystemFields = joined(joined(
@@ -34,7 +34,7 @@ inline constexpr auto kSinusoidalSystemFields = joined(joined(
                    "7 brake, 8 retry delay, 9 fault.",
          .reasons = "Of the last failed attempt: 0 none, 1 fault pin, 2 over-current, 3 lost sample, "
                     "4 saturated, 5 too slow, 6 EMF, 7 no lock, 8 no decay, 9 no saliency, 10 no polarity.",
-         .no_period = "PWM.period is below 480 clocks: all six gates are off, and the drive does not start, "
+         .no_period = "PWM.period is below 477 clocks: all six gates are off, and the drive does not start, "
                       "whatever CONTROL says."}),
     std::to_array<Field>({
         {"TELEMETRY_SPEED", "speed", 0x30, 0, 16, Access::kReadOnly, 0, "s0.15 of 1/16 turn per sample",

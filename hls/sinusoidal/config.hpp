@@ -28,7 +28,7 @@ enum class SinusoidalReason : std::uint8_t {
 };
 
 struct BridgeConfig {
-  LegClocks period = 0;    // clocks; 480 at least, a sample's
+  LegClocks period = 0;    // clocks; 477 at least, a sample's
   LegClocks minimum = 0;   // clocks; shorter on or off times become 0 % or 100 %
   UInt<8> dead_time = 0;   // clocks; the guard's floor wins
   DeadClocks dead_time_loss = 0;  // u8.4 clocks that a leg loses by it, with its diode's drop

@@ -141,6 +141,6 @@ class SinusoidalControl {
 
 // Whoever gives the inputs holds them.
 using SinusoidalLoop =
-    Scheduled<SinusoidalControl, Budget{.width = 31, .second_width = 16, .clocks = 478, .early = 233}>;
+    Scheduled<SinusoidalControl, Budget{.width = 31, .second_width = 16, .clocks = 475, .early = 228}>;
 
 }  // namespace steplock

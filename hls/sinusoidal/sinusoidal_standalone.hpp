@@ -15,7 +15,7 @@
 //
 //     `sample` to the hold of u         2 clocks; v and dc one and two frames of SpiAdc later
 //     `sample` to codes                 98 half + 2 quiet + 5 clocks
-//     codes to new on-times             234 clocks
+//     codes to new on-times             229 clocks
 //     `sample` to the end of it         `clocks_of_a_sample`: a period has to be as long
 //     fault pin to all six gates off    3 clocks, as without this block around it
 //     `run` low to the drive            2 clocks, all gates off another 2 when it coasts

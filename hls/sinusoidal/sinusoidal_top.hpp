@@ -14,8 +14,8 @@
 // and give their codes with `valid` so early that the sample is done before the next period.  Codes
 // that come while one is under way are not taken, and DriveProtection counts the lost sample.
 //
-//     `sample` to new on-clocks          235 clocks, if the codes come at once
-//     `sample` to `done`                 480 clocks: less than a period
+//     `sample` to new on-clocks          230 clocks, if the codes come at once
+//     `sample` to `done`                 477 clocks: less than a period
 //     fault pin to all six gates off     3 clocks
 //
 // Doc: docs/blocks/sinusoidal_top.md   Test: tests/hls/sinusoidal_top_test.cpp
@@ -73,7 +73,7 @@ class SinusoidalTop {
     auto codes = in.codes;
     codes.valid = in.codes.valid && !busy_;
     const auto pins = synchroniser_.tick({.fault = in.fault});
-    const auto pilot = pilot_.tick({.rest = orders_.calibrate,
+    const auto pilot = pilot_.tick({.rest = orders_.calibrate && !busy_,  // a sample under way reads what is cleared
                                     .enable = orders_.pilot,
                                     .period = seen_.period,
                                     .taken = seen_.taken,

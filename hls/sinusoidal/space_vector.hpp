@@ -4,9 +4,10 @@
 //     on_k = period (1/2 + (v_k - common) / v_dc) + s_k dead
 //     common = (least + greatest) / 2, which gives v_dc / sqrt 3 a phase; 0 with `sine`
 //
-// s_k is the sign of the current out of leg k, in proportion within an ADC's step: so the
-// pulse makes up for its dead time.  On or off times below `minimum` become 0 % or 100 %, here and
-// not only in the PWM generator, because the applied voltage is reconstructed from what comes out.
+// s_k is the sign of the current out of leg k: so the pulse makes up for its dead time.  A wanted
+// current has no noise, and its sign counts down to the last place; making up for less near zero lets
+// a slow rotor swing.  On or off times below `minimum` become 0 % or 100 %, here and not only in the
+// PWM generator, because the applied voltage is reconstructed from what comes out.
 //
 // With `hold` the legs of `hold_u`, `hold_v` and `hold_w` get `hold_voltage`, the others stay low: a pattern that
 // turns the rotor to a known place.  One leg or two, the current's vector is of the same length.
@@ -16,7 +17,7 @@
 //
 //     voltages      s0.15, v_dc u0.12 of the full scale;  1 / v_dc  u3.12
 //     clocks        u14.0, inside s.4;  dead  u8.4
-//     multipliers   12 products of 16 x 16 bits, 3 of them for s_k dead
+//     multipliers   9 products of 16 x 16 bits
 //
 // Doc: docs/blocks/space_vector.md   Test: tests/hls/space_vector_test.cpp
 
@@ -32,7 +33,7 @@ class SpaceVector {
   struct In {
     Int<16> v_alpha = 0;        // s0.15
     Int<16> v_beta = 0;         // s0.15
-    Int<16> i_u = 0;            // s0.15, for their signs: wanted currents, or measured ones
+    Int<16> i_u = 0;            // s0.15, for its sign: the wanted current, or the measured one
     Int<16> i_v = 0;            // s0.15
     UInt<12> v_dc = 0;          // u0.12
     LegClocks period = 0;       // clocks
@@ -84,7 +85,8 @@ class SpaceVector {
     const auto share = saturate<Int<16>>((voltage * inverse_ + (1 << 11)) >> 12);
     const auto clocks = wrap<Int<20>>((share * in.period) >> 11);  // s15.4
     const auto middle = in.hold ? UInt<17>(0) : UInt<17>(in.period) << 3;
-    const auto exact = clocks + middle + dead_clocks(current, in.dead) + 8;
+    const auto made_up = current.negative() ? Int<13>(-in.dead) : current == Int<16>(0) ? Int<13>(0) : Int<13>(in.dead);
+    const auto exact = clocks + middle + made_up + 8;
     const auto on = exact >> 4;
     const bool none = on < in.minimum, all = in.period - on < in.minimum;
     return on.negative() || none ? LegClocks(0) : all ? in.period : wrap<LegClocks>(on);

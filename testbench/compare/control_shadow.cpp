@@ -81,9 +81,11 @@ void ControlShadow::take(const SinusoidalTop::Out& out, const SinusoidalTop::Out
 
   const LegClocks on[] = {out.on_u, out.on_v, out.on_w};
   clocks_.clear();
-  const double step = current_ * std::ldexp(1, -11);
+  // A wanted phase current so small may be told with the other sign: its roundings, and as `turned` of the voltage.
+  const double vague = current_ * std::ldexp(4, -15) +
+                       std::hypot(set_gamma, set_delta) * (2 * std::ldexp(std::numbers::sqrt2, -15) + 1.5 * kTurn / 65536);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (p_.applied.compensate && std::abs(wanted[k]) < 1.25 * step) continue;
+    if (p_.applied.compensate && std::abs(wanted[k]) < vague) continue;
     const double made_up = p_.applied.compensate ? std::copysign(lost_, wanted[k]) : 0;
     const double exact = period_ * (0.5 + v[k] / v_dc) + made_up;
     const double shortest = std::min(std::abs(exact - minimum_), std::abs(period_ - exact - minimum_));

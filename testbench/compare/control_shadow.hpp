@@ -9,8 +9,8 @@
 //     scatters  k_p e and x by what was cut; decoupling by three roundings; sine and cosine two places of the vector's length, and the
 //               angle on which they are by a place and a half of 2^-16 turn; alpha and beta a rounding, the legs four; half a clock
 //
-// Left out is a leg whose wanted current is within an ADC's step and a quarter of zero, where a place of the current is a sixteenth of
-// the dead time; and one that is within its bound of the shortest pulse, which may be one or none.
+// Left out is a leg whose wanted current is so near zero that a rounding gives it the other sign, which is twice the dead time; and
+// one that is within its bound of the shortest pulse, which may be one or none.
 //
 // Doc: docs/report.md   Test: tests/testbench/sinusoidal_compare_test.cpp
 #pragma once

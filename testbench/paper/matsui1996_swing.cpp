@@ -94,9 +94,13 @@ PaperSection causes_of_the_swing(const design::Settings& drive, const PaperOptio
           "held, and the least and the greatest. It is no matter of the arithmetic: the reference in doubles swings as well. What swings "
           "is dead time where the currents are near zero: which of two diodes then holds a terminal nobody measures. {:g} us in a period "
           "take {:.1f} V from a phase whose EMF has a peak of {:.1f} V at {:g} r/min. With an eighth of the dead time {:.2g} % are left "
-          "of {:.2g}. A gamma current moves the currents out of that band and costs copper alone; torque does the same. At {:g} r/min the"
-          " noise decides whether the lock lasts: `fixed` loses {} of its {} runs, `float` {}.{}",
-          kSeeds, 1e6 * drive.inverter.dead_time_s, lost_v, emf_v, kVoltage, short_dead_time, as_it_is, kCurrent, lost[0], kSeeds, lost[1],
+          "of {:.2g}. A gamma current moves the currents out of that band and costs copper alone; torque does the same. At {:g} r/min "
+          "{}.{}",
+          kSeeds, 1e6 * drive.inverter.dead_time_s, lost_v, emf_v, kVoltage, short_dead_time, as_it_is, kCurrent,
+          lost[0] + lost[1] == 0
+              ? std::string("every run of the first row holds")
+              : fmt::format("the noise decides whether the lock lasts: `fixed` loses {} of its {} runs, `float` {}", lost[0], kSeeds,
+                            lost[1]),
           table)};
   if (!(short_dead_time < as_it_is / 2)) s.failures.push_back("dead time as what makes the speed swing");
   return s;

@@ -104,13 +104,13 @@ TEST(ConfigRegisters, BytesThatWereNeverWrittenReadTheirReset) {
   }
 }
 
-// 480 clocks is what a sample takes; docs/sinusoidal_registers.md.
+// 477 clocks is what a sample takes; docs/sinusoidal_registers.md.
 TEST(ConfigRegisters, TellsAPeriodThatIsTooShortForASample) {
   Bench<Sinusoidal> bench;
   EXPECT_TRUE(bench.tick({}).no_period);
-  bench.write(kPwm, 479);
+  bench.write(kPwm, 476);
   EXPECT_TRUE(bench.tick({}).no_period);
-  bench.write(kPwm, 480);
+  bench.write(kPwm, 477);
   EXPECT_FALSE(bench.tick({}).no_period);
 }
 

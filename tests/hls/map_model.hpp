@@ -111,7 +111,7 @@ class MapModel {
   }
 
  private:
-  static constexpr std::uint32_t kLeast = std::is_same_v<Map, Sinusoidal> ? 480 : 1;  // clocks, of a PWM period
+  static constexpr std::uint32_t kLeast = std::is_same_v<Map, Sinusoidal> ? 477 : 1;  // clocks, of a PWM period
 
   static std::uint32_t reset(int address) {
     std::uint32_t bits = 0;

@@ -262,7 +262,7 @@ int differences(int late) {
   return differs;
 }
 TEST(SinusoidalCsr, TheSetPointIsTakenOverWithTheCodesOfASample) { EXPECT_EQ(differences(0), 0); }
-TEST(SinusoidalCsr, ASetPointThatIsASampleLateIsNoticed) { EXPECT_GT(differences(1), 100); }
+TEST(SinusoidalCsr, ASetPointThatIsASampleLateIsNoticed) { EXPECT_GT(differences(1), 0); }
 
 }  // namespace
 }  // namespace steplock

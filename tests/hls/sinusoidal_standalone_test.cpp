@@ -217,13 +217,13 @@ TEST(SinusoidalStandalone, CodesOnTimesAndTheEndOfASampleComeWhenTheHeaderSays) 
       const int codes = wires.until([&] { return wires.in.codes.valid; });
       EXPECT_EQ(codes, 98 * half + 2 * quiet + 5) << half << ' ' << quiet;
       const int on = wires.until([&] { return wires.out.on_u != 0; });
-      EXPECT_EQ(on, 234);
+      EXPECT_EQ(on, 229);
       const int done = wires.until([&] { return wires.out.done; });
       EXPECT_EQ(codes + on + done, SinusoidalStandalone::clocks_of_a_sample(half, quiet));
     }
   }
   // At 24 MHz, as docs/blocks/sinusoidal_standalone.md has it.
-  EXPECT_EQ(SinusoidalStandalone::clocks_of_a_sample(1, 8), 598);
+  EXPECT_EQ(SinusoidalStandalone::clocks_of_a_sample(1, 8), 595);
 }
 
 // The 12 clocks that a leg loses by dead time are made up for by the sign of its current: what a current is in

@@ -47,13 +47,12 @@ reference::Vector long_as_power(const SpaceVector::In& in) {
 }
 
 // 1 / v_dc is right to 2 places of 2^-12, of 1 to 8: 5e-4 of up to 600 clocks at the least; the
-// products cut one place of 2^-15 each and a 16th of a clock; dead time is cut to a 16th, and s_k's
-// 16 places are one ADC's step: all that and half a clock of rounding is less than one clock.
+// products cut one place of 2^-15 each and a 16th of a clock: all that and half a clock of rounding
+// is less than one clock.
 TEST(SpaceVector, IsTheReferenceWithinAClock) {
   std::mt19937 any(1);
   const auto draw = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(any); };
-  const reference::AppliedVoltage applied(
-      {.period = kPeriod, .dead_time = 12, .small_current = 16 * kPlace, .compensate = true});
+  const reference::AppliedVoltage applied({.period = kPeriod, .dead_time = 12, .compensate = true});
   for (const int dc : {700, 2700, 4000}) {
     SpaceVector dut = settled(dc);
     const double v_dc = dc / 4096.0;
@@ -167,7 +166,7 @@ class PlainVector {
   plain::Integer leg(const SpaceVector::In& in, plain::Integer voltage, plain::Integer current) const {
     using namespace plain;
     const Integer period = of(in.period), minimum = of(in.minimum);
-    const Integer made_up = down(std::clamp(current, Integer{-16}, Integer{16}) * of(in.dead), 4);
+    const Integer made_up = (current > 0 ? 1 : current < 0 ? -1 : 0) * of(in.dead);
     const Integer sixteenths = down(held(nearest(voltage * inverse_, 12), 16) * period, 11) + (in.hold ? 0 : 8 * period) + made_up;
     const Integer on = nearest(sixteenths, 4);
     return on < 0 || on < minimum ? 0 : period - on < minimum ? period : on;
@@ -187,7 +186,7 @@ TEST(SpaceVector, EqualsItsEquationsInPlainIntegers) {
     for (int sample = 0; sample < 60; ++sample) {
       if (any.one_in(20)) any.into(in.v_dc);
       any.into(in.v_alpha), any.into(in.v_beta), any.into(in.i_u), any.into(in.i_v), any.into(in.hold_voltage);
-      if (any.one_in(2)) in.v_alpha = any.between(-9000, 9000), in.v_beta = any.between(-9000, 9000), in.i_u = any.between(-40, 40);
+      if (any.one_in(2)) in.v_alpha = any.between(-9000, 9000), in.v_beta = any.between(-9000, 9000), in.i_u = any.between(-2, 2);
       in.sine = any.one_in(3), in.hold = any.one_in(4), in.hold_u = any.one_in(2), in.hold_v = any.one_in(2), in.hold_w = any.one_in(2);
       const auto out = dut.tick(in);
       ASSERT_EQ((std::array{plain::of(out.on_u), plain::of(out.on_v), plain::of(out.on_w)}), expected.tick(in)) << run << " " << sample;

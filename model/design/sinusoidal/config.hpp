@@ -33,6 +33,6 @@ Word target_word(const Settings&, double rpm);
 inline constexpr int kDeadTimeFloor = 12;
 
 // Clocks of a sample, in which the arithmetic takes nothing new: the least of a PWM period.
-inline constexpr int kSampleClocks = 480;
+inline constexpr int kSampleClocks = 477;
 
 }  // namespace steplock::design::sinusoidal

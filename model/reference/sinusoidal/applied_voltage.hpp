@@ -6,8 +6,8 @@
 //
 //     v_k = (d_k - s_k t_d / T) v_dc - s_k (2 t_d / T) v_diode        s_k = sign(i_k)
 //
-// A leg that does not switch (duty 0 or 1) loses nothing.  Near zero, ripple gives the current either
-// sign: below small_current s_k = i_k / small_current.
+// A leg that does not switch (duty 0 or 1) loses nothing.  Near zero, ripple gives a measured current
+// either sign: below small_current s_k = i_k / small_current.  A wanted one has its sign.
 //
 // Doc: docs/sinusoidal.md   Test: tests/model/reference/sinusoidal/sinusoidal_voltage_test.cpp
 #pragma once
@@ -34,12 +34,12 @@ class AppliedVoltage {
     return v;
   }
 
-  // What to ask of the PWM so that `duty` comes about at this current.
+  // What to ask of the PWM so that `duty` comes about at this wanted current.
   Phases compensated(const Phases& duty, const Phases& current, double v_dc) const {
     Phases d = duty;
     if (!p_.compensate || v_dc <= 0) return d;
     for (std::size_t k = 0; k < 3; ++k) {
-      d[k] += direction(current[k]) * share() * (1 + 2 * p_.diode_drop / v_dc);
+      d[k] += sign(current[k]) * share() * (1 + 2 * p_.diode_drop / v_dc);
       d[k] = std::clamp(d[k], 0.0, 1.0);
     }
     return d;
@@ -47,8 +47,9 @@ class AppliedVoltage {
 
  private:
   double share() const { return p_.dead_time / p_.period; }
+  static double sign(double current) { return current > 0 ? 1 : current < 0 ? -1 : 0; }
   double direction(double current) const {
-    if (p_.small_current <= 0) return current > 0 ? 1 : current < 0 ? -1 : 0;
+    if (p_.small_current <= 0) return sign(current);
     return std::clamp(current / p_.small_current, -1.0, 1.0);
   }
 

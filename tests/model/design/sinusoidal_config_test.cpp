@@ -89,8 +89,8 @@ TEST(SinusoidalConfig, APwmPeriodTakesASampleAtLeast) {
   EXPECT_TRUE(quantise(s).problems.empty());
   s.control.clock_hz = 23.8e6;
   EXPECT_EQ(quantise(s).problems,
-            std::vector<std::string>{"control.pwm_hz is 50000 Hz; must be at most 49583.3 Hz for "
-                                     "this engine, which takes 480 clocks a sample"});
+            std::vector<std::string>{"control.pwm_hz is 50000 Hz; must be at most 49895.2 Hz for "
+                                     "this engine, which takes 477 clocks a sample"});
 }
 
 }  // namespace

@@ -74,6 +74,17 @@ TEST(SinusoidalVoltage, ACompensatedDutyComesAbout) {
   EXPECT_LT(on_the_plant(wanted).voltage[0] - on_the_plant(wanted).voltage[2], 0.2 * kBus - 10);
 }
 
+// A measured current of less than a step is noise; a wanted one, however small, is that.
+TEST(SinusoidalVoltage, ASmallCurrentLosesInProportionAndAWantedOneIsMadeUpForByItsSign) {
+  const AppliedVoltage applied(known());
+  const Phases half = {0.5, 0.5, 0.5};
+  const double whole = applied(half, {0.05, 0, 0}, kBus)[0] - 0.5 * kBus;
+  EXPECT_NEAR(applied(half, {0.02, 0, 0}, kBus)[0] - 0.5 * kBus, 0.4 * whole, 1e-9);
+  const Phases small = applied.compensated(half, {1e-6, 0, -1e-6}, kBus), large = applied.compensated(half, {9, 0, -9}, kBus);
+  EXPECT_EQ(small, large);
+  EXPECT_EQ(small[1], 0.5);
+}
+
 TEST(SinusoidalVoltage, ALegThatDoesNotSwitchLosesNothing) {
   const AppliedVoltage applied(known());
   const Phases v = applied({0, 1, 0.5}, {3, -3, 0}, kBus);
