@@ -7,6 +7,7 @@
 
 #include "Vsinusoidal_axi.h"
 #include "hls/bus/sinusoidal_axi.hpp"
+#include "hls/bus/sinusoidal_registers.hpp"
 #include "model/plant/adc.hpp"
 #include "ports/sinusoidal_axi_ports.hpp"
 #include "rtl/host/steplock_sinusoidal.h"
@@ -213,7 +214,7 @@ TEST(SinusoidalHost, WordsWithTooShortAPeriodAreRefusedAndMoveNoGate) {
   const steplock_bus bus = bench.bus();
   auto config = bench.config();
   for (auto& word : config) {
-    if (word.offset == STEPLOCK_SINUSOIDAL_PWM) word.value = (word.value & ~STEPLOCK_SINUSOIDAL_PWM_PERIOD_MASK) | 479;
+    if (word.offset == STEPLOCK_SINUSOIDAL_PWM) word.value = (word.value & ~STEPLOCK_SINUSOIDAL_PWM_PERIOD_MASK) | (kShortestPeriod - 1);
   }
   EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_NO_PERIOD);
   EXPECT_EQ(bus.write(bus.context, STEPLOCK_CONTROL, 3), 0) << "a host that does it all the same";
