@@ -22,7 +22,7 @@ class Bench {
     w.estimator = {.decay = 3113, .gain = 3686, .k_theta = 3277, .k_e = 541, .k_speed = 5894};
     w.speed = {.target = 1 << 22, .slew = 4000, .filter = 983, .k_p = 700, .k_i = 530,
                .limit = 12288, .lock = 1000, .slow = 100, .stop = 1000, .emf_low = 3277,
-               .emf_high = 20477};
+               .emf_high = 20480};
     w.control = {.k_p = 1092, .k_i = 831, .inductance = 892, .emf = 1425, .limit = 18919};
     w.sequence = {.hold_voltage = 2000, .pattern = 20, .lock = 400, .give_up = 1000, .brake = 10,
                   .retry_delay = 10, .retries = 1};
