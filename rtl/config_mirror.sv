@@ -79,7 +79,7 @@ module config_mirror (
     words[62] = 32'h0;
     words[63] = 32'h0;
     words[64] = 32'h53544C4B;
-    words[65] = 32'h500;
+    words[65] = 32'h600;
     words[66] = 32'h90CF1;
     words[67] = 32'h0;
     words[68] = 32'h0;

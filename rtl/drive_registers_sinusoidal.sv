@@ -32,6 +32,7 @@ module drive_registers_sinusoidal (
     input  logic        unlocked_i,
     input  logic        no_period_i,  // the bridge has to stay off
     input  logic        tick_i,  // the slow time base
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic [3:0]  drive_state_i,
     input  logic [3:0]  drive_reason_i,
     input  logic        drive_locked_i,
@@ -94,7 +95,7 @@ module drive_registers_sinusoidal (
   wire [29:0] now_3 = {drive_on_v_i, 16'd0} | {16'd0, drive_on_u_i};
   wire here_5 = !hole_i && request_index_i == 10'd16;
   wire [29:0] now_4 = {drive_on_w_i, 16'd0} | {26'd0, drive_retries_i};
-  wire drive_state_is_idle_or_fault =  // line 140
+  wire drive_state_is_idle_or_fault =  // line 141
       drive_state_i == SinusoidalState_kIdle || drive_state_i == SinusoidalState_kFault;
 
   wire [31:0] copies_0_data;
@@ -160,11 +161,11 @@ module drive_registers_sinusoidal (
   wire [31:0] shown = copies_0_data | copies_1_data | copies_2_data | copies_3_data | copies_4_data;
   wire [31:0] data_2 = read ? shown : 32'd0;
   wire writes = request_write_i && !refused_i;
-  wire [9:0] request_index_minus_nine = request_index_i - 10'd9;  // line 87
+  wire [9:0] request_index_minus_nine = request_index_i - 10'd9;  // line 88
   wire beats = writes && request_index_minus_nine[9:1] == 9'd0;
-  wire watch_either = period == 12'd0 || !configured || watchdog_fault;  // line 88
+  wire watch_either = period == 12'd0 || !configured || watchdog_fault;  // line 89
   wire expires = !(watch_either || !tick_i) && left == 12'd0 && !beats;
-  wire run_next_unless_control =  // line 106
+  wire run_next_unless_control =  // line 107
       (run || (request_data_i[1] && request_index_i == 10'd17)) &&
       (!request_data_i[1] || request_index_i != 10'd18);
   wire run_next_unless_expires =
@@ -179,17 +180,17 @@ module drive_registers_sinusoidal (
   wire [4:0] kept = acknowledges ? ~ones[4:0] : 5'd31;
   wire on = drive_state_i == SinusoidalState_kFault && !was_faulted;
   wire locks = drive_locked_i && !was_locked;
-  wire [3:0] events_by_drive_locked_or_not_was_locked =  // line 164
+  wire [3:0] events_by_drive_locked_or_not_was_locked =  // line 165
       (drive_locked_i || !was_locked) ? 4'd0 :
       (drive_state_i[3] && drive_state_i[2:1] == 2'd0) ? 4'd8 :
       4'd0;
-  wire [3:0] events_so_far =  // line 167
+  wire [3:0] events_so_far =  // line 168
       {1'b0, {1'b0, (expires ? 2'd2 : 2'd0) | {1'b0, on}} | (locks ? 3'd4 : 3'd0)};
   wire on_2 = locks && starting;
   wire [4:0] events =
       {1'b0, events_so_far | events_by_drive_locked_or_not_was_locked} | (on_2 ? 5'd16 : 5'd0);
-  wire [8:0] not_byte_mask = ~byte_mask;  // line 112
-  wire [11:0] ones_or_period_and_not_byte_mask =  // line 113
+  wire [8:0] not_byte_mask = ~byte_mask;  // line 113
+  wire [11:0] ones_or_period_and_not_byte_mask =  // line 114
       ones | (period & {{3{not_byte_mask[8]}}, not_byte_mask});
 
   always_ff @(posedge clk) begin
@@ -225,7 +226,7 @@ module drive_registers_sinusoidal (
         write_error <= refused_i;
       end
     end
-    run <= !expires && run_next_unless_expires;  // line 115
+    run <= !expires && run_next_unless_expires;  // line 116
     if (drive_state_i != SinusoidalState_kFault || was_faulted) begin
       cleared <= cleared || (clears && ones[0]);
     end else begin
@@ -233,8 +234,8 @@ module drive_registers_sinusoidal (
       fault_reason <= drive_reason_i;
     end
     drive_fault <= drive_fault_next;
-    watchdog_fault <= expires || watchdog_fault_next_by_clears;  // line 115
-    interrupts <= (interrupts & kept) | events;  // line 102
+    watchdog_fault <= expires || watchdog_fault_next_by_clears;  // line 116
+    interrupts <= (interrupts & kept) | events;  // line 103
     if (writes && request_index_i == 10'd9) begin
       left <= ones_or_period_and_not_byte_mask;
     end else if (beats || watch_either) begin
@@ -243,10 +244,10 @@ module drive_registers_sinusoidal (
       left <= left - 12'd1;
     end
     starting <= !run || (starting && !locks);
-    was_faulted <= drive_state_i == SinusoidalState_kFault;  // line 72
+    was_faulted <= drive_state_i == SinusoidalState_kFault;  // line 73
     was_locked <= drive_locked_i;
-    taken <= takes || taken;  // line 236
-    read <= request_read_i || read;  // line 235
+    taken <= takes || taken;  // line 238
+    read <= request_read_i || read;  // line 237
     if (request_read_i) begin
       if (hole_i) begin
         data <= 32'd0;
@@ -257,40 +258,39 @@ module drive_registers_sinusoidal (
         logic [11:0] data_next_so_far_3;
         logic [12:0] data_next_so_far_4;
         logic [5:0] request_index_low;
-        logic [11:0] data_next_by_request_index_low;
-        logic [12:0] data_next_by_request_index_low_2;
-        data_next_so_far =  // line 200
+        logic [19:0] data_next_by_request_index_low;
+        data_next_so_far =  // line 201
             {1'b0, {1'b0, (run ? 2'd2 : 2'd0) | {1'b0, configured}} | (reverse ? 3'd4 : 3'd0)};
-        data_next_so_far_2 =  // line 205
+        data_next_so_far_2 =  // line 206
             {1'b0,
             {1'b0, {drive_reason_i, 4'd0} | {4'd0, drive_state_i}} |
             (drive_locked_i ? 9'd256 : 9'd0)};
-        stopped =  // line 140
+        stopped =  // line 141
             run ? 12'd0 :
             drive_state_is_idle_or_fault ? 12'd2048 :
             12'd0;
-        data_next_so_far_3 =  // line 207
+        data_next_so_far_3 =  // line 208
             {1'b0,
             {1'b0, data_next_so_far_2 | (drive_reverse_i ? 10'd512 : 10'd0)} |
             (unlocked_i ? 11'd1024 : 11'd0)};
-        data_next_so_far_4 = {1'b0, data_next_so_far_3 | stopped};  // line 208
-        request_index_low = request_index_i[5:0];  // line 196
+        data_next_so_far_4 = {1'b0, data_next_so_far_3 | stopped};  // line 209
+        request_index_low = request_index_i[5:0];  // line 197
         case (request_index_low)
+          6'd3: data_next_by_request_index_low =
+              {16'd0, data_next_so_far | (brake_to_stop ? 4'd8 : 4'd0)};
+          6'd4: data_next_by_request_index_low =
+              {7'd0, data_next_so_far_4 | (no_period_i ? 13'd4096 : 13'd0)};
           6'd5: data_next_by_request_index_low =
-              {4'd0,
+              {12'd0,
               {6'd0, (watchdog_fault ? 2'd2 : 2'd0) | {1'b0, drive_fault_next}} |
               {fault_reason, 4'd0}};
-          6'd6: data_next_by_request_index_low = {7'd0, interrupts};
-          6'd7: data_next_by_request_index_low = {7'd0, enabled};
-          6'd9: data_next_by_request_index_low = period;
-          default: data_next_by_request_index_low = 12'd0;
+          6'd6: data_next_by_request_index_low = {15'd0, interrupts};
+          6'd7: data_next_by_request_index_low = {15'd0, enabled};
+          6'd9: data_next_by_request_index_low = {8'd0, period};
+          6'd19: data_next_by_request_index_low = clock_khz_i;
+          default: data_next_by_request_index_low = 20'd0;
         endcase
-        data_next_by_request_index_low_2 =
-            (request_index_low == 6'd3) ?
-            {9'd0, data_next_so_far | (brake_to_stop ? 4'd8 : 4'd0)} :
-            (request_index_low == 6'd4) ? data_next_so_far_4 | (no_period_i ? 13'd4096 : 13'd0) :
-            {1'b0, data_next_by_request_index_low};
-        data <= {19'd0, data_next_by_request_index_low_2};
+        data <= {12'd0, data_next_by_request_index_low};
       end
       read_error <= hole_i;
     end

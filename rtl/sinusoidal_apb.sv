@@ -20,6 +20,7 @@ module sinusoidal_apb (
     input  logic [11:0] codes_u_i,  // s0.11, current of phase u
     input  logic [11:0] codes_v_i,  // s0.11, current of phase v
     input  logic [11:0] codes_dc_i,  // u0.12, dc voltage
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        apb_psel_i,
     input  logic        apb_penable_i,
     input  logic        apb_pwrite_i,
@@ -84,6 +85,7 @@ module sinusoidal_apb (
       .codes_u_i(codes_u_i),
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(bus_request_write),
       .request_read_i(bus_request_read),
       .request_index_i(bus_request_index),

@@ -26,6 +26,7 @@ module sinusoidal_csr (
     input  logic [11:0] codes_u_i,  // s0.11, current of phase u
     input  logic [11:0] codes_v_i,  // s0.11, current of phase v
     input  logic [11:0] codes_dc_i,  // u0.12, dc voltage
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        request_write_i,
     input  logic        request_read_i,
     input  logic [9:0]  request_index_i,
@@ -329,6 +330,7 @@ module sinusoidal_csr (
       .unlocked_i(config_registers_unlocked),
       .no_period_i(config_registers_no_period),
       .tick_i(drive_sample && periods == 4'd0),
+      .clock_khz_i(clock_khz_i),
       .drive_state_i(drive_state),
       .drive_reason_i(drive_reason),
       .drive_locked_i(drive_locked),
@@ -361,7 +363,7 @@ module sinusoidal_csr (
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 76
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 78
     busy <= drive_busy;
     if (drive_sample) begin
       periods <= periods + 4'd1;

@@ -21,6 +21,7 @@ module sinusoidal_spi (
     input  logic [11:0] codes_u_i,  // s0.11, current of phase u
     input  logic [11:0] codes_v_i,  // s0.11, current of phase v
     input  logic [11:0] codes_dc_i,  // u0.12, dc voltage
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        spi_cs_n_i,
     input  logic        spi_sclk_i,
     input  logic        spi_mosi_i,
@@ -89,6 +90,7 @@ module sinusoidal_spi (
       .codes_u_i(codes_u_i),
       .codes_v_i(codes_v_i),
       .codes_dc_i(codes_dc_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(bus_request_write),
       .request_read_i(bus_request_read),
       .request_index_i(bus_request_index),

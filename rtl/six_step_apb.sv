@@ -28,6 +28,7 @@ module six_step_apb #(
     input  logic        pins_hall_u_i,  // Hall sensor U
     input  logic        pins_hall_v_i,  // Hall sensor V
     input  logic        pins_hall_w_i,  // Hall sensor W
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        apb_psel_i,
     input  logic        apb_penable_i,
     input  logic        apb_pwrite_i,
@@ -93,6 +94,7 @@ module six_step_apb #(
       .pins_hall_u_i(pins_hall_u_i),
       .pins_hall_v_i(pins_hall_v_i),
       .pins_hall_w_i(pins_hall_w_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(bus_request_write),
       .request_read_i(bus_request_read),
       .request_index_i(bus_request_index),

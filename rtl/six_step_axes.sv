@@ -39,6 +39,7 @@ module six_step_axes #(
     input  logic        pins_1_hall_u_i,  // Hall sensor U
     input  logic        pins_1_hall_v_i,  // Hall sensor V
     input  logic        pins_1_hall_w_i,  // Hall sensor W
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK of each shows
     input  logic        axi_awvalid_i,
     input  logic [11:0] axi_awaddr_i,  // bytes; the lowest two bits do not count
     input  logic        axi_wvalid_i,
@@ -143,6 +144,7 @@ module six_step_axes #(
       .pins_hall_u_i(pins_0_hall_u_i),
       .pins_hall_v_i(pins_0_hall_v_i),
       .pins_hall_w_i(pins_0_hall_w_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(own_write),
       .request_read_i(own_read),
       .request_index_i({4'd0, axi_request_index[5:0]}),
@@ -185,6 +187,7 @@ module six_step_axes #(
       .pins_hall_u_i(pins_1_hall_u_i),
       .pins_hall_v_i(pins_1_hall_v_i),
       .pins_hall_w_i(pins_1_hall_w_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(own_write_2),
       .request_read_i(own_read_2),
       .request_index_i({4'd0, axi_request_index[5:0]}),
@@ -204,7 +207,7 @@ module six_step_axes #(
       .write_error_o(drives_1_write_error)
   );
 
-  wire out_axi_bresp_either =  // line 72
+  wire out_axi_bresp_either =  // line 73
       (write_axis == 2'd1 && drives_1_write_error) ||
       (write_axis == 2'd0 && drives_0_write_error) || write_hole;
   wire [31:0] out_axi_rdata =

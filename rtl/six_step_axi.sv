@@ -28,6 +28,7 @@ module six_step_axi #(
     input  logic        pins_hall_u_i,  // Hall sensor U
     input  logic        pins_hall_v_i,  // Hall sensor V
     input  logic        pins_hall_w_i,  // Hall sensor W
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        axi_awvalid_i,
     input  logic [11:0] axi_awaddr_i,  // bytes; the lowest two bits do not count
     input  logic        axi_wvalid_i,
@@ -112,6 +113,7 @@ module six_step_axi #(
       .pins_hall_u_i(pins_hall_u_i),
       .pins_hall_v_i(pins_hall_v_i),
       .pins_hall_w_i(pins_hall_w_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(axi_request_write),
       .request_read_i(axi_request_read),
       .request_index_i(axi_request_index),

@@ -30,6 +30,7 @@ module six_step_csr #(
     input  logic        pins_hall_u_i,  // Hall sensor U
     input  logic        pins_hall_v_i,  // Hall sensor V
     input  logic        pins_hall_w_i,  // Hall sensor W
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        request_write_i,
     input  logic        request_read_i,
     input  logic [9:0]  request_index_i,
@@ -373,6 +374,7 @@ module six_step_csr #(
       .unlocked_i(config_registers_unlocked),
       .no_period_i(config_registers_no_period),
       .tick_i(pwm_tick),
+      .clock_khz_i(clock_khz_i),
       .drive_state_i(drive_state),
       .drive_reason_i(drive_reason),
       .drive_locked_i(drive_locked),
@@ -401,7 +403,7 @@ module six_step_csr #(
   wire [6:0] absent_2 = (!read_capability || WITH_TELEMETRY) ? {2'd0, absent} : {2'd2, absent};
   wire [19:0] absent_3 = (!read_capability || WITH_RAMP) ? {13'd0, absent_2} : {13'd4096, absent_2};
   wire [19:0] absent_4 = (!read_capability || WITH_FOLLOWER) ? absent_3 : absent_3 | 20'h80;
-  wire [20:0] not_absent = ~{1'b0, absent_4};  // line 81
+  wire [20:0] not_absent = ~{1'b0, absent_4};  // line 83
 
   always_ff @(posedge clk) begin
     command_configured <= registers_command_configured;
@@ -409,7 +411,7 @@ module six_step_csr #(
     command_reverse <= registers_command_reverse;
     command_brake_to_stop <= registers_command_brake_to_stop;
     command_clear_fault <= registers_command_clear_fault;
-    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 74
+    stopped <= registers_stopped && !(command_run || registers_command_run);  // line 76
     boundary <= pwm_start;
     if (request_read_i) begin
       read_capability <= request_index_i == 10'd2;

@@ -19,30 +19,31 @@ module six_step_spi #(
     parameter logic WITH_FOLLOWER = 1'b1,  // the start that follows the rotor
     parameter logic WITH_TELEMETRY = 1'b1  // its counters
 ) (
-    input  logic clk,
-    input  logic rst,  // synchronous, active high
-    input  logic pins_comparator_u_i,  // terminal U above the reference
-    input  logic pins_comparator_v_i,  // terminal V above the reference
-    input  logic pins_comparator_w_i,  // terminal W above the reference
-    input  logic pins_limit_i,  // shunt current above the limit
-    input  logic pins_fault_i,  // external fault, active high
-    input  logic pins_hall_u_i,  // Hall sensor U
-    input  logic pins_hall_v_i,  // Hall sensor V
-    input  logic pins_hall_w_i,  // Hall sensor W
-    input  logic spi_cs_n_i,
-    input  logic spi_sclk_i,
-    input  logic spi_mosi_i,
-    output logic gates_uh_o,  // phase U, high side
-    output logic gates_ul_o,  // phase U, low side
-    output logic gates_vh_o,  // phase V, high side
-    output logic gates_vl_o,  // phase V, low side
-    output logic gates_wh_o,  // phase W, high side
-    output logic gates_wl_o,  // phase W, low side
-    output logic interrupt_o,  // level
-    output logic locked_o,  // running under speed control
-    output logic fault_o,  // the drive's fault is latched
-    output logic spi_miso_o,
-    output logic spi_selected_o  // drive miso now, where several slaves share it
+    input  logic        clk,
+    input  logic        rst,  // synchronous, active high
+    input  logic        pins_comparator_u_i,  // terminal U above the reference
+    input  logic        pins_comparator_v_i,  // terminal V above the reference
+    input  logic        pins_comparator_w_i,  // terminal W above the reference
+    input  logic        pins_limit_i,  // shunt current above the limit
+    input  logic        pins_fault_i,  // external fault, active high
+    input  logic        pins_hall_u_i,  // Hall sensor U
+    input  logic        pins_hall_v_i,  // Hall sensor V
+    input  logic        pins_hall_w_i,  // Hall sensor W
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
+    input  logic        spi_cs_n_i,
+    input  logic        spi_sclk_i,
+    input  logic        spi_mosi_i,
+    output logic        gates_uh_o,  // phase U, high side
+    output logic        gates_ul_o,  // phase U, low side
+    output logic        gates_vh_o,  // phase V, high side
+    output logic        gates_vl_o,  // phase V, low side
+    output logic        gates_wh_o,  // phase W, high side
+    output logic        gates_wl_o,  // phase W, low side
+    output logic        interrupt_o,  // level
+    output logic        locked_o,  // running under speed control
+    output logic        fault_o,  // the drive's fault is latched
+    output logic        spi_miso_o,
+    output logic        spi_selected_o  // drive miso now, where several slaves share it
 );
   logic reply_bit;  // at `place` of the read's answer
   logic reply_error;  // of the present frame's answer
@@ -98,6 +99,7 @@ module six_step_spi #(
       .pins_hall_u_i(pins_hall_u_i),
       .pins_hall_v_i(pins_hall_v_i),
       .pins_hall_w_i(pins_hall_w_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(bus_request_write),
       .request_read_i(bus_request_read),
       .request_index_i(bus_request_index),

@@ -28,6 +28,7 @@ module six_step_wb #(
     input  logic        pins_hall_u_i,  // Hall sensor U
     input  logic        pins_hall_v_i,  // Hall sensor V
     input  logic        pins_hall_w_i,  // Hall sensor W
+    input  logic [19:0] clock_khz_i,  // constant: what CLOCK shows
     input  logic        wb_cyc_i,
     input  logic        wb_stb_i,
     input  logic        wb_we_i,
@@ -96,6 +97,7 @@ module six_step_wb #(
       .pins_hall_u_i(pins_hall_u_i),
       .pins_hall_v_i(pins_hall_v_i),
       .pins_hall_w_i(pins_hall_w_i),
+      .clock_khz_i(clock_khz_i),
       .request_write_i(bus_request_write),
       .request_read_i(bus_request_read),
       .request_index_i(bus_request_index),

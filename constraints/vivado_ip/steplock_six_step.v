@@ -3,7 +3,9 @@
 //
 // Doc: docs/boards.md   Registers: docs/six_step_registers.md   Test: tests/boards/CMakeLists.txt
 
-module steplock_six_step (
+module steplock_six_step #(
+    parameter integer CLOCK_KHZ = 0  // of s_axi_aclk, for the register CLOCK; 0: not told
+) (
     input         s_axi_aclk,
     input         s_axi_aresetn,
     input  [11:0] s_axi_awaddr,
@@ -44,7 +46,7 @@ module steplock_six_step (
     output        fault
 );
   six_step_axi drive (
-      .clk(s_axi_aclk), .rst(!s_axi_aresetn),
+      .clk(s_axi_aclk), .rst(!s_axi_aresetn), .clock_khz_i(CLOCK_KHZ[19:0]),
       .pins_comparator_u_i(comparator_u), .pins_comparator_v_i(comparator_v),
       .pins_comparator_w_i(comparator_w), .pins_limit_i(limit), .pins_fault_i(!fault_n),
       .pins_hall_u_i(hall_u), .pins_hall_v_i(hall_v), .pins_hall_w_i(hall_w),

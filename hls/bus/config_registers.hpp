@@ -15,8 +15,7 @@
 //
 //     latency      1 clock from a write to the word, and from a read to `data`, which then stays;
 //                  `hole` and `refused` are of this clock
-//     registers    all words, the shadow of the set-point and the lock; a flag per register: 761 bits
-//                  of the six-step drive's map, 757 of the sinusoidal one's
+//     registers    all words, the shadow of the set-point and the lock: some 800 bits of either map
 //     memory       128 words of 32 bits     multipliers  none
 //
 // Doc: docs/blocks/config_registers.md   Test: tests/hls/config_registers_test.cpp

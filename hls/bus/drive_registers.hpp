@@ -50,6 +50,7 @@ class DriveRegisters {
     bool unlocked = false;
     bool no_period = false;  // the bridge has to stay off
     bool tick = false;      // the slow time base
+    Kilohertz clock_khz = 0;  // constant: what CLOCK shows
     Drive drive;
   };
 
@@ -213,6 +214,7 @@ class DriveRegisters {
       case kInterrupt: return interrupts_;
       case kEnable: return enabled_;
       case kWatchdog: return period_;
+      case index_of<Map>("CLOCK"): return in.clock_khz;
       default: return 0;
     }
   }

@@ -27,9 +27,10 @@
 namespace steplock {
 
 inline constexpr std::uint32_t kMapId = 0x53544c4b;  // "STLK"
-inline constexpr std::uint32_t kMapVersion = 0x000500;
+inline constexpr std::uint32_t kMapVersion = 0x000600;
 inline constexpr std::uint32_t kLockKey = 0xc0de;
 using WatchdogTicks = UInt<12>;
+using Kilohertz = UInt<20>;
 
 template <int Floor>
 consteval int floor_of(const GateGuard<Floor>*) { return Floor; }
@@ -171,6 +172,8 @@ consteval auto control_fields() {
     {"CONTROL_SET", "bits", 0x44, 0, 4, Access::kWriteOnly, 0, "",
      "A one sets this bit of CONTROL, a zero leaves it.  So of two programs none undoes what the other wrote."},
     {"CONTROL_CLEAR", "bits", 0x48, 0, 4, Access::kWriteOnly, 0, "", "A one clears this bit of CONTROL, a zero leaves it."},
+    {"CLOCK", "khz", 0x4c, 0, 20, Access::kReadOnly, 0, "kHz",
+     "This drive's clock, as its pins `clock_khz` are tied; 0: they tell none.  Words are made for one clock."},
   });
 }
 

@@ -29,6 +29,7 @@ class SinusoidalCsr {
   struct In {
     bool fault = false;         // asynchronous pin, active high
     CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
+    Kilohertz clock_khz = 0;    // constant: what CLOCK shows
     BusRequest request;
   };
 
@@ -57,6 +58,7 @@ class SinusoidalCsr {
                                             .unlocked = config.unlocked,
                                             .no_period = config.no_period,
                                             .tick = drive.sample && periods_ == 0,
+                                            .clock_khz = in.clock_khz,
                                             .drive = {.state = drive.state,
                                                       .reason = drive.reason,
                                                       .locked = drive.locked,

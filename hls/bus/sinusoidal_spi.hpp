@@ -22,6 +22,7 @@ class SinusoidalSpi {
   struct In {
     bool fault = false;         // asynchronous pin, active high
     CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
+    Kilohertz clock_khz = 0;    // constant: what CLOCK shows
     Spi::Pins spi;              // asynchronous
   };
 
@@ -36,7 +37,7 @@ class SinusoidalSpi {
 
   Out tick(const In& in) {
     const auto bus = bus_.tick({.pins = in.spi, .reply = reply_});
-    const auto drive = drive_.tick({.fault = in.fault, .codes = in.codes, .request = bus.request});
+    const auto drive = drive_.tick({.fault = in.fault, .codes = in.codes, .clock_khz = in.clock_khz, .request = bus.request});
     reply_ = spi_reply(bus, drive);
     return {.gates = drive.gates,
             .sample = drive.sample,

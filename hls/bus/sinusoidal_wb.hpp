@@ -21,6 +21,7 @@ class SinusoidalWb {
   struct In {
     bool fault = false;         // asynchronous pin, active high
     CurrentSense::Codes codes;  // from the ADCs, once for each `sample`
+    Kilohertz clock_khz = 0;    // constant: what CLOCK shows
     Wishbone::In wb;
   };
 
@@ -35,7 +36,7 @@ class SinusoidalWb {
 
   Out tick(const In& in) {
     const auto bus = bus_.tick(in.wb);
-    const auto drive = drive_.tick({.fault = in.fault, .codes = in.codes, .request = bus.request});
+    const auto drive = drive_.tick({.fault = in.fault, .codes = in.codes, .clock_khz = in.clock_khz, .request = bus.request});
     return {.gates = drive.gates,
             .sample = drive.sample,
             .interrupt = drive.interrupt,

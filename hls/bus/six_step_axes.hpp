@@ -30,6 +30,7 @@ class SixStepAxes {
   struct In {
     Parts with;  // of all axes
     std::array<Synchroniser::Pins, Axes> pins;  // asynchronous
+    Kilohertz clock_khz = 0;  // constant: what CLOCK of each shows
     AxiLite::In axi;
   };
 
@@ -64,7 +65,7 @@ class SixStepAxes {
       own.write = request.write && here;
       own.read = request.read && here;
       own.index = UInt<10>(request.index.template slice<5, 0>());
-      const auto drive = drives_[k].tick({.with = in.with, .pins = in.pins[k], .request = own});
+      const auto drive = drives_[k].tick({.with = in.with, .pins = in.pins[k], .clock_khz = in.clock_khz, .request = own});
       out.axis[k] = {.gates = drive.gates,
                      .interrupt = drive.interrupt,
                      .locked = drive.locked,

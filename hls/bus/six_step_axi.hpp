@@ -21,6 +21,7 @@ class SixStepAxi {
   struct In {
     Parts with;
     Synchroniser::Pins pins;  // asynchronous
+    Kilohertz clock_khz = 0;  // constant: what CLOCK shows
     AxiLite::In axi;
   };
 
@@ -34,7 +35,7 @@ class SixStepAxi {
 
   Out tick(const In& in) {
     const auto bus = axi_.tick(in.axi);
-    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .request = bus.request});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .clock_khz = in.clock_khz, .request = bus.request});
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,
             .locked = drive.locked,

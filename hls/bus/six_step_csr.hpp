@@ -25,6 +25,7 @@ class SixStepCsr {
   struct In {
     Parts with;
     Synchroniser::Pins pins;  // asynchronous
+    Kilohertz clock_khz = 0;  // constant: what CLOCK shows
     BusRequest request;
   };
 
@@ -54,6 +55,7 @@ class SixStepCsr {
                                             .unlocked = config.unlocked,
                                             .no_period = config.no_period,
                                             .tick = pwm.tick,
+                                            .clock_khz = in.clock_khz,
                                             .drive = {.state = drive.state,
                                                       .reason = drive.reason,
                                                       .locked = drive.locked,

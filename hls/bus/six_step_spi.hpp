@@ -22,6 +22,7 @@ class SixStepSpi {
   struct In {
     Parts with;
     Synchroniser::Pins pins;  // asynchronous
+    Kilohertz clock_khz = 0;  // constant: what CLOCK shows
     Spi::Pins spi;            // asynchronous
   };
 
@@ -35,7 +36,7 @@ class SixStepSpi {
 
   Out tick(const In& in) {
     const auto bus = bus_.tick({.pins = in.spi, .reply = reply_});
-    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .request = bus.request});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .clock_khz = in.clock_khz, .request = bus.request});
     reply_ = spi_reply(bus, drive);
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,

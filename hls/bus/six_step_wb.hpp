@@ -21,6 +21,7 @@ class SixStepWb {
   struct In {
     Parts with;
     Synchroniser::Pins pins;  // asynchronous
+    Kilohertz clock_khz = 0;  // constant: what CLOCK shows
     Wishbone::In wb;
   };
 
@@ -34,7 +35,7 @@ class SixStepWb {
 
   Out tick(const In& in) {
     const auto bus = bus_.tick(in.wb);
-    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .request = bus.request});
+    const auto drive = drive_.tick({.with = in.with, .pins = in.pins, .clock_khz = in.clock_khz, .request = bus.request});
     return {.gates = drive.gates,
             .interrupt = drive.interrupt,
             .locked = drive.locked,

@@ -34,7 +34,7 @@ module drive_properties #(
   localparam int kFaultPin = 3, kLatched = 4, kConfigured = 4;  // clocks
   // A bit for each word of the register map, address / 4.
   localparam logic [63:0] kKeyed = SINUSOIDAL ? 64'h3c00_0002_0000_0200 : 64'h0e00_0006_0000_0200;
-  localparam logic [63:0] kReadOnly = SINUSOIDAL ? 64'h8000_0000_0001_f017 : 64'hc000_0000_0001_f017;
+  localparam logic [63:0] kReadOnly = SINUSOIDAL ? 64'h8000_0000_0009_f017 : 64'hc000_0000_0009_f017;
 
   task automatic fail(input string what);
     $display("FAILED: %0t: %s", $time, what);

@@ -26,7 +26,7 @@ module hosted_drive #(
   wire [1:0] bresp, rresp;
 
   six_step_axi #(.WITH_HALL_DECODER(WITH_HALL_DECODER)) dut (
-      .clk(clk), .rst(rst),
+      .clk(clk), .rst(rst), .clock_khz_i(20'd24_000),
       .pins_comparator_u_i(comparator[0]), .pins_comparator_v_i(comparator[1]), .pins_comparator_w_i(comparator[2]),
       .pins_limit_i(limit), .pins_fault_i(fault),
       .pins_hall_u_i(1'b0), .pins_hall_v_i(1'b0), .pins_hall_w_i(1'b0),

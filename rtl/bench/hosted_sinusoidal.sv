@@ -34,7 +34,7 @@ module hosted_sinusoidal #(
   logic [11:0] code_u = 12'd0, code_v = 12'd0, code_dc = 12'd0;
 
   sinusoidal_axi dut (
-      .clk(clk), .rst(rst), .fault_i(fault),
+      .clk(clk), .rst(rst), .fault_i(fault), .clock_khz_i(20'd24_000),
       .codes_valid_i(valid), .codes_u_i(code_u), .codes_v_i(code_v), .codes_dc_i(code_dc),
       .axi_awvalid_i(awvalid), .axi_awaddr_i(awaddr), .axi_wvalid_i(wvalid), .axi_wdata_i(wdata), .axi_wstrb_i(wstrb),
       .axi_bready_i(bready), .axi_arvalid_i(arvalid), .axi_araddr_i(araddr), .axi_rready_i(rready),

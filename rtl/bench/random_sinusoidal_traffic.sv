@@ -28,7 +28,7 @@ module random_sinusoidal_traffic;
   // Seldom, since a drive that is stopped calibrates its ADCs anew before a gate is on, which takes longer than a busy host lets it run.
   traffic #(.WRITES(400)) traffic (.*);
   sinusoidal_axi dut (
-      .*,
+      .*, .clock_khz_i(20'd24_000),
       .fault_i(fault), .codes_valid_i(valid), .codes_u_i(code_u), .codes_v_i(code_v), .codes_dc_i(code_dc), .sample_o(sample)
   );
   drive_properties #(.SINUSOIDAL(1'b1)) properties (.*, .fault_pin(fault));

@@ -26,7 +26,7 @@ module random_traffic #(
   wire gates_uh_o, gates_ul_o, gates_vh_o, gates_vl_o, gates_wh_o, gates_wl_o;
   traffic traffic (.*);
   six_step_axi #(.WITH_HALL_DECODER(WITH_HALL_DECODER)) dut (
-      .*,
+      .*, .clock_khz_i(20'd24_000),
       .pins_comparator_u_i(comparator[0]), .pins_comparator_v_i(comparator[1]), .pins_comparator_w_i(comparator[2]),
       .pins_limit_i(limit), .pins_fault_i(fault),
       .pins_hall_u_i(hall[0]), .pins_hall_v_i(hall[1]), .pins_hall_w_i(hall[2])

@@ -5,6 +5,7 @@
 enum { amano2003_clock_hz = 12000000, amano2003_divide = 0 };
 
 static const struct steplock_word amano2003_config[] = {
+    {STEPLOCK_CLOCK, 12000u},
     {STEPLOCK_PWM, 0x1e020190u},
     {STEPLOCK_PWM_LIMITS, 0x000c000cu},
     {STEPLOCK_CURRENT_LIMIT, 0x00f00018u},

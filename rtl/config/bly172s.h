@@ -5,6 +5,7 @@
 enum { bly172s_clock_hz = 24000000, bly172s_divide = 0 };
 
 static const struct steplock_word bly172s_config[] = {
+    {STEPLOCK_CLOCK, 24000u},
     {STEPLOCK_PWM, 0x1e000320u},
     {STEPLOCK_PWM_LIMITS, 0x00180018u},
     {STEPLOCK_CURRENT_LIMIT, 0x01e00030u},

@@ -5,6 +5,7 @@
 enum { br2804_drone_clock_hz = 24000000, br2804_drone_divide = 0 };
 
 static const struct steplock_word br2804_drone_config[] = {
+    {STEPLOCK_CLOCK, 24000u},
     {STEPLOCK_PWM, 0x1e020320u},
     {STEPLOCK_PWM_LIMITS, 0x000c0018u},
     {STEPLOCK_CURRENT_LIMIT, 0x01e00030u},

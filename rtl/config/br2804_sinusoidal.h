@@ -5,6 +5,7 @@
 enum { br2804_sinusoidal_clock_hz = 48000000, br2804_sinusoidal_period = 1200 };
 
 static const struct steplock_word br2804_sinusoidal_config[] = {
+    {STEPLOCK_SINUSOIDAL_CLOCK, 48000u},
     {STEPLOCK_SINUSOIDAL_PWM, 0x010004b0u},
     {STEPLOCK_SINUSOIDAL_PWM_LIMITS, 0x000c000cu},
     {STEPLOCK_SINUSOIDAL_PWM_DEAD_TIME_LOSS, 0x000000d3u},

@@ -5,6 +5,7 @@
 enum { ceiling_fan_clock_hz = 12000000, ceiling_fan_divide = 0 };
 
 static const struct steplock_word ceiling_fan_config[] = {
+    {STEPLOCK_CLOCK, 12000u},
     {STEPLOCK_PWM, 0x14020258u},
     {STEPLOCK_PWM_LIMITS, 0x000c000cu},
     {STEPLOCK_CURRENT_LIMIT, 0x00f00018u},

@@ -5,6 +5,7 @@
 enum { ipm_2k2_clock_hz = 24000000, ipm_2k2_period = 2400 };
 
 static const struct steplock_word ipm_2k2_config[] = {
+    {STEPLOCK_SINUSOIDAL_CLOCK, 24000u},
     {STEPLOCK_SINUSOIDAL_PWM, 0x01000960u},
     {STEPLOCK_SINUSOIDAL_PWM_LIMITS, 0x00300030u},
     {STEPLOCK_SINUSOIDAL_PWM_DEAD_TIME_LOSS, 0x00000303u},

@@ -5,6 +5,7 @@
 enum { m2310p_servo_clock_hz = 24000000, m2310p_servo_divide = 0 };
 
 static const struct steplock_word m2310p_servo_config[] = {
+    {STEPLOCK_CLOCK, 24000u},
     {STEPLOCK_PWM, 0x1e020320u},
     {STEPLOCK_PWM_LIMITS, 0x00180018u},
     {STEPLOCK_CURRENT_LIMIT, 0x01e00030u},

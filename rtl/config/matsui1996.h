@@ -5,6 +5,7 @@
 enum { matsui1996_clock_hz = 24000000, matsui1996_period = 4800 };
 
 static const struct steplock_word matsui1996_config[] = {
+    {STEPLOCK_SINUSOIDAL_CLOCK, 24000u},
     {STEPLOCK_SINUSOIDAL_PWM, 0x010012c0u},
     {STEPLOCK_SINUSOIDAL_PWM_LIMITS, 0x00600060u},
     {STEPLOCK_SINUSOIDAL_PWM_DEAD_TIME_LOSS, 0x0000060bu},

@@ -5,6 +5,7 @@
 enum { maxon_ec45_flat_clock_hz = 24000000, maxon_ec45_flat_divide = 0 };
 
 static const struct steplock_word maxon_ec45_flat_config[] = {
+    {STEPLOCK_CLOCK, 24000u},
     {STEPLOCK_PWM, 0x1e020320u},
     {STEPLOCK_PWM_LIMITS, 0x00180018u},
     {STEPLOCK_CURRENT_LIMIT, 0x01e00030u},

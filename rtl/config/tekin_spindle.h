@@ -5,6 +5,7 @@
 enum { tekin_spindle_clock_hz = 24000000, tekin_spindle_divide = 0 };
 
 static const struct steplock_word tekin_spindle_config[] = {
+    {STEPLOCK_CLOCK, 24000u},
     {STEPLOCK_PWM, 0x28020258u},
     {STEPLOCK_PWM_LIMITS, 0x00070007u},
     {STEPLOCK_CURRENT_LIMIT, 0x01e00030u},

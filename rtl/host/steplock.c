@@ -74,22 +74,37 @@ static int need_method(const struct steplock_word *words, size_t count, uint32_t
   return lacks;
 }
 
+/* A clock is told to the kHz: two that round it otherwise mean the same one. */
+static enum steplock_result same_clock(const struct steplock_word *words, size_t count, uint32_t khz) {
+  enum steplock_result result = STEPLOCK_OK;
+  size_t i;
+  for (i = 0; i < count; ++i) {
+    if (words[i].offset == STEPLOCK_CLOCK && khz != 0u) {
+      const uint32_t apart = words[i].value > khz ? words[i].value - khz : khz - words[i].value;
+      if (apart > 1u) { result = STEPLOCK_WRONG_CLOCK; }
+    }
+  }
+  return result;
+}
+
 static enum steplock_result write_config(const struct steplock_bus *bus,
                                         const struct steplock_word *words, size_t count) {
   size_t i;
   for (i = 0; i < count; ++i) {
-    uint32_t kept;
-    enum steplock_result result = put(bus, words[i].offset, words[i].value);
-    if (result == STEPLOCK_OK) { result = get(bus, words[i].offset, &kept); }
-    if (result != STEPLOCK_OK) { return result; }
-    if (kept != words[i].value) { return STEPLOCK_NOT_KEPT; }
+    if (words[i].offset != STEPLOCK_CLOCK) {
+      uint32_t kept;
+      enum steplock_result result = put(bus, words[i].offset, words[i].value);
+      if (result == STEPLOCK_OK) { result = get(bus, words[i].offset, &kept); }
+      if (result != STEPLOCK_OK) { return result; }
+      if (kept != words[i].value) { return STEPLOCK_NOT_KEPT; }
+    }
   }
   return STEPLOCK_OK;
 }
 
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count) {
-  uint32_t id, version, capability, status;
+  uint32_t id, version, capability, khz, status;
   enum steplock_result result, closed;
   if (!usable(bus) || (!words && count != 0u)) { return STEPLOCK_REFUSED; }
   if (get(bus, STEPLOCK_ID, &id) != STEPLOCK_OK || id != STEPLOCK_ID_RESET ||
@@ -108,6 +123,9 @@ enum steplock_result steplock_init(const struct steplock_bus *bus,
       need_method(words, count, capability)) {
     return STEPLOCK_NO_METHOD;
   }
+  result = get(bus, STEPLOCK_CLOCK, &khz);
+  if (result == STEPLOCK_OK) { result = same_clock(words, count, GET(CLOCK_KHZ, khz)); }
+  if (result != STEPLOCK_OK) { return result; }
   result = need_stopped(bus);
   if (result != STEPLOCK_OK) { return result; }
   result = put(bus, STEPLOCK_CONTROL, 0);
@@ -126,6 +144,13 @@ enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned 
   uint32_t capability;
   const enum steplock_result result = kind ? get(bus, STEPLOCK_CAPABILITY, &capability) : STEPLOCK_REFUSED;
   if (result == STEPLOCK_OK) { *kind = (unsigned)GET(CAPABILITY_KIND, capability); }
+  return result;
+}
+
+enum steplock_result steplock_get_clock(const struct steplock_bus *bus, uint32_t *clock_hz) {
+  uint32_t khz;
+  const enum steplock_result result = clock_hz ? get(bus, STEPLOCK_CLOCK, &khz) : STEPLOCK_REFUSED;
+  if (result == STEPLOCK_OK) { *clock_hz = 1000u * GET(CLOCK_KHZ, khz); }
   return result;
 }
 
@@ -267,6 +292,6 @@ const char *steplock_reason_name(unsigned reason) {
 const char *steplock_result_name(enum steplock_result result) {
   static const char *const names[] = {
       "done", "bus error", "no such drive", "not stopped", "not kept", "fault latched", "no PWM period",
-      "no Hall decoder", "no such start", "refused", "try again"};
+      "no Hall decoder", "no such start", "refused", "try again", "wrong clock"};
   return name_of(names, sizeof names / sizeof names[0], (unsigned)result);
 }

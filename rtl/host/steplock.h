@@ -29,7 +29,8 @@ enum steplock_result {
   STEPLOCK_NO_HALL,      /* the configuration asks for Hall sensors, whose decoder this drive was made without */
   STEPLOCK_NO_METHOD,    /* the configuration asks for a start (START_LOCK.method) that this drive was made without */
   STEPLOCK_REFUSED,      /* an argument that cannot be: no bus, or a value that its register does not hold; nothing was written */
-  STEPLOCK_TRY_AGAIN     /* of clear_fault: an over-current, which lasts for a PWM period after its comparator fell */
+  STEPLOCK_TRY_AGAIN,    /* of clear_fault: an over-current, which lasts for a PWM period after its comparator fell */
+  STEPLOCK_WRONG_CLOCK   /* the configuration was made for another clock than the drive's (CLOCK); nothing was written */
 };
 const char *steplock_result_name(enum steplock_result result);
 
@@ -62,12 +63,16 @@ struct steplock_telemetry {
 /* A drive at `base` of the processor's own addresses. */
 struct steplock_bus steplock_memory_mapped(volatile uint32_t *base);
 
-/* Finds the drive, writes all words behind the lock, reads them back and enables the bridge. */
+/* Finds the drive, writes all words behind the lock, reads them back and enables the bridge.  A word at STEPLOCK_CLOCK is the
+ * clock in kHz for which the others were made: it is compared, if the drive tells its own, and not written. */
 enum steplock_result steplock_init(const struct steplock_bus *bus,
                                    const struct steplock_word *words, size_t count);
 
 /* One of enum steplock_kind; its words are of that kind. */
 enum steplock_result steplock_get_kind(const struct steplock_bus *bus, unsigned *kind);
+
+/* The drive's clock, to the kHz; 0: its pins clock_khz are tied to 0, and it does not tell. */
+enum steplock_result steplock_get_clock(const struct steplock_bus *bus, uint32_t *clock_hz);
 
 /* Drives on this bus, each 0x100 behind the one before. */
 enum steplock_result steplock_get_axes(const struct steplock_bus *bus, unsigned *axes);

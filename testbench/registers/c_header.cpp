@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <regex>
 
 #include "testbench/registers/registers.hpp"
@@ -60,9 +61,9 @@ std::string c_header(const Map& map) {
 
 namespace {
 
-// `constants`: what else the program wants to know of the drive, each with its value.
+// `constants`: what else the program wants to know of the drive, each with its value.  The first word is the clock.
 std::string config_text(const Map& map, const std::map<int, std::uint32_t>& values, const std::string& name,
-                       const std::string& constants) {
+                       const std::string& constants, double clock_hz) {
   std::string text = fmt::format(
       "/* The configuration of the drive {0}, for steplock_init().\n"
       " * Printed by `steplock design {0}.toml --c-header`. */\n"
@@ -70,6 +71,7 @@ std::string config_text(const Map& map, const std::map<int, std::uint32_t>& valu
       "enum {{ {2} }};\n\n"
       "static const struct steplock_word {0}_config[] = {{\n",
       name, map.stem, constants);
+  text += fmt::format("    {{{}CLOCK, {}u}},\n", map.prefix, std::llround(clock_hz / 1e3));
   for (const Register& r : registers(map)) {
     if (const auto value = values.find(r.address); value != values.end()) {
       text += fmt::format("    {{{}{}, 0x{:08x}u}},\n", map.prefix, r.name, value->second);
@@ -97,12 +99,12 @@ std::string list_text(const Map& map, const std::map<int, std::uint32_t>& values
 std::string config_c_header(const SixStepConfig& config, const std::string& name, double clock_hz) {
   return config_text(six_step(), values_of<SixStep>(config), name,
                     fmt::format("{0}_clock_hz = {1:.0f}, {0}_divide = {2}", name, clock_hz,
-                                int(config.loop.divide.raw())));
+                                int(config.loop.divide.raw())), clock_hz);
 }
 std::string config_c_header(const SinusoidalConfig& config, const std::string& name, double clock_hz) {
   return config_text(sinusoidal(), values_of<Sinusoidal>(config), name,
                     fmt::format("{0}_clock_hz = {1:.0f}, {0}_period = {2}", name, clock_hz,
-                                int(config.bridge.period.raw())));
+                                int(config.bridge.period.raw())), clock_hz);
 }
 
 std::string config_mem(const SixStepConfig& config, const std::string& name, double clock_hz) {

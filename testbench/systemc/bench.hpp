@@ -7,6 +7,7 @@
 // Doc: docs/systemc.md   Test: tests/testbench/CMakeLists.txt
 #pragma once
 
+#include <cmath>
 #include <systemc>
 
 #include "model/design/design.hpp"
@@ -52,6 +53,7 @@ class Bench : public sc_core::sc_module {
     drive.clk(clk);
     drive.rst(rst);
     wires.bind(drive);
+    wires.clock_khz = static_cast<std::uint32_t>(std::lround(s.control.clock_hz / 1e3));
     adapter.clk(clk);
     adapter.rst(rst);
     motor.clk(clk);

@@ -14,6 +14,7 @@ struct DriveSignals {
   using Signal = sc_core::sc_signal<T>;
 
   Signal<bool> comparator[3], limit, fault, hall[3];
+  Signal<std::uint32_t> clock_khz;  // constant
   Signal<bool> gate[6];  // uh, ul, vh, vl, wh, wl
   Signal<bool> interrupt, locked, latched;
   Signal<bool> awvalid, awready, wvalid, wready, bvalid, bready, arvalid, arready, rvalid, rready;
@@ -29,6 +30,7 @@ struct DriveSignals {
     drive.pins_hall_u_i(hall[0]);
     drive.pins_hall_v_i(hall[1]);
     drive.pins_hall_w_i(hall[2]);
+    drive.clock_khz_i(clock_khz);
     drive.gates_uh_o(gate[0]);
     drive.gates_ul_o(gate[1]);
     drive.gates_vh_o(gate[2]);

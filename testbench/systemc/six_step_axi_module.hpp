@@ -28,6 +28,7 @@ class SixStepAxiModule : public sc_core::sc_module {
       pins_comparator_w_i{"pins_comparator_w_i"}, pins_limit_i{"pins_limit_i"},
       pins_fault_i{"pins_fault_i"}, pins_hall_u_i{"pins_hall_u_i"}, pins_hall_v_i{"pins_hall_v_i"},
       pins_hall_w_i{"pins_hall_w_i"};
+  In<std::uint32_t> clock_khz_i{"clock_khz_i"};
   In<bool> axi_awvalid_i{"axi_awvalid_i"}, axi_wvalid_i{"axi_wvalid_i"},
       axi_bready_i{"axi_bready_i"}, axi_arvalid_i{"axi_arvalid_i"}, axi_rready_i{"axi_rready_i"};
   In<std::uint32_t> axi_awaddr_i{"axi_awaddr_i"}, axi_wdata_i{"axi_wdata_i"},
@@ -48,7 +49,7 @@ class SixStepAxiModule : public sc_core::sc_module {
     SC_METHOD(show);
     sensitive << taken_ << pins_comparator_u_i << pins_comparator_v_i << pins_comparator_w_i
               << pins_limit_i << pins_fault_i << pins_hall_u_i << pins_hall_v_i << pins_hall_w_i
-              << axi_awvalid_i << axi_awaddr_i << axi_wvalid_i << axi_wdata_i << axi_wstrb_i
+              << clock_khz_i << axi_awvalid_i << axi_awaddr_i << axi_wvalid_i << axi_wdata_i << axi_wstrb_i
               << axi_bready_i << axi_arvalid_i << axi_araddr_i << axi_rready_i;
   }
 
@@ -89,6 +90,7 @@ class SixStepAxiModule : public sc_core::sc_module {
                      .hall_u = pins_hall_u_i.read(),
                      .hall_v = pins_hall_v_i.read(),
                      .hall_w = pins_hall_w_i.read()},
+            .clock_khz = UInt<20>::of(clock_khz_i.read() & 0xfffff),
             .axi = {.awvalid = axi_awvalid_i.read(),
                     .awaddr = UInt<12>::of(axi_awaddr_i.read() & 0xfff),
                     .wvalid = axi_wvalid_i.read(),

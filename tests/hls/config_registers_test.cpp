@@ -204,7 +204,7 @@ RC_GTEST_PROP(ConfigRegisters, OnlyBytesWithAStrobeChange,
 TYPED_TEST(ConfigRegistersOf, HolesAndReadOnlyRegistersRefuse) {
   Bench<TypeParam> bench;
   for (const int index :
-       {0x3f, 0x13, 0x40, 0x60, 0x3ff, index_of("ID"), index_of("STATUS")}) {
+       {0x3f, 0x14, 0x40, 0x60, 0x3ff, index_of("ID"), index_of("CLOCK"), index_of("STATUS")}) {
     EXPECT_FALSE(bench.write(index, 1)) << index;
   }
   EXPECT_TRUE(bench.tick({.read = true, .index = 0x60}).hole) << "no alias of PWM";

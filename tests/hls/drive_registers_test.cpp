@@ -51,6 +51,15 @@ struct DriveRegistersOf : testing::Test {};
 using Maps = testing::Types<SixStep, Sinusoidal>;
 TYPED_TEST_SUITE(DriveRegistersOf, Maps);
 
+TYPED_TEST(DriveRegistersOf, ClockIsWhatItsPinsSay) {
+  Bench<TypeParam> bench;
+  for (const int khz : {0, 24'000, (1 << 20) - 1}) {
+    bench.in.clock_khz = khz;
+    EXPECT_EQ(bench.read(index_of<TypeParam>("CLOCK")), std::uint32_t(khz));
+    EXPECT_EQ(bench.read(index_of<TypeParam>("CLOCK") + 1), 0u) << "nothing beside it";
+  }
+}
+
 TYPED_TEST(DriveRegistersOf, ResetIsThatOfTheTable) {
   Bench<TypeParam> bench;
   bench.in.no_period = true;

@@ -230,7 +230,7 @@ TEST(HostAnswers, EveryStateReasonAndResultHasAName) {
   all_have_names(steplock_reason_name, STEPLOCK_REASON_BLOCKED);
   all_have_names(steplock_sinusoidal_state_name, STEPLOCK_SINUSOIDAL_STATE_FAULT);
   all_have_names(steplock_sinusoidal_reason_name, STEPLOCK_SINUSOIDAL_REASON_NO_POLARITY);
-  all_have_names([](unsigned k) { return steplock_result_name(steplock_result(k)); }, STEPLOCK_TRY_AGAIN);
+  all_have_names([](unsigned k) { return steplock_result_name(steplock_result(k)); }, STEPLOCK_WRONG_CLOCK);
   EXPECT_STREQ(steplock_state_name(STEPLOCK_STATE_PULL_IN), "pull in");
   EXPECT_STREQ(steplock_reason_name(STEPLOCK_REASON_OVER_CURRENT), "over-current");
   EXPECT_STREQ(steplock_sinusoidal_reason_name(STEPLOCK_SINUSOIDAL_REASON_NO_POLARITY), "no polarity");

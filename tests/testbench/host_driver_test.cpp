@@ -54,13 +54,14 @@ class Bench {
   bool interrupt() { return rtl_.interrupt_o != 0; }
   std::uint64_t shoot_throughs() const { return plant_.shoot_throughs(); }
   bool fault_pin = false;
+  unsigned clock_khz = 0;
 
  private:
   AxiAnswers tick(const AxiLite::In& axi) {
     Vsix_step_axi& rtl = rtl_;
     const double now = double(clock_) / clock_hz_;
     if (now >= plant_.next_event()) plant_.advance_to(now);
-    SixStepAxi::In in{.with = {}, .pins = {}, .axi = axi};
+    SixStepAxi::In in{.with = {}, .pins = {}, .clock_khz = clock_khz, .axi = axi};
     put_pins(in.pins, plant_.pins());
     in.pins.fault = fault_pin;
     ports::six_step_axi::drive_ports(rtl, in);
@@ -187,6 +188,33 @@ TEST(HostDriver, WordsWithoutAPeriodAreRefusedAndMoveNoGate) {
   for (int i = 0; i < 20; ++i) {
     bench.wait(1e-4);
     EXPECT_TRUE(bench.gates_off());
+  }
+}
+
+// Its words are for 24 MHz, say; 33.333 and 33.334 MHz are the same 33 1/3.
+TEST(HostDriver, WordsOfAnotherClockAreRefusedBeforeAnyIsWritten) {
+  Bench bench;
+  const steplock_bus bus = bench.bus();
+  auto config = bench.config();
+  config.insert(config.begin(), {STEPLOCK_CLOCK, 33'334});
+  std::uint32_t clock_hz = 1, pwm = 1;
+  EXPECT_EQ(steplock_get_clock(&bus, &clock_hz), STEPLOCK_OK);
+  EXPECT_EQ(clock_hz, 0u) << "its pins are tied to 0";
+  bench.clock_khz = 24'000;
+  EXPECT_EQ(steplock_get_clock(&bus, &clock_hz), STEPLOCK_OK);
+  EXPECT_EQ(clock_hz, 24'000'000u);
+  EXPECT_EQ(steplock_get_clock(&bus, nullptr), STEPLOCK_REFUSED);
+  EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_WRONG_CLOCK);
+  EXPECT_STREQ(steplock_result_name(STEPLOCK_WRONG_CLOCK), "wrong clock");
+  EXPECT_EQ(bus.read(bus.context, STEPLOCK_PWM, &pwm), 0);
+  EXPECT_EQ(pwm, STEPLOCK_PWM_RESET) << "nothing was written";
+  for (const unsigned khz : {33'333u, 33'334u, 33'335u, 0u}) {
+    bench.clock_khz = khz;
+    EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_OK) << khz;
+  }
+  for (const unsigned khz : {33'332u, 33'336u}) {
+    bench.clock_khz = khz;
+    EXPECT_EQ(steplock_init(&bus, config.data(), config.size()), STEPLOCK_WRONG_CLOCK) << khz;
   }
 }
 

@@ -1,6 +1,7 @@
 // What is printed of the register map is what is committed, and says what the table says.
 #include "testbench/registers/registers.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,7 +88,8 @@ TEST(Registers, TheInitialisersOfADriveAreItsWords) {
   };
   std::apply([&](const auto&... row) { (check(row), ...); }, kWordRows);
   EXPECT_EQ(read, 60);
-  EXPECT_EQ(count(text, "    {STEPLOCK_"), 30);
+  EXPECT_EQ(count(text, "    {STEPLOCK_"), 31);
+  EXPECT_NE(text.find(fmt::format("    {{STEPLOCK_CLOCK, {:.0f}u}},", clock_hz / 1e3)), text.npos);
 }
 
 TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
@@ -106,7 +108,8 @@ TEST(Registers, TheInitialisersOfASinusoidalDriveAreItsWords) {
   };
   std::apply([&](const auto&... row) { (check(row), ...); }, kSinusoidalWordRows);
   EXPECT_EQ(read, 54);
-  EXPECT_EQ(count(text, "    {STEPLOCK_"), 31);
+  EXPECT_EQ(count(text, "    {STEPLOCK_"), 32);
+  EXPECT_NE(text.find("    {STEPLOCK_SINUSOIDAL_CLOCK, 24000u},"), text.npos);
   EXPECT_NE(text.find("#include \"steplock_sinusoidal.h\""), text.npos);
   EXPECT_NE(text.find(std::to_string(int(config.bridge.period.raw()))), text.npos);
 }

@@ -15,7 +15,8 @@ for header in "$words"/*.h; do
 #include "$header"
 int main(void) {
   for (size_t i = 0; i < sizeof ${name}_config / sizeof ${name}_config[0]; ++i)
-    printf("%08x%08x\\n", (unsigned)${name}_config[i].offset, (unsigned)${name}_config[i].value);
+    if (${name}_config[i].offset != STEPLOCK_CLOCK)  /* compared with the drive's, not written: none of the list */
+      printf("%08x%08x\\n", (unsigned)${name}_config[i].offset, (unsigned)${name}_config[i].value);
   return 0;
 }
 PROGRAM
