@@ -94,6 +94,7 @@ void random_axi_traffic(int clocks, std::uint64_t seed, std::optional<int> lie_a
     in.bready = chance(40);
     in.rready = chance(40);
     typename Top::In pins;
+    pins.clock_khz = kClockKhz;
     pins.axi = in;
     auto out = dut.tick(pins).axi;
     if (lie_at == clock) out.bvalid = !out.bvalid;

@@ -55,6 +55,7 @@ void random_bus_traffic(int transfers, std::uint64_t seed, int lie = -1) {
   const auto chance = [&](int percent) { return int(random() % 100) < percent; };
   typename Bus::Top top;
   typename Bus::Top::In in;
+  in.clock_khz = kClockKhz;
   typename Bus::Top::Out out;
   MapModel<typename Bus::Map> model;
   int errors = 0;

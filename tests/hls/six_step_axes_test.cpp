@@ -26,10 +26,11 @@ class Bench {
   // One clock, with `axi` meant for axis `axis`, or none of them.
   void clock(int axis = -1, const AxiLite::In& axi = {}) {
     in.axi = axi;
+    in.clock_khz = kClockKhz;
     out = axes_.tick(in);
     for (int k = 0; k < Axes; ++k) {
       const std::size_t n = std::size_t(k);
-      SixStepAxi::In own{.pins = in.pins[n], .axi = {}};
+      SixStepAxi::In own{.pins = in.pins[n], .clock_khz = kClockKhz, .axi = {}};
       if (k == axis || (sabotage && axis >= 0)) {
         own.axi = axi;
         own.axi.awaddr = wrap<UInt<8>>(axi.awaddr);

@@ -27,6 +27,7 @@ void random_frames(int frames, std::uint64_t seed, int lie = -1) {
   Top top;
   const auto line = [&](const Spi::Pins& pins) {
     typename Top::In in;
+    in.clock_khz = kClockKhz;
     in.spi = pins;
     return top.tick(in).spi.miso;
   };

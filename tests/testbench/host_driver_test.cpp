@@ -191,7 +191,7 @@ TEST(HostDriver, WordsWithoutAPeriodAreRefusedAndMoveNoGate) {
   }
 }
 
-// Its words are for 24 MHz, say; 33.333 and 33.334 MHz are the same 33 1/3.
+// Whoever rounds 33 1/3 MHz to the kHz may have taken 33.333 or 33.334: a kHz apart is the same clock.
 TEST(HostDriver, WordsOfAnotherClockAreRefusedBeforeAnyIsWritten) {
   Bench bench;
   const steplock_bus bus = bench.bus();
